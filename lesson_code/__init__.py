@@ -1,0 +1,28 @@
+"""The code of the collision workbook: what its notebooks explain, its checks and its programs run.
+
+The folders are the wings of the house. Data flows one way, and each wing imports only from
+the wings above it in this list (a test holds it to that):
+
+formulas
+    the lesson's equations: pure functions of numbers
+geometry
+    where shapes touch
+reference
+    answers that are not ours: closed forms, and pymunk
+evidence
+    claims compared with what was measured
+view
+    figures, interactive figures and the pygame window
+programs
+    the pygame programs
+quiz
+    one bank of questions, one checker
+notebook_tools
+    notebooks made from their sources, student copies, runs under nbval
+grading
+    the exercises' tasks, wrong models, isolation of student code, reports
+cli
+    the ``workbook`` command
+"""
+
+__version__ = "0.1.0"
