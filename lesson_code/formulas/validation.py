@@ -14,7 +14,7 @@ import inspect
 import math
 import numbers
 from collections.abc import Callable
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeAlias, TypeVar, cast
 
 import numpy as np
 
@@ -132,14 +132,14 @@ def formula(
             result = written(**values)
             return np.moveaxis(result, 0, -1) if returns_vector else result
 
-        return checked  # type: ignore[return-value]
+        return cast(F, checked)
 
     return decorate
 
 
 def equation(checked: F) -> F:
     """Return the equation behind a formula's door: the same lines, no checks."""
-    return inspect.unwrap(checked)  # type: ignore[return-value]
+    return cast(F, inspect.unwrap(checked))
 
 
 def _common_shape(values: dict[str, Any], vectors: set[str]) -> tuple[int, ...]:
@@ -182,7 +182,7 @@ def _real_array(name: str, value: Any) -> Any:
         array = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name} must be a regular array, got rows of unequal length") from None
-    if array.dtype.kind not in "biufO" or array.dtype == object and not _all_real(array):
+    if array.dtype.kind not in "biufO" or (array.dtype == object and not _all_real(array)):
         raise TypeError(f"{name} must be a real number or an array of them, got {value!r}")
     return array.astype(float)
 

@@ -1,0 +1,1 @@
+"""The exercises' tasks, wrong models, isolation of student code, reports."""

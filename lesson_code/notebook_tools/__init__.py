@@ -1,0 +1,1 @@
+"""Notebooks made from their sources, student copies, runs under nbval."""

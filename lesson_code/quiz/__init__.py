@@ -1,0 +1,1 @@
+"""One bank of questions, one checker."""

@@ -1,0 +1,1 @@
+"""What is seen: figures, interactive figures, the pygame window."""
