@@ -1,0 +1,177 @@
+"""The student's side of the wall: runs student code, and answers calls with plain values.
+
+This file is run as a script in a process of its own and imports nothing of lesson_code: what
+is expected stays with the parent. The parent writes one JSON request a line, the child answers
+each with one JSON line:
+
+    {"load": [{"name", "source", "keep"}, ...]}  ->  {"loaded": [error or null, ...]}
+    {"call": function, "arguments": [...]}       ->  {"kind": "returned", "value": ...}
+                                                     or {"kind": "raised" | ..., "text": ...}
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import numbers
+import os
+import sys
+import traceback
+import types
+from collections.abc import Iterable
+from typing import Any, BinaryIO
+
+MOST_NUMBERS = 100_000
+"""An answer holds at most so many numbers; no task asks for more than a thousand."""
+
+STOPPED = (Exception, SystemExit)
+"""What a student's function may end in without ending this process; the rest ends it."""
+
+DEEPEST = 20
+"""An answer is nested at most so deep; no task needs more than four."""
+
+
+def plain(value: Any) -> Any:
+    """Return an answer as None, bool, int, float, str, or lists of these.
+
+    Lists, tuples, arrays, Fractions, complex numbers (as [x, y]) and vectors of other libraries
+    are all welcome.
+
+    >>> from fractions import Fraction
+    >>> plain((Fraction(1, 2), 3 + 4j, None))
+    [0.5, [3.0, 4.0], None]
+    """
+    return _plain(value, [MOST_NUMBERS], DEEPEST)
+
+
+def _plain(value: Any, room: list[int], depth: int) -> Any:
+    """Return `value` made plain; `room` counts down the numbers there is still room for."""
+    room[0] -= 1
+    if room[0] < 0 or depth < 0:
+        raise ValueError("the answer is too large")
+    if value is None or isinstance(value, str | bool):
+        return value
+    if type(value).__name__ == "bool" and hasattr(value, "item"):  # NumPy's own bool
+        return bool(value)
+    if isinstance(value, numbers.Integral):
+        return int(value)
+    if isinstance(value, numbers.Real) or hasattr(value, "as_integer_ratio"):
+        return float(value)
+    if isinstance(value, numbers.Complex):
+        return [float(value.real), float(value.imag)]
+    if getattr(value, "shape", None) == ():  # a NumPy array of no dimensions is a number
+        return _plain(value.item(), room, depth - 1)
+    if isinstance(value, Iterable) and not isinstance(value, dict | bytes):
+        return [_plain(item, room, depth - 1) for item in value]
+    raise TypeError(f"returned a {type(value).__name__}, which is no number, vector or tuple")
+
+
+def arguments_from(values: Iterable[Any]) -> list[Any]:
+    """Return the arguments of a call, made afresh: vectors are NumPy arrays of their own.
+
+    >>> arguments_from([2.0, (3.0, 4.0)])
+    [2.0, array([3., 4.])]
+    """
+    import numpy as np
+
+    return [
+        np.array(value, dtype=float) if isinstance(value, list | tuple) else value
+        for value in values
+    ]
+
+
+class LessonCodeBlocked:
+    """Refuses to import lesson_code: graded code has to stand on its own."""
+
+    def find_spec(self, name: str, *_: Any) -> None:
+        """Raise for lesson_code, and leave every other module to the next finder."""
+        if name.partition(".")[0] == "lesson_code":
+            raise ImportError("lesson_code cannot be imported while an answer is graded")
+
+
+def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> list[str | None]:
+    """Run the kept statements of each unit; return for each what went wrong, or None."""
+    return [_load_unit(unit, namespace) for unit in units]
+
+
+def _load_unit(unit: dict[str, Any], namespace: dict[str, Any]) -> str | None:
+    """Run one unit up to its first failing statement."""
+    try:
+        tree = ast.parse(unit["source"], filename=unit["name"])
+        tree.body = [tree.body[index] for index in unit["keep"]]
+        exec(compile(tree, unit["name"], "exec"), namespace)  # noqa: S102 - what this is for
+    except STOPPED as error:
+        return _described(error)
+    return None
+
+
+def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict[str, Any]:
+    """Call a student's function and return what came of it."""
+    if not callable(namespace.get(function)):
+        return {"kind": "missing", "text": f"there is no function named {function}"}
+    try:
+        value = namespace[function](*arguments_from(arguments))
+    except NotImplementedError as error:
+        return {"kind": "not written", "text": str(error)}
+    except STOPPED as error:
+        return {"kind": "raised", "text": _described(error)}
+    try:
+        return {"kind": "returned", "value": plain(value)}
+    except STOPPED as error:  # an answer may be an object of any class
+        return {"kind": "raised", "text": str(error)}
+
+
+def _described(error: BaseException) -> str:
+    """Return an error in a line, with the place in the student's own code."""
+    places = [
+        f" ({frame.filename}, line {frame.lineno})"
+        for frame in traceback.extract_tb(error.__traceback__)
+        if frame.filename.startswith("your ")
+    ]
+    return f"{type(error).__name__}: {error}{places[-1] if places else ''}"[:500]
+
+
+def limit(seconds: int, bytes_of_memory: int) -> None:
+    """Lower this process's limits; a process cannot raise them again."""
+    try:
+        import resource
+    except ImportError:  # Windows has none; the parent says so in its report
+        return
+    for what, most in (
+        (resource.RLIMIT_CPU, seconds),
+        (resource.RLIMIT_AS, bytes_of_memory),
+        (resource.RLIMIT_FSIZE, 1_000_000),
+        (resource.RLIMIT_NOFILE, 64),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        resource.setrlimit(what, (most, most))
+
+
+def serve(requests: BinaryIO, answers: BinaryIO) -> None:
+    """Answer requests until there are no more."""
+    answer_module = types.ModuleType("answer")  # dataclasses look up the module they stand in
+    sys.modules["answer"] = answer_module
+    namespace = vars(answer_module)
+    for line in requests:
+        request = json.loads(line)
+        if "load" in request:
+            answer: dict[str, Any] = {"loaded": load(request["load"], namespace)}
+        else:
+            answer = call(request["call"], request["arguments"], namespace)
+        answers.write(json.dumps(answer).encode() + b"\n")
+        answers.flush()
+
+
+def main() -> None:
+    """Keep the pipes to the parent for ourselves, lower the limits, and serve."""
+    requests, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for descriptor in (0, 1, 2):
+        os.dup2(nothing, descriptor)
+    limit(seconds=int(sys.argv[1]), bytes_of_memory=int(sys.argv[2]))
+    sys.meta_path.insert(0, LessonCodeBlocked())
+    serve(requests, answers)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,167 @@
+"""From the answers to the marks: which criteria hold, and which wrong model was recognised."""
+
+from __future__ import annotations
+
+import copy
+import zlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from random import Random
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.grading.child import arguments_from, plain
+from lesson_code.grading.compare import agrees, written
+from lesson_code.grading.isolation import Outcome
+from lesson_code.grading.task import Arguments, Criterion, Task, WrongModel
+
+Call: TypeAlias = Callable[[str, Arguments], Outcome]
+"""Calls a student's function by name: in this process, or across the wall."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One call: its arguments, what was expected, and what came."""
+
+    arguments: Arguments
+    expected: Any
+    outcome: Outcome
+
+    def agrees(self, part: Callable[[Any], Any] | None) -> bool:
+        """Return whether the answer is right, in the part that is looked at."""
+        if self.outcome.kind != "returned":
+            return False
+        if part is None:
+            return agrees(self.outcome.value, self.expected)
+        return agrees(_part(part, self.outcome.value), plain(part(self.expected)))
+
+
+@dataclass(frozen=True)
+class CriterionVerdict:
+    """The marks for one criterion, and a message if they are not full."""
+
+    name: str
+    points: int
+    full_points: int
+    message: str = ""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The marks for a task, criterion by criterion, and the hint for a recognised wrong model."""
+
+    task: Task
+    criteria: tuple[CriterionVerdict, ...]
+    recognised: WrongModel | None
+    seed: int
+
+    @property
+    def points(self) -> int:
+        """The points earned."""
+        return sum(criterion.points for criterion in self.criteria)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether every criterion holds."""
+        return self.points == self.task.points
+
+    @property
+    def line(self) -> str:
+        """The line a check cell prints."""
+        return f"{self.task.title}: {self.points}/{self.task.points} points"
+
+
+def judge(task: Task, call: Call, seed: int) -> Verdict:
+    """Return the marks for a task.
+
+    Parameters
+    ----------
+    task : Task
+        What is asked.
+    call : Call
+        Calls the student's function.
+    seed : int
+        Draws the inputs; the same seed draws the same ones again.
+    """
+    tried = [(criterion, _try(task, criterion, call, seed)) for criterion in task.criteria]
+    trials = [trial for _, some in tried for trial in some]
+    return Verdict(
+        task,
+        tuple(_mark(task, criterion, some) for criterion, some in tried),
+        _recognised(task, trials),
+        seed,
+    )
+
+
+def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]:
+    """Make the calls of one criterion; after one that hangs, crashes or is not there, no more."""
+    stream = Random(zlib.crc32(f"{seed} {task.id} {criterion.name}".encode()))  # noqa: S311
+    trials: list[Trial] = []
+    for arguments in criterion.cases(stream):
+        expected = plain(task.expected(*arguments_from(arguments)))
+        outcome = call(task.function, copy.deepcopy(arguments))
+        trials.append(Trial(arguments, expected, outcome))
+        if outcome.kind not in ("returned", "raised"):
+            break
+    return trials
+
+
+def _mark(task: Task, criterion: Criterion, trials: list[Trial]) -> CriterionVerdict:
+    """Return the marks for one criterion: all of its points or none."""
+    failed = next((trial for trial in trials if not trial.agrees(criterion.part)), None)
+    if failed is None:
+        return CriterionVerdict(criterion.name, criterion.points, criterion.points)
+    return CriterionVerdict(criterion.name, 0, criterion.points, _message(task, criterion, failed))
+
+
+def _message(task: Task, criterion: Criterion, trial: Trial) -> str:
+    """Return what was called, what came, and what was expected and why."""
+    outcome = trial.outcome
+    if outcome.kind == "not written":
+        return "not written yet"
+    if outcome.kind == "missing":
+        return outcome.text
+    called = f"Called {task.function}{_call_written(trial.arguments)}."
+    if outcome.kind == "raised":
+        return f"{called} It stopped with {outcome.text}."
+    if outcome.kind != "returned":
+        return f"{called} {outcome.text[:1].upper()}{outcome.text[1:]}."
+    got, expected = outcome.value, trial.expected
+    if criterion.part is not None:
+        got, expected = _part(criterion.part, got), plain(criterion.part(expected))
+    why = f" {task.explain(trial.arguments, outcome.value)}" if task.explain else ""
+    return f"{called} It returned {written(got)}; expected {written(expected)}.{why}".rstrip()
+
+
+def _call_written(arguments: Arguments) -> str:
+    """Return arguments as a call shows them, with the comma-less form of one argument."""
+    return f"({', '.join(written(argument) for argument in arguments)})"
+
+
+def _part(part: Callable[[Any], Any], answer: Any) -> Any:
+    """Return the part of an answer that is looked at; of an answer of another form, None."""
+    try:
+        return plain(part(answer))
+    except (TypeError, ValueError, IndexError, KeyError, AttributeError):
+        return None
+
+
+def _recognised(task: Task, trials: list[Trial]) -> WrongModel | None:
+    """Return the wrong model that gives just what the student's function gave, if one does."""
+    returned = [trial for trial in trials if trial.outcome.kind == "returned"]
+    if not returned or all(trial.agrees(None) for trial in returned):
+        return None
+    for model in task.wrong_models:
+        if all(agrees(trial.outcome.value, _wrong_answer(model, trial)) for trial in returned):
+            return model
+    return None
+
+
+def _wrong_answer(model: WrongModel, trial: Trial) -> Any:
+    """Return what a wrong model makes of a trial's arguments, or words where it fails."""
+    try:
+        with np.errstate(all="ignore"):
+            return plain(model(*arguments_from(trial.arguments)))
+    except Exception as error:  # a wrong model may fail in any way
+        return f"failed: {error}"
