@@ -1,12 +1,317 @@
-"""The ``workbook`` command."""
+"""The ``workbook`` command: one function a subcommand, each a thin shell around its wing.
+
+Exit codes: 0 all is well, 1 something is not (a cell failed, marks are missing), 2 the command
+could not do what was asked. Wings are imported by the subcommand that needs them.
+"""
 
 from __future__ import annotations
 
-import typer
+import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, help=__doc__)
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+if TYPE_CHECKING:
+    from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
+
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="The collision workbook: open it, check it, grade answers, take the quiz, play.",
+)
+play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
+app.add_typer(play, name="play")
+
+console = Console()
+errors = Console(stderr=True)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 
 
 def main() -> None:
     """Run the command."""
+    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
     app()
+
+
+@contextmanager
+def _clear_errors() -> Iterator[None]:
+    """Turn an error about what was asked into one line and exit code 2."""
+    try:
+        yield
+    except typer.Exit:  # is a RuntimeError too, but none of these
+        raise
+    except (ValueError, OSError, RuntimeError) as error:
+        errors.print(f"workbook: {error}", style="bold red", markup=False, highlight=False)
+        raise typer.Exit(2) from None
+
+
+@app.command("open")
+def open_workbook(
+    notebook: Annotated[str, typer.Argument(help="Its number, such as 03.")] = "00",
+    browser: Annotated[
+        bool, typer.Option(help="Open a browser window, if there is a screen.")
+    ] = True,
+    port: Annotated[int | None, typer.Option(help="The port to serve on.")] = None,
+) -> None:
+    """Open the workbook in a browser; without a screen, serve it and print the address."""
+    import webbrowser
+
+    from lesson_code.notebook_tools import server
+    from lesson_code.notebook_tools.root import find_root
+
+    with _clear_errors():
+        root = find_root()
+        found = sorted((root / "notebooks").glob(f"{notebook}*.ipynb"))
+        if not notebook or len(found) != 1:
+            raise ValueError(f"notebook must be the number of one, such as 00, got {notebook!r}")
+        running = server.start(root, found[0].relative_to(root), port)
+    console.print("The workbook is served at", running.address, soft_wrap=True, highlight=False)
+    console.print("Stop it with Ctrl-C.")
+    if browser and server.has_screen():
+        webbrowser.open(running.address)
+    try:
+        running.process.wait()
+    except KeyboardInterrupt:
+        running.stop()
+
+
+@app.command()
+def check(
+    exercises: Annotated[
+        bool, typer.Option("--exercises", help="Put the exercises to the test instead.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Run every notebook and solution again, and compare each output with the stored one."""
+    with _clear_errors():
+        if exercises:
+            _check_exercises(as_json)
+        else:
+            _check_notebooks(as_json)
+
+
+def _check_notebooks(as_json: bool) -> None:
+    """Run all notebooks under nbval, with a progress bar."""
+    from lesson_code.notebook_tools.nbval_run import run_notebooks
+    from lesson_code.notebook_tools.root import find_root
+
+    root = find_root()
+    paths = [p for f in ("notebooks", "solutions") for p in sorted((root / f).glob("*.ipynb"))]
+    with _progress() as progress:
+        results = run_notebooks(paths, watcher=_watcher(progress))
+    failed = [result for result in results if not result.passed]
+    if as_json:
+        _print_json(
+            {
+                "version": 1,
+                "command": "check",
+                "notebooks": len(paths),
+                "cells": len(results),
+                "failed": [vars(result) for result in failed],
+            }
+        )
+    else:
+        for result in failed:
+            errors.print(
+                f"{result.notebook}, code cell {result.cell + 1}:\n{result.message}", markup=False
+            )
+        console.print(f"{len(paths)} notebooks, {len(results)} cells, {len(failed)} failed")
+    raise typer.Exit(1 if failed else 0)
+
+
+def _check_exercises(as_json: bool) -> None:
+    """Put the exercises to the test, with a line for what is being checked."""
+    from lesson_code.grading.self_check import faults
+    from lesson_code.notebook_tools.root import find_root
+
+    root = find_root()
+    with errors.status("exercises") as status:
+        found = list(faults(root, told=status.update))
+    if as_json:
+        _print_json({"version": 1, "command": "check --exercises", "faults": found})
+    else:
+        for fault in found:
+            errors.print(fault, markup=False)
+        console.print(f"exercises: {len(found)} faults")
+    raise typer.Exit(1 if found else 0)
+
+
+@app.command()
+def grade(
+    submission: Annotated[Path, typer.Argument(help="A notebook or a .py file.")],
+    exercise: Annotated[
+        str | None, typer.Option(help="Which exercise, if the file does not tell.")
+    ] = None,
+    seed: Annotated[int | None, typer.Option(help="Draw the same inputs again.")] = None,
+    nbval: Annotated[
+        bool, typer.Option("--nbval", help="Grade under nbval, without isolation.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Grade one submission; its code runs in a process of its own, with limits."""
+    from lesson_code.grading import report
+
+    with _clear_errors():
+        if nbval:
+            _grade_under_nbval(submission, exercise, as_json)
+        graded = report.grade(submission, exercise=exercise, seed=seed)
+        if as_json:
+            _print_json(graded.as_dict())
+        else:
+            report.print_report(graded, console)
+    raise typer.Exit(0 if graded.is_full else 1)
+
+
+def _grade_under_nbval(path: Path, exercise: str | None, as_json: bool) -> None:
+    """Grade by nbval alone: a task passes with full marks, or it does not."""
+    from lesson_code.grading.nbval_grading import grade_under_nbval
+    from lesson_code.notebook_tools.root import find_root
+
+    submission, chosen = _submission_and_exercise(path, exercise)
+    errors.print("nbval runs the submission's code in a kernel without any isolation.")
+    with _progress() as progress:
+        outcomes = grade_under_nbval(submission, chosen, find_root(), _watcher(progress))
+    passed = all(outcome.passed for outcome in outcomes)
+    if as_json:
+        _print_json(
+            {
+                "version": 1,
+                "command": "grade --nbval",
+                "submission": str(path),
+                "exercise": chosen.name,
+                "isolation": "none",
+                "tasks": [vars(outcome) for outcome in outcomes],
+            }
+        )
+    else:
+        for outcome in outcomes:
+            verdict = "full marks" if outcome.passed else "not full marks"
+            console.print(f"{outcome.task} {outcome.function}: {verdict}", highlight=False)
+    raise typer.Exit(0 if passed else 1)
+
+
+@app.command()
+def merge(
+    submission: Annotated[Path, typer.Argument(help="A notebook or a .py file.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="The notebook to write.")],
+    exercise: Annotated[
+        str | None, typer.Option(help="Which exercise, if the file does not tell.")
+    ] = None,
+) -> None:
+    """Lay a submission into the solution notebook, to be graded by pytest --nbval-lax."""
+    from lesson_code.grading.nbval_grading import merge as merged
+    from lesson_code.notebook_tools.root import find_root
+
+    with _clear_errors():
+        read, chosen = _submission_and_exercise(submission, exercise)
+        text = json.dumps(merged(read, chosen, find_root()), indent=1)
+        output.write_text(text + "\n", encoding="utf-8")
+    console.print(f"Wrote {output}. Now run: pytest --nbval-lax {output}", soft_wrap=True)
+
+
+def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:
+    """Return a submission and the exercise it answers."""
+    from lesson_code.grading.exercises import exercise_by_name, exercise_of
+    from lesson_code.grading.submission import read_submission
+
+    submission = read_submission(path)
+    return submission, exercise_by_name(name) if name else exercise_of(submission)
+
+
+@app.command()
+def quiz(
+    chapters: Annotated[
+        list[str] | None, typer.Argument(help="Their numbers; all by default.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Take the quiz here in the terminal."""
+    from lesson_code.quiz.bank import chapter_numbers
+    from lesson_code.quiz.terminal import run_quiz
+
+    with _clear_errors():
+        result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
+        if as_json:
+            _print_json(result.as_dict())
+
+
+@play.command("billiards")
+def play_billiards(
+    frames: Annotated[int | None, typer.Option(help="Stop after so many frames.")] = None,
+    headless: Annotated[bool, typer.Option("--headless", help="Without a window.")] = False,
+    screenshot: Annotated[Path | None, typer.Option(help="Save the last frame as a PNG.")] = None,
+) -> None:
+    """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
+    from lesson_code.programs.billiards import play as play_program
+
+    with _clear_errors():
+        if headless and frames is None:
+            raise ValueError("--headless needs --frames: without a window nobody can close it")
+        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
+    console.print(f"{sum(outcome.bounces.values())} bounces in {outcome.frames} frames")
+
+
+@app.command()
+def regenerate(
+    only_check: Annotated[
+        bool, typer.Option("--check", help="Change nothing; say what is not as its source says.")
+    ] = False,
+    names: Annotated[list[str] | None, typer.Argument(help="Only files that begin so.")] = None,
+) -> None:
+    """Make every notebook and student copy anew from its source (for those who carry it on)."""
+    from lesson_code.grading.exercises import EXERCISES
+    from lesson_code.notebook_tools.regenerate import derived_files, drifted
+    from lesson_code.notebook_tools.root import find_root
+
+    tasks = {exercise.name: exercise.task_ids for exercise in EXERCISES}
+    with _clear_errors():
+        root = find_root()
+        if only_check:
+            lines = drifted(root, tasks)
+            for line in lines:
+                errors.print(line, markup=False)
+            raise typer.Exit(1 if lines else 0)
+        for file in derived_files(root, tasks):
+            if not names or file.path.name.startswith(tuple(names)):
+                file.path.write_text(file.text(run=True), encoding="utf-8")
+                console.print(f"{file.path.relative_to(root)}")
+
+
+def _progress() -> Progress:
+    """Return a progress bar that leaves standard output to the results."""
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        console=errors,
+    )
+
+
+def _watcher(progress: Progress) -> Watcher:
+    """Return a watcher that moves one bar for each notebook."""
+    from lesson_code.notebook_tools.nbval_run import Watcher
+
+    bars: dict[str, Any] = {}
+
+    def collected(counts: dict[str, int]) -> None:
+        for notebook, cells in counts.items():
+            bars[notebook] = progress.add_task(notebook, total=cells)
+
+    def finished(result: CellResult) -> None:
+        progress.advance(bars[result.notebook])
+
+    return Watcher(collected, finished)
+
+
+def _print_json(value: dict[str, Any]) -> None:
+    """Print one JSON object on standard output."""
+    typer.echo(json.dumps(value, indent=2))

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+import numbers
 from typing import Any
 
 import numpy as np
+
+from lesson_code.formulas.validation import non_negative
 
 
 class CheckFailedError(AssertionError):
@@ -27,56 +30,75 @@ def check(claim: str, measured: Any, expected: Any, tolerance: float = 0.0) -> N
         What algebra, a limit, a conservation law or another engine says; never the function
         under test. Shapes must be the same, or `expected` a single number for all.
     tolerance : float
-        The largest difference allowed, in the unit of `measured`, >= 0. Zero means exactly.
+        The largest difference allowed, in the unit of `measured`, >= 0 and finite. Zero means
+        exactly.
 
     Raises
     ------
     CheckFailedError
-        The claim is false. nan never agrees with anything.
+        The claim is false; the message ends with how far off it is. nan never agrees with
+        anything.
     ValueError
-        `tolerance` is negative or nan.
+        `tolerance` is negative, infinite or nan.
 
     Examples
     --------
     >>> check("momentum is kept", measured=0.1 + 0.2, expected=0.3, tolerance=1e-12)
     ok    momentum is kept: 0.3, expected 0.3 within 1e-12
-    >>> check("the ball rises again", measured=2.0, expected=1.0, tolerance=0.5)
+    >>> check("it rises", measured=2.0, expected=1.0, tolerance=0.5)
     Traceback (most recent call last):
         ...
-    lesson_code.evidence.check.CheckFailedError: FALSE the ball rises again: 2, expected 1 within 0.5
+    lesson_code.evidence.check.CheckFailedError: FALSE it rises: 2, expected 1 within 0.5 (off by 1)
     """
-    if not tolerance >= 0:
-        raise ValueError(f"tolerance must be >= 0, got {tolerance}")
-    holds = _agree(measured, expected, tolerance)
+    tolerance = float(non_negative("tolerance", tolerance))
+    fault = _fault(measured, expected, tolerance)
     line = (
         f"{claim}: {_written(measured, tolerance)}, expected {_written(expected, tolerance)}"
         f"{f' within {tolerance:g}' if tolerance else ''}"
     )
-    if not holds:
-        raise CheckFailedError(f"FALSE {line}")
+    if fault:
+        raise CheckFailedError(f"FALSE {line} ({fault})")
     print(f"ok    {line}")  # noqa: T201 - the line in the notebook is what this is for
 
 
-def _agree(measured: Any, expected: Any, tolerance: float) -> bool:
-    """Return whether every number agrees; anything but numbers must be equal."""
+def _fault(measured: Any, expected: Any, tolerance: float) -> str:
+    """Return what keeps the two from agreeing, or "" when nothing does."""
     if not (_is_numeric(measured) and _is_numeric(expected)):
-        return type(measured) is type(expected) and bool(measured == expected)
-    m, x = np.asarray(measured, dtype=float), np.asarray(expected, dtype=float)
-    if x.shape not in ((), m.shape):
-        return False
-    # An infinite answer agrees with the same infinity; nan <= tolerance is False.
-    with np.errstate(invalid="ignore"):
-        return bool(np.all((m == x) | (np.abs(m - x) <= tolerance)))
+        return "" if _same(measured, expected) else "not the same"
+    m, x = np.asarray(measured), np.asarray(expected)
+    if m.shape != x.shape and (x.ndim > 0 or m.size == 0):
+        return f"shape {m.shape}, not {x.shape}"
+    equal = m == x
+    # Python's own numbers do not wrap round, as small integers in an array do.
+    with np.errstate(over="ignore", invalid="ignore"):
+        differences = np.abs(m.astype(object) - x.astype(object))
+    apart = np.where(equal, 0.0, differences).astype(float)
+    agree = equal if tolerance == 0 else apart <= tolerance
+    return "" if np.all(agree) else f"off by {apart.max():.3g}"
+
+
+def _same(measured: Any, expected: Any) -> bool:
+    """Return whether two answers that are not numbers are equal and of one kind."""
+    m, x = _plain(measured), _plain(expected)
+    return type(m) is type(x) and bool(m == x)
+
+
+def _plain(value: Any) -> Any:
+    """Return what NumPy wraps as Python's own: np.True_ as True, an array of texts as a list."""
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
 
 
 def _is_numeric(value: Any) -> bool:
-    """Return whether `value` is a number or an array of numbers, and no bool."""
-    try:
-        return np.asarray(value, dtype=float).dtype == float and not isinstance(
-            value, bool | np.bool_ | str | None
-        )
-    except (TypeError, ValueError):
+    """Return whether `value` is a real number or a regular array of them; a bool is neither."""
+    if isinstance(value, bool | np.bool_):
         return False
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        return False
+    if array.dtype == object:  # Fractions, or integers of any length
+        return all(isinstance(item, numbers.Real) for item in array.flat)
+    return array.dtype.kind in "biuf"
 
 
 MOST_NUMBERS_WRITTEN = 6
@@ -86,19 +108,22 @@ MOST_NUMBERS_WRITTEN = 6
 def _written(value: Any, tolerance: float) -> str:
     """Return `value` as text that is the same on every machine: no digit below the tolerance."""
     if not _is_numeric(value):
-        return str(value)
-    array = np.asarray(value, dtype=float)
+        return str(_plain(value))
+    array = np.asarray(value)
     if array.size > MOST_NUMBERS_WRITTEN:
-        low, high = _number(array.min(), tolerance), _number(array.max(), tolerance)
+        low, high = (_number(_plain(end), tolerance) for end in (array.min(), array.max()))
         span = low if low == high else f"{low} to {high}"
         return f"{array.size} numbers, {span}"
-    numbers = [_number(item, tolerance) for item in array.flat]
-    return numbers[0] if array.ndim == 0 else f"({', '.join(numbers)})"
+    written = [_number(item, tolerance) for item in array.ravel().tolist()]
+    return written[0] if array.ndim == 0 else f"({', '.join(written)})"
 
 
-def _number(value: float, tolerance: float) -> str:
-    """Return a number to six digits, with rounding below the tolerance cleared away."""
-    if not math.isfinite(value):
-        return str(float(value))
-    decimals = 15 if tolerance == 0 else max(0, math.ceil(-math.log10(tolerance)))
-    return f"{round(float(value), decimals) + 0.0:.6g}"
+def _number(value: Any, tolerance: float) -> str:
+    """Return an integer in full and any other number to six digits, none below the tolerance."""
+    places = -math.floor(math.log10(tolerance)) if tolerance else None
+    if isinstance(value, int):
+        return str(value if places is None else round(value, places))
+    number = float(value)
+    if places is not None and math.isfinite(number):
+        number = round(number, places)
+    return f"{number + 0.0:.6g}"

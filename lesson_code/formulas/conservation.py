@@ -46,7 +46,7 @@ def momentum(masses: Number, velocities: Vector) -> Any:
     array([ 3., -2.])
     """
     m, v = _bodies(masses, velocities)
-    return (m[:, np.newaxis] * v).sum(axis=-2)
+    return (m[..., np.newaxis] * v).sum(axis=-2)
 
 
 def kinetic_energy(
@@ -83,12 +83,8 @@ def kinetic_energy(
     9.0
     """
     m, v = _bodies(masses, velocities)
-    inertia, w = (
-        non_negative("inertias", inertias),
-        finite("angular_velocities", angular_velocities),
-    )
-    spin = np.asarray(inertia) * np.square(w) / 2
-    return (m * np.square(v).sum(axis=-1) / 2 + spin).sum(axis=-1)
+    inertia, w = _spins(inertias, angular_velocities, v)
+    return (m * np.square(v).sum(axis=-1) / 2 + inertia * np.square(w) / 2).sum(axis=-1)
 
 
 def angular_momentum(
@@ -132,25 +128,39 @@ def angular_momentum(
     6.0
     """
     m, v = _bodies(masses, velocities)
-    r = vector("positions", positions) - vector("about", about)
-    inertia, w = (
-        non_negative("inertias", inertias),
-        finite("angular_velocities", angular_velocities),
-    )
+    inertia, w = _spins(inertias, angular_velocities, v)
+    centre = _fitted("about", vector("about", about), (2,))
+    r = _fitted("positions", vector("positions", positions), v.shape) - centre
     orbit = m * cross(np.moveaxis(r, -1, 0), np.moveaxis(v, -1, 0))
-    return (orbit + np.asarray(inertia) * w).sum(axis=-1)
+    return (orbit + inertia * w).sum(axis=-1)
 
 
 def _bodies(masses: Number, velocities: Vector) -> tuple[Any, Any]:
-    """Return checked masses (N,), 0 for immovable ones, and velocities (..., N, 2)."""
-    v = vector("velocities", velocities)
-    v = v[np.newaxis, :] if v.ndim == 1 else v
-    m = np.atleast_1d(np.asarray(mass("masses", masses), dtype=float))
-    if m.shape not in ((1,), (v.shape[-2],)):
-        raise ValueError(
-            f"masses must have shape ({v.shape[-2]},), one for each velocity, got {m.shape}"
-        )
+    """Return checked masses (..., N), 0 for immovable ones, and velocities (..., N, 2)."""
+    v = np.atleast_2d(vector("velocities", velocities))
+    m = _fitted("masses", mass("masses", masses), v.shape[:-1])
     immovable = np.isinf(m)
-    if np.any(immovable[:, np.newaxis] & (v != 0)):
+    if np.any(immovable[..., np.newaxis] & (v != 0)):
         raise ValueError("masses must be finite for bodies that move, got inf")
     return np.where(immovable, 0.0, m), v
+
+
+def _spins(inertias: Number, angular_velocities: Number, v: Any) -> tuple[Any, Any]:
+    """Return checked inertias and angular velocities (..., N), one for each velocity."""
+    return (
+        _fitted("inertias", non_negative("inertias", inertias), v.shape[:-1]),
+        _fitted(
+            "angular_velocities", finite("angular_velocities", angular_velocities), v.shape[:-1]
+        ),
+    )
+
+
+def _fitted(name: str, values: Any, shape: tuple[int, ...]) -> Any:
+    """Return numbers as floats of `shape`, which bodies and frames have set."""
+    array = np.asarray(values, dtype=float)
+    try:
+        return np.broadcast_to(array, shape)
+    except ValueError:
+        raise ValueError(
+            f"{name} must have shape {shape} or broadcast to it, got shape {array.shape}"
+        ) from None

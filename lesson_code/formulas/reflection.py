@@ -1,5 +1,4 @@
-"""A ball against something immovable: the mirror, the bounce, and the variant that is often
-mistaken for it.
+"""A ball against something immovable: the mirror, the bounce, and a variant mistaken for it.
 
 ======  ======================================================================  =====
 symbol  meaning                                                                 unit

@@ -28,10 +28,11 @@ from lesson_code.formulas.validation import (
 
 def _approaching(values: dict[str, Any]) -> None:
     """Refuse equal velocities before: bodies that do not approach have no restitution."""
-    if np.any(np.equal(values["v1"], values["v2"])):
+    equal = np.asarray(np.equal(values["v1"], values["v2"]))
+    if equal.any():
+        both = np.broadcast_to(values["v1"], equal.shape)[equal][0]
         raise ValueError(
-            f"v1 and v2 must differ: bodies at rest to each other do not collide, "
-            f"got v1 = {values['v1']} and v2 = {values['v2']}"
+            f"v1 and v2 must differ: bodies at rest to each other do not collide, got {both} twice"
         )
 
 
@@ -140,4 +141,5 @@ def energy_lost_1d(m1: Number, v1: Number, m2: Number, v2: Number, restitution: 
     >>> float(energy_lost_1d(m1=1, v1=2, m2=3, v2=-2, restitution=0.5))
     4.5
     """
-    return equation(reduced_mass)(m1, m2) * (1 - restitution**2) * (v1 - v2) ** 2 / 2
+    e = restitution
+    return equation(reduced_mass)(m1, m2) * (1 - e) * (1 + e) * (v1 - v2) ** 2 / 2

@@ -119,7 +119,9 @@ def formula(
             raise TypeError(f"{written.__name__}: every argument needs one rule")
         vectors = {name for name, rule in rules.items() if rule in VECTOR_RULES}
 
+        # Overflow has a right answer here: m2/m1 may be inf, and 1 / (1 + inf) is then 0.
         @functools.wraps(written)
+        @np.errstate(over="ignore")
         def checked(*args: Any, **kwargs: Any) -> Any:
             bound = signature.bind(*args, **kwargs)
             bound.apply_defaults()
@@ -127,6 +129,8 @@ def formula(
             batch = _common_shape(values, vectors)
             if together is not None:
                 together(values)
+            if batch or vectors:  # beside arrays a Fraction cannot stay exact
+                values = {name: _as_float(value) for name, value in values.items()}
             for name in vectors:
                 values[name] = np.moveaxis(np.broadcast_to(values[name], (*batch, 2)), -1, 0)
             result = written(**values)
@@ -159,11 +163,13 @@ def _require(
     name: str, value: Any, holds: Callable[[Any], Any], rule: str, *, got: str = ""
 ) -> Any:
     """Return `value` if `holds` is true of every number in it, else raise a ValueError."""
+    if isinstance(value, np.generic):
+        value = value.item()  # it would keep its width: np.uint8(1) - np.uint8(3) is 254
     if isinstance(value, numbers.Real):
         try:
             number = float(value)
         except OverflowError:
-            raise ValueError(f"{name} must be finite, got an integer over 1e308") from None
+            raise _too_large(name) from None
         if math.isnan(number) or not holds(number):
             raise ValueError(f"{name} must be {rule}, got {got}{value}")
         return value
@@ -184,7 +190,15 @@ def _real_array(name: str, value: Any) -> Any:
         raise ValueError(f"{name} must be a regular array, got rows of unequal length") from None
     if array.dtype.kind not in "biufO" or (array.dtype == object and not _all_real(array)):
         raise TypeError(f"{name} must be a real number or an array of them, got {value!r}")
-    return array.astype(float)
+    try:
+        return array.astype(float)
+    except OverflowError:
+        raise _too_large(name) from None
+
+
+def _too_large(name: str) -> ValueError:
+    """Return the error for an exact number that no float can hold."""
+    return ValueError(f"{name} must be finite, got a number over 1e308")
 
 
 def _as_float(value: Any) -> Any:

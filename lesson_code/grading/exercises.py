@@ -7,7 +7,7 @@ from pathlib import Path
 
 from lesson_code.grading.submission import Submission
 from lesson_code.grading.task import Task
-from lesson_code.grading.tasks import one_dimension, reflection, restitution
+from lesson_code.grading.tasks import billiards, one_dimension, reflection, restitution
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,7 @@ EXERCISES = (
     Exercise("01_one_dimension", "One dimension", one_dimension.TASKS),
     Exercise("02_restitution", "Restitution", restitution.TASKS),
     Exercise("03_reflection", "Reflection", reflection.TASKS),
+    Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 
 

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+from collections.abc import Iterator
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Any, Literal, TypeAlias
@@ -190,7 +191,43 @@ def _read_answers(pipe: Any, answers: queue.Queue[bytes], most: int) -> None:
     answers.put(b"")
 
 
-def call_here(functions: dict[str, Any], function: str, arguments: Arguments) -> Outcome:
+def call_here(
+    functions: dict[str, Any], function: str, arguments: Arguments, seconds: float = 3.0
+) -> Outcome:
     """Call a function in this process, as a notebook does with its reader's own code."""
-    reply = child.call(function, list(arguments), functions)
+    try:
+        with time_limit(seconds):
+            reply = child.call(function, list(arguments), functions)
+    except TimeLimitError:
+        return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
     return Outcome(reply["kind"], reply.get("value"), reply.get("text", ""))
+
+
+class TimeLimitError(BaseException):
+    """Raised inside a call that has taken too long; not an Exception, which it might catch."""
+
+
+@contextlib.contextmanager
+def time_limit(seconds: float) -> Iterator[None]:
+    """Raise TimeLimitError in the code below, once it has run for so long.
+
+    Only the main thread of a process on a system with timers can be interrupted so; elsewhere
+    there is no limit.
+    """
+    if (
+        not hasattr(signal, "setitimer")
+        or threading.current_thread() is not threading.main_thread()
+    ):
+        yield
+        return
+
+    def stop(*_: Any) -> None:
+        raise TimeLimitError
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

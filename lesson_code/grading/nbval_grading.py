@@ -1,0 +1,97 @@
+"""Grading under nbval: the student's answers laid into the instructor's executed notebook.
+
+The solution's check cells hold the outputs of a run with full marks. With the student's answers
+in place of the solution's, such a cell reproduces its output only if the answer has full marks.
+The student's code runs in a Jupyter kernel, with no isolation at all.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from lesson_code.grading.exercises import Exercise
+from lesson_code.grading.submission import Submission, SubmissionError
+from lesson_code.notebook_tools.nbval_run import Watcher, run_notebooks
+
+CHECK_CALL = re.compile(r"""check_task\(\s*["']([\w.]+)["']""")
+
+
+@dataclass(frozen=True)
+class TaskOutcome:
+    """Whether a task's check cell reproduced the output of full marks."""
+
+    task: str
+    function: str
+    passed: bool
+
+
+def merge(submission: Submission, exercise: Exercise, root: Path) -> dict[str, Any]:
+    """Return the solution notebook with a student's code in place of the answers.
+
+    Raises
+    ------
+    SubmissionError
+        The exercise is a program, and has no notebook.
+    """
+    if exercise.suffix != ".ipynb":
+        raise SubmissionError(f"{exercise.name} is a program: grade it without nbval")
+    text = exercise.solution(root).read_text(encoding="utf-8")
+    notebook: dict[str, Any] = json.loads(text)
+    cells: list[dict[str, Any]] = []
+    placed = False
+    for cell in notebook["cells"]:
+        if "task" in cell["metadata"].get("tags", []):
+            if not placed:
+                cells += _student_cells(submission)
+            placed = True
+            continue
+        cells.append(cell)
+    return {**notebook, "cells": cells}
+
+
+def _student_cells(submission: Submission) -> list[dict[str, Any]]:
+    """Return a student's units as cells."""
+    return [
+        {
+            "cell_type": "code",
+            "execution_count": None,
+            "id": f"answer-{number}",
+            "metadata": {"tags": ["answer"]},
+            "outputs": [],
+            "source": unit.kept_source,
+        }
+        for number, unit in enumerate(submission.units, start=1)
+    ]
+
+
+def grade_under_nbval(
+    submission: Submission, exercise: Exercise, root: Path, watcher: Watcher | None = None
+) -> list[TaskOutcome]:
+    """Return for each task whether its check cell passes under ``pytest --nbval-lax``."""
+    merged = merge(submission, exercise, root)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "merged.ipynb"
+        path.write_text(json.dumps(merged), encoding="utf-8")
+        results = run_notebooks([path], lax=True, watcher=watcher)
+    passed = {result.cell for result in results if result.passed}
+    functions = {task.id: task.function for task in exercise.tasks}
+    return [
+        TaskOutcome(task, functions[task], cell in passed)
+        for cell, task in _check_cells(merged).items()
+    ]
+
+
+def _check_cells(notebook: dict[str, Any]) -> dict[int, str]:
+    """Return the task of each check cell, by its number among the code cells."""
+    code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    return {
+        number: found.group(1)
+        for number, cell in enumerate(code)
+        if "check" in cell["metadata"].get("tags", [])
+        and (found := CHECK_CALL.search("".join(cell["source"])))
+    }

@@ -1,0 +1,152 @@
+"""The marks of one submission: graded across the wall, as a table and as JSON."""
+
+from __future__ import annotations
+
+import secrets
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console, Group
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from lesson_code.grading.check_task import LARGEST_SEED
+from lesson_code.grading.exercises import Exercise, exercise_by_name, exercise_of
+from lesson_code.grading.isolation import Limits, StudentProcess, isolation_in_force
+from lesson_code.grading.submission import Submission, read_submission
+from lesson_code.grading.verdict import CriterionVerdict, Verdict, judge
+
+VERSION = 1
+"""Version of the form that :meth:`Report.as_dict` writes; it grows when a key changes."""
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a submission has earned, task by task."""
+
+    submission: Submission
+    exercise: Exercise
+    verdicts: tuple[Verdict, ...]
+    notes: tuple[str, ...]
+    seed: int
+    isolation: str
+
+    @property
+    def points(self) -> int:
+        """The points earned."""
+        return sum(verdict.points for verdict in self.verdicts)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether every task has full marks."""
+        return self.points == self.exercise.points
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the report as one JSON object."""
+        return {
+            "version": VERSION,
+            "command": "grade",
+            "submission": str(self.submission.path),
+            "exercise": self.exercise.name,
+            "seed": self.seed,
+            "isolation": self.isolation,
+            "points": self.points,
+            "full_points": self.exercise.points,
+            "tasks": [_task_as_dict(verdict) for verdict in self.verdicts],
+            "notes": list(self.notes),
+        }
+
+
+def grade(
+    path: Path,
+    *,
+    exercise: str | None = None,
+    seed: int | None = None,
+    limits: Limits | None = None,
+) -> Report:
+    """Grade a submission in a process of its own.
+
+    Parameters
+    ----------
+    path : Path
+        A notebook or a .py file.
+    exercise : str, optional
+        Name or number of the exercise, where the submission itself does not tell.
+    seed : int, optional
+        Draws the inputs; by default they differ from run to run.
+    limits : Limits, optional
+        What the student's code may use.
+
+    Raises
+    ------
+    ValueError
+        The file cannot be graded (SubmissionError), or no such exercise.
+    """
+    submission = read_submission(path)
+    chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
+    drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
+    with StudentProcess(submission.units, limits or Limits()) as student:
+        verdicts = tuple(judge(task, student.call, drawn) for task in chosen.tasks)
+        notes = (*submission.unreadable, *student.load_errors)
+    return Report(submission, chosen, verdicts, notes, drawn, isolation_in_force())
+
+
+def print_report(report: Report, console: Console) -> None:
+    """Print a report as a table, followed by what there is to mend."""
+    console.print(Text(f"{report.submission.path}: {report.exercise.title}", style="bold"))
+    table = Table("task", "function", "points", "what is right", "what is not")
+    for verdict in report.verdicts:
+        table.add_row(
+            verdict.task.id,
+            verdict.task.function,
+            f"{verdict.points}/{verdict.task.points}",
+            _names(verdict.criteria, full=True),
+            _names(verdict.criteria, full=False),
+        )
+    table.add_section()
+    table.add_row("", "", f"{report.points}/{report.exercise.points}", "", "", style="bold")
+    console.print(table)
+    for verdict in report.verdicts:
+        if not verdict.is_full:
+            console.print(_to_mend(verdict))
+    for note in report.notes:
+        console.print(Text(f"left out: {note}"))
+    console.print(Text(f"seed {report.seed}, isolation: {report.isolation}", style="dim"))
+
+
+def _names(criteria: tuple[CriterionVerdict, ...], *, full: bool) -> str:
+    """Return the names of the criteria that hold, or of those that do not."""
+    return "\n".join(c.name for c in criteria if (c.points == c.full_points) is full)
+
+
+def _to_mend(verdict: Verdict) -> Group:
+    """Return what is wrong in a task's answer, each thing once, and the hint."""
+    lines: list[Any] = [Text(verdict.line)]
+    messages = dict.fromkeys(c.message for c in verdict.criteria if c.message)
+    lines += [Padding(Text(message), (0, 0, 0, 2)) for message in messages]
+    if verdict.recognised is not None:
+        lines.append(Padding(Text(f"hint: {verdict.recognised.hint}", style="bold"), (0, 0, 0, 2)))
+    return Group(*lines)
+
+
+def _task_as_dict(verdict: Verdict) -> dict[str, Any]:
+    """Return a task's marks as a JSON object."""
+    model = verdict.recognised
+    return {
+        "task": verdict.task.id,
+        "function": verdict.task.function,
+        "points": verdict.points,
+        "full_points": verdict.task.points,
+        "criteria": [
+            {
+                "name": criterion.name,
+                "points": criterion.points,
+                "full_points": criterion.full_points,
+                "message": criterion.message,
+            }
+            for criterion in verdict.criteria
+        ],
+        "wrong_model": None if model is None else {"name": model.name, "hint": model.hint},
+    }

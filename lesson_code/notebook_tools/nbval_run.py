@@ -1,0 +1,107 @@
+"""Notebooks run under nbval: every cell again, its output compared with the stored one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+CELL_SECONDS = 120
+"""A cell that runs longer has gone wrong: whole notebooks take under 20 s."""
+
+
+@dataclass(frozen=True)
+class CellResult:
+    """One cell: its notebook, its place among the code cells, and why it failed, if it did."""
+
+    notebook: str
+    cell: int
+    passed: bool
+    message: str = ""
+
+
+@dataclass
+class Watcher:
+    """What a run tells while it goes on: how many cells there are, and each cell's result."""
+
+    collected: Callable[[dict[str, int]], None] = lambda _counts: None
+    finished: Callable[[CellResult], None] = lambda _result: None
+
+
+@dataclass
+class _Plugin:
+    """Listens to pytest and passes on what concerns notebooks' cells."""
+
+    watcher: Watcher
+    results: list[CellResult] = field(default_factory=list)
+    collect_errors: list[str] = field(default_factory=list)
+
+    def pytest_collection_finish(self, session: Any) -> None:
+        counts: dict[str, int] = {}
+        for item in session.items:
+            notebook = item.path.name
+            counts[notebook] = counts.get(notebook, 0) + 1
+        self.watcher.collected(counts)
+
+    def pytest_collectreport(self, report: Any) -> None:
+        if report.failed:
+            self.collect_errors.append(f"{report.nodeid}: {report.longreprtext}")
+
+    def pytest_runtest_logreport(self, report: Any) -> None:
+        if report.when != "call" and not report.failed:
+            return
+        notebook, _, cell = report.nodeid.partition("::")
+        # A cell after one that timed out is not run, and reported as an expected failure.
+        passed = report.passed and not hasattr(report, "wasxfail")
+        result = CellResult(
+            Path(notebook).name,
+            int(cell.rsplit(" ", 1)[-1]),
+            passed,
+            "" if passed else report.longreprtext,
+        )
+        self.results.append(result)
+        self.watcher.finished(result)
+
+
+def run_notebooks(
+    paths: Sequence[Path], *, lax: bool = False, watcher: Watcher | None = None
+) -> list[CellResult]:
+    """Return the result of every code cell of some notebooks.
+
+    Parameters
+    ----------
+    paths : sequence of Path
+        Executed notebooks.
+    lax : bool
+        Compare only the outputs of cells that are tagged ``nbval-check-output``.
+    watcher : Watcher, optional
+        Is told what goes on.
+
+    Raises
+    ------
+    RuntimeError
+        A notebook could not be read.
+    """
+    import pytest
+
+    plugin = _Plugin(watcher or Watcher())
+    arguments = [
+        "-c",
+        os.devnull,
+        "--rootdir",
+        str(paths[0].parent),
+        "-p",
+        "no:terminal",
+        "-p",
+        "no:cacheprovider",
+        "--nbval-lax" if lax else "--nbval",
+        "--nbval-current-env",
+        f"--nbval-cell-timeout={CELL_SECONDS}",
+        *map(str, paths),
+    ]
+    pytest.main(arguments, plugins=[plugin])
+    if plugin.collect_errors:
+        raise RuntimeError("\n".join(plugin.collect_errors))
+    return plugin.results

@@ -1,0 +1,101 @@
+"""Figures with sliders, and the same figure standing still for those who only read."""
+
+from __future__ import annotations
+
+import base64
+import html
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import ipywidgets
+from IPython.display import display
+from matplotlib.figure import Figure
+
+from lesson_code.view.show import png_of
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A quantity the reader can change: its label with the unit, its range and where it starts."""
+
+    label: str
+    low: float
+    high: float
+    start: float
+    step: float = 0.01
+
+    def __post_init__(self) -> None:
+        if not self.low <= self.start <= self.high:
+            raise ValueError(f"start must lie between {self.low} and {self.high}, got {self.start}")
+
+
+def explore(draw: Callable[..., Figure], alt: str, **sliders: Slider) -> None:
+    """Display a figure that is drawn anew whenever a slider moves.
+
+    A reader without a kernel sees the figure as it starts.
+
+    Parameters
+    ----------
+    draw : callable
+        Takes the sliders' values by name and returns a figure.
+    alt : str
+        What can be seen in the figure at the start, and what the sliders change.
+    **sliders : Slider
+        The quantities to change, by the names of `draw`'s arguments.
+
+    Raises
+    ------
+    ValueError
+        There is no slider, or `alt` is empty.
+    """
+    if not sliders:
+        raise ValueError("explore needs at least one slider, got none")
+    if not alt.strip():
+        raise ValueError("alt must say what the figure shows, got nothing")
+    start = png_of(draw(**{name: slider.start for name, slider in sliders.items()}))
+    panel = _panel(draw, alt, sliders, start)
+    bundle = panel._repr_mimebundle_()
+    display(  # type: ignore[no-untyped-call]
+        {
+            **bundle,
+            "image/png": start,
+            "text/plain": f"Figure: {alt} (Run the cell to move the sliders.)",
+        },
+        metadata={"image/png": {"alt": alt}},
+        raw=True,
+    )
+
+
+def _panel(draw: Callable[..., Figure], alt: str, sliders: dict[str, Slider], start: bytes) -> Any:
+    """Return the sliders with the picture below them."""
+    picture = ipywidgets.HTML(_image(start, alt))
+    controls = {name: _control(slider) for name, slider in sliders.items()}
+
+    def redraw(_: Any) -> None:
+        values = {name: control.value for name, control in controls.items()}
+        picture.value = _image(png_of(draw(**values)), alt)
+
+    for control in controls.values():
+        control.observe(redraw, names="value")
+    return ipywidgets.VBox([*controls.values(), picture])
+
+
+def _control(slider: Slider) -> Any:
+    """Return the widget of a slider: reachable by keyboard, its label never cut."""
+    return ipywidgets.FloatSlider(
+        value=slider.start,
+        min=slider.low,
+        max=slider.high,
+        step=slider.step,
+        description=slider.label,
+        continuous_update=False,
+        style={"description_width": "14em"},
+        layout={"width": "38em", "max_width": "100%"},
+    )
+
+
+def _image(png: bytes, alt: str) -> str:
+    """Return a picture as HTML that needs no file."""
+    data = base64.b64encode(png).decode()
+    return f'<img alt="{html.escape(alt, quote=True)}" src="data:image/png;base64,{data}">'

@@ -1,0 +1,324 @@
+"""The pygame window that all programs share: opening it, colours, text, arrows, smooth shapes, PNG.
+
+Importing this module imports pygame, and nothing else in the package does: a program's module
+imports it, and is itself imported only when the program runs.
+
+Places are in pixels of the window, y down, and may be fractions: pixel 7 reaches from 7 to 8.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import math
+import os
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TypeAlias
+
+os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+try:
+    import pygame
+except ImportError as missing:
+    raise ImportError(
+        "the programs need pygame, which is not installed: pip install pygame-ce"
+    ) from missing
+if not hasattr(pygame, "init"):
+    # Removing one of pygame and pygame-ce takes the other one's files with it.
+    raise ImportError(
+        "the pygame that is installed is empty: pip install --force-reinstall pygame-ce"
+    )
+
+__all__ = [
+    "Colour",
+    "Place",
+    "Window",
+    "antialiased",
+    "blend",
+    "draw_capsule",
+    "open_window",
+    "pygame",
+    "pygame_distributions",
+    "smooth_disc",
+    "warn_if_both_installed",
+]
+
+Colour: TypeAlias = tuple[int, int, int]
+"""Red, green and blue, 0 to 255."""
+
+Place: TypeAlias = tuple[float, float]
+"""x to the right and y down, px."""
+
+# Okabe and Ito, Color Universal Design (2008): told apart with any kind of colour blindness.
+ORANGE: Colour = (230, 159, 0)
+SKY: Colour = (86, 180, 233)
+GREEN: Colour = (0, 158, 115)
+YELLOW: Colour = (240, 228, 66)
+BLUE: Colour = (0, 114, 178)
+VERMILLION: Colour = (213, 94, 0)
+PURPLE: Colour = (204, 121, 167)
+
+INK: Colour = (240, 240, 236)
+FADED_INK: Colour = (176, 184, 188)
+BACKGROUND: Colour = (22, 27, 34)
+
+FRAMES_PER_SECOND = 60
+"""1/s: what the programs ask for; the clock says what they got."""
+
+TEXT_SIZE = 22
+"""px, height of a line of ordinary text."""
+
+SMALL_TEXT_SIZE = 20
+"""px, height of a line of help; smaller is hard to read."""
+
+SMOOTHNESS = 4
+"""Smooth shapes are painted so many times larger and then reduced."""
+
+HEADLESS = {"SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
+"""The environment that makes pygame work without screen and loudspeaker."""
+
+
+class Window:
+    """An open window, or a surface in memory that stands for it; :func:`open_window` makes it.
+
+    Parameters
+    ----------
+    surface : pygame.Surface
+        What is drawn on.
+    """
+
+    def __init__(self, surface: pygame.Surface) -> None:
+        self.surface = surface
+        self._clock = pygame.time.Clock()
+        self._fonts: dict[int, pygame.font.Font] = {}
+
+    def text(
+        self,
+        words: str,
+        place: Place,
+        *,
+        colour: Colour = INK,
+        size: int = TEXT_SIZE,
+        anchor: str = "topleft",
+    ) -> pygame.Rect:
+        """Write one line and return the rectangle it fills.
+
+        `anchor` is the name of the point of that rectangle which comes to lie at `place`:
+        "topleft", "center", "midright" and so on.
+        """
+        if size not in self._fonts:
+            self._fonts[size] = pygame.font.Font(None, size)
+        written = self._fonts[size].render(words, True, colour)
+        rectangle = written.get_rect(**{anchor: (round(place[0]), round(place[1]))})
+        return self.surface.blit(written, rectangle)
+
+    def arrow(self, tail: Place, along: Place, colour: Colour, *, width: float = 3.0) -> None:
+        """Draw an arrow from `tail` to `tail` + `along`; one shorter than a pixel is left out."""
+        length = math.hypot(*along)
+        if length < 1:
+            return
+        corners = _arrow_outline(tail, (along[0] / length, along[1] / length), length, width)
+        pygame.draw.polygon(self.surface, colour, corners)
+        pygame.draw.aalines(self.surface, colour, True, corners)
+
+    def show(self) -> None:
+        """Bring what was drawn to the screen."""
+        pygame.display.flip()
+
+    def wait(self) -> float:
+        """Wait for the next frame and return the time since the last one, s."""
+        return self._clock.tick(FRAMES_PER_SECOND) / 1000
+
+    def save(self, path: str | Path) -> None:
+        """Write what was drawn to a PNG file.
+
+        Raises
+        ------
+        ValueError
+            The name does not end in .png.
+        OSError
+            The file cannot be written.
+        """
+        if Path(path).suffix.lower() != ".png":
+            raise ValueError(f"path must end in .png, got {str(path)!r}")
+        with Path(path).open("wb") as file:
+            pygame.image.save(self.surface, file, "screenshot.png")
+
+
+@contextmanager
+def open_window(size: tuple[int, int], caption: str, *, headless: bool = False) -> Iterator[Window]:
+    """Open a window for the length of a with block.
+
+    Parameters
+    ----------
+    size : (int, int)
+        Width and height, px. The user may resize the window; its picture is then scaled, and
+        the mouse still speaks in these pixels.
+    caption : str
+        The window's title.
+    headless : bool
+        Draw into memory, with no screen and no sound: SDL's "dummy" drivers.
+
+    Yields
+    ------
+    Window
+
+    Raises
+    ------
+    RuntimeError
+        There is no screen to open a window on.
+
+    Warns
+    -----
+    RuntimeWarning
+        Both pygame and pygame-ce are installed.
+
+    Examples
+    --------
+    >>> with open_window((320, 240), "Example", headless=True) as window:
+    ...     window.surface.get_size()
+    (320, 240)
+    """
+    warn_if_both_installed()
+    before = {name: os.environ.get(name) for name in HEADLESS}
+    if headless:
+        os.environ.update(HEADLESS)
+    try:
+        pygame.font.init()
+        yield Window(_open_surface(size, caption, headless))
+    finally:
+        pygame.display.quit()
+        for name, value in before.items():
+            os.environ.pop(name, None)
+            if value is not None:
+                os.environ[name] = value
+
+
+def blend(colour: Colour, other: Colour, part: float) -> Colour:
+    """Return a colour between two: `part` 0 gives the first, 1 the other.
+
+    >>> blend((0, 0, 0), (200, 100, 50), 0.5)
+    (100, 50, 25)
+    """
+    red, green, blue = (round(a + part * (b - a)) for a, b in zip(colour, other, strict=True))
+    return red, green, blue
+
+
+def antialiased(
+    size: tuple[int, int], paint: Callable[[pygame.Surface, int], None], empty: Colour
+) -> pygame.Surface:
+    """Return a picture with smooth edges: painted larger, then reduced.
+
+    Parameters
+    ----------
+    size : (int, int)
+        Width and height of the picture, px.
+    paint : callable
+        ``paint(surface, scale)`` paints it `scale` times larger.
+    empty : Colour
+        The colour that shows, fully transparent, where nothing is painted. At the edge of a
+        shape it mixes with the shape's own.
+    """
+    large = pygame.Surface((size[0] * SMOOTHNESS, size[1] * SMOOTHNESS), pygame.SRCALPHA)
+    large.fill((*empty, 0))
+    paint(large, SMOOTHNESS)
+    return pygame.transform.smoothscale(large, size)
+
+
+def draw_capsule(
+    surface: pygame.Surface, start: Place, end: Place, half_thickness: float, colour: Colour
+) -> None:
+    """Draw all points within `half_thickness` of a segment: a thick line with round ends."""
+    (x1, y1), (x2, y2) = start, end
+    length = math.hypot(x2 - x1, y2 - y1)
+    across_x, across_y = -(y2 - y1) / length * half_thickness, (x2 - x1) / length * half_thickness
+    pygame.draw.polygon(
+        surface,
+        colour,
+        [
+            (x1 + across_x, y1 + across_y),
+            (x2 + across_x, y2 + across_y),
+            (x2 - across_x, y2 - across_y),
+            (x1 - across_x, y1 - across_y),
+        ],
+    )
+    pygame.draw.circle(surface, colour, start, half_thickness)
+    pygame.draw.circle(surface, colour, end, half_thickness)
+
+
+def smooth_disc(radius: float, colour: Colour) -> pygame.Surface:
+    """Return a picture of a disc; its centre is the centre of the picture."""
+    side = 2 * math.ceil(radius + 1)
+
+    def paint(surface: pygame.Surface, scale: int) -> None:
+        middle = side * scale / 2
+        pygame.draw.circle(surface, colour, (middle, middle), radius * scale)
+
+    return antialiased((side, side), paint, colour)
+
+
+def pygame_distributions() -> dict[str, str]:
+    """Return name and version of every installed distribution that brings a pygame."""
+    found = {}
+    for name in ("pygame", "pygame-ce"):
+        try:
+            found[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    return found
+
+
+def warn_if_both_installed() -> None:
+    """Warn when both pygame and pygame-ce are installed.
+
+    They write the same files, so the one installed last is the one that runs, and removing
+    either breaks the other.
+    """
+    found = pygame_distributions()
+    if len(found) > 1:
+        listed = " and ".join(f"{name} {version}" for name, version in found.items())
+        warnings.warn(
+            f"{listed} are both installed and overwrite each other; keep one: "
+            "pip uninstall pygame pygame-ce, then pip install pygame-ce",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+
+
+def _open_surface(size: tuple[int, int], caption: str, headless: bool) -> pygame.Surface:
+    """Return the display's surface, or raise a RuntimeError when there is no screen."""
+    no_screen = "no screen to open a window on; run the program headless"
+    try:
+        pygame.display.init()
+        unseen = pygame.display.get_driver() in ("dummy", "offscreen")
+        if unseen and not headless and "SDL_VIDEODRIVER" not in os.environ:
+            # SDL falls back on drawing where nobody can see it, but nobody asked for that.
+            raise RuntimeError(no_screen)
+        # Scaling needs a renderer, which an unseen screen has not.
+        flags = 0 if unseen else pygame.SCALED | pygame.RESIZABLE
+        surface = pygame.display.set_mode(size, flags)
+    except pygame.error as error:
+        raise RuntimeError(f"{no_screen} (SDL says: {error})") from error
+    pygame.display.set_caption(caption)
+    return surface
+
+
+def _arrow_outline(tail: Place, direction: Place, length: float, width: float) -> list[Place]:
+    """Return the seven corners of an arrow, from its tail round its tip and back."""
+    head = min(4 * width, length)
+    (x, y), (ux, uy) = tail, direction
+
+    def corner(along: float, across: float) -> Place:
+        return x + along * ux - across * uy, y + along * uy + across * ux
+
+    neck = length - head
+    return [
+        corner(0, width / 2),
+        corner(neck, width / 2),
+        corner(neck, head / 2),
+        corner(length, 0),
+        corner(neck, -head / 2),
+        corner(neck, -width / 2),
+        corner(0, -width / 2),
+    ]

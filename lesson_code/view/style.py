@@ -1,0 +1,53 @@
+"""Colours, line styles and sizes that all figures share.
+
+The colours are those of Okabe and Ito (2008), told apart by the colour-blind too. Colour is
+never the only cue: a second one (a label, a line style, a marker) always stands beside it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+BLUE = "#0072B2"
+ORANGE = "#E69F00"
+GREEN = "#009E73"
+VERMILION = "#D55E00"
+PURPLE = "#CC79A7"
+SKY = "#56B4E9"
+GREY = "#6E6E6E"
+INK = "#222222"
+
+FIRST, SECOND = BLUE, VERMILION
+"""The two bodies of a pair."""
+
+RIGHT, WRONG, REFERENCE = BLUE, VERMILION, GREEN
+"""Our answer, a wrong model's, and another engine's."""
+
+
+def figure(columns: int = 1, *, width: float = 7.0, height: float = 3.4) -> tuple[Figure, Any]:
+    """Return a figure and its axes: one Axes, or an array of them in a row.
+
+    Parameters
+    ----------
+    columns : int
+        How many axes stand side by side.
+    width, height : float
+        Size of the figure, inches.
+    """
+    drawn = Figure(figsize=(width, height), layout="constrained", dpi=100)
+    axes = drawn.subplots(1, columns)
+    for ax in [axes] if columns == 1 else axes:
+        plain(ax)
+    return drawn, axes
+
+
+def plain(ax: Axes) -> Axes:
+    """Remove the frame lines that carry no information, and set readable sizes."""
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.tick_params(labelsize=9)
+    ax.grid(True, color="#e4e4e4", linewidth=0.7)
+    ax.set_axisbelow(True)
+    return ax

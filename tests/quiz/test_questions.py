@@ -1,0 +1,190 @@
+"""The questions themselves: every number in the bank, worked out again without the bank."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction as F  # noqa: N817 - written many times below
+
+import pytest
+
+from lesson_code.quiz.bank import ChoiceQuestion, NumericQuestion, load_bank
+
+QUESTIONS = {question.id: question for chapter in load_bank() for question in chapter.questions}
+NUMERIC = {key: q for key, q in QUESTIONS.items() if isinstance(q, NumericQuestion)}
+CHOICE = {key: q for key, q in QUESTIONS.items() if isinstance(q, ChoiceQuestion)}
+
+ROUNDING = 1e-12
+"""The bank writes a number to 16 digits; nothing else may separate it from the answer here."""
+
+LONGEST_OPTION = 90
+"""Characters: radio buttons do not wrap, and a notebook's page has room for so many."""
+
+
+def squared(*components: F) -> F:
+    """Return the square of a vector's length."""
+    return sum((c * c for c in components), F(0))
+
+
+def mirrored_y(normal_part_times: int) -> F:
+    """Return the y component of (3, -4) after its part along (0.6, 0.8) is removed so often."""
+    nx, ny = F(3, 5), F(4, 5)
+    return -4 - normal_part_times * (3 * nx - 4 * ny) * ny
+
+
+E = F(4, 5)
+
+# For each numeric question: the answer, and the wrong values in the order of the bank, each by
+# the mistake that its feedback speaks of.
+ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
+    "00-unit-normal": (
+        F(3, math.isqrt(3**2 + 4**2)),
+        [F(3), F(3, 3 + 4), F(4, 5), F(3, 3**2 + 4**2), F(-3, 5)],
+    ),
+    "01-momentum": (
+        F(2 * 3 + 5 * -1),
+        [F(2 * 3 + 5 * 1), F(5 * 1 - 2 * 3), F((2 + 5) * (3 - 1)), F(3 - 1)],
+    ),
+    "01-sticking": (
+        F(3 * 4 + 1 * -2, 3 + 1),
+        [
+            F(3 * 4 + 1 * 2, 3 + 1),
+            F(4 - 2, 2),
+            F(3 * 4, 3 + 1),
+            F(1 * 4 + 3 * -2, 3 + 1),
+            F(3 * 4 - 2),
+        ],
+    ),
+    "01-velocity-change": (F(-6, 12), [F(6, 12), F(6, 3), F(-6, 3), F(-6, 12 + 3), F(-6 * 12)]),
+    "02-measure": (
+        F(4 - -2, 5 - -3),
+        [
+            F(4 - -2, 5 - 3),
+            F(4 - 2, 5 - -3),
+            F(4 - 2, 5 - 3),
+            F(5 - -3, 4 - -2),
+            F(-2 - 4, 5 - -3),
+            squared(F(-2), F(4)) / squared(F(5), F(-3)),
+        ],
+    ),
+    "02-heights": (2 * E ** (2 * 3), [2 * E**3, 2 * E ** (2 * 2), 2 * E ** (2 * 4), E ** (2 * 3)]),
+    "02-energy-lost": (
+        100 * (1 - F(9, 10) ** 2),
+        [
+            100 * F(9, 10) ** 2,
+            100 * (1 - F(9, 10)),
+            100 * F(9, 10),
+            100 * (1 - F(9, 10)) ** 2,
+            1 - F(9, 10) ** 2,
+        ],
+    ),
+    "03-reflect": (
+        mirrored_y(2),
+        [
+            mirrored_y(1),
+            F(4),
+            -mirrored_y(2),
+            mirrored_y(-2),
+            3 - 2 * (3 * F(3, 5) - 4 * F(4, 5)) * F(3, 5),
+            -4 - 2 * (-4 * F(4, 5)) * F(4, 5),
+        ],
+    ),
+    "03-bounce": (
+        math.sqrt(squared(F(3), 5 * E)),
+        [
+            math.sqrt(squared(3 * E, 5 * E)),
+            math.sqrt(squared(F(3), F(5))),
+            5 * E,
+            3 + 5 * E,
+            math.sqrt(3**2 + 5**2 * E),
+        ],
+    ),
+}
+
+
+def test_numeric_questions_all_have_an_independent_answer() -> None:
+    """No numeric question of the bank escapes the table above."""
+    assert set(ANSWERS) == set(NUMERIC)
+
+
+@pytest.mark.parametrize("key", ANSWERS)
+def test_value_equals_independent_answer(key: str) -> None:
+    """The bank's answer is what exact arithmetic gives."""
+    assert abs(NUMERIC[key].value - ANSWERS[key][0]) <= ROUNDING
+
+
+@pytest.mark.parametrize("key", ANSWERS)
+def test_wrong_values_equal_the_mistakes_they_are_named_for(key: str) -> None:
+    """Each recognised wrong value is what its mistake gives, in exact arithmetic."""
+    in_bank = [wrong.value for wrong in NUMERIC[key].wrong_values]
+    assert len(in_bank) == len(ANSWERS[key][1])
+    assert all(
+        abs(w - x) <= ROUNDING for w, x in zip(in_bank, map(float, ANSWERS[key][1]), strict=True)
+    )
+
+
+def test_measured_restitution_scene_keeps_momentum() -> None:
+    """Question 02-measure is a collision that can happen: equal masses keep momentum."""
+    assert 5 + -3 == -2 + 4
+
+
+def test_equal_masses_only_the_exchange_keeps_momentum_and_energy_and_changes_something() -> None:
+    """Of the options of 01-equal-masses one alone obeys both laws and is a collision."""
+    before = (3, -1)
+    afters = {"a": (-3, 1), "b": (1, 1), "c": (0, 3), "d": (-1, 3), "e": (3, -1)}
+    right = [
+        letter
+        for letter, after in afters.items()
+        if sum(after) == sum(before)
+        and sum(v * v for v in after) == sum(v * v for v in before)
+        and after != before
+    ]
+    question = CHOICE["01-equal-masses"]
+    written = [
+        f"v1\N{PRIME} = {v1} m/s, v2\N{PRIME} = {v2} m/s".replace("-", "\N{MINUS SIGN}")
+        for v1, v2 in afters.values()
+    ]
+    assert [option.text for option in question.options] == written
+    assert right == [question.answer]
+
+
+@pytest.mark.parametrize(
+    ("key", "right"),
+    [
+        ("01-heavy-moves-less", "Δv = J/m"),
+        ("03-normal-part", "The normal component of I: a vector"),
+        ("03-gate", "v·N < 0"),
+        ("03-either-normal", "N stands twice"),
+        ("01-wall", "Ball \N{MINUS SIGN}5 m/s, wall 0 m/s"),
+        ("02-zeno", "Infinitely often, and it rests after a finite time"),
+    ],
+)
+def test_right_option_says(key: str, right: str) -> None:
+    """The lesson's own questions are in the bank, with the answer the lesson gives."""
+    assert right in CHOICE[key].right_option.text
+
+
+def test_chapters_ask_four_to_six_questions_with_a_number_from_chapter_01_on() -> None:
+    """Each chapter has four to six questions, and after the first one at least one number."""
+    for chapter in load_bank():
+        assert 4 <= len(chapter.questions) <= 6
+        kinds = {type(question) for question in chapter.questions}
+        assert NumericQuestion in kinds
+
+
+def test_option_texts_fit_on_a_line() -> None:
+    """No option is longer than a radio button's line."""
+    texts = [option.text for question in CHOICE.values() for option in question.options]
+    assert max(map(len, texts)) <= LONGEST_OPTION
+
+
+def test_texts_hold_no_markup() -> None:
+    """The same text is read in a terminal and in a notebook, so it has no Markdown or TeX."""
+    for chapter in load_bank():
+        assert not set(repr(chapter)) & set("`$*#\\")
+
+
+def test_right_options_do_not_give_themselves_away() -> None:
+    """Every letter up to d is right somewhere, and none more than half of the time."""
+    answers = [question.answer for question in CHOICE.values()]
+    assert set("abcd") <= set(answers)
+    assert max(answers.count(letter) for letter in answers) <= len(answers) / 2
