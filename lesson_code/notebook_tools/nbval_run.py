@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -41,7 +43,7 @@ class _Plugin:
     def pytest_collection_finish(self, session: Any) -> None:
         counts: dict[str, int] = {}
         for item in session.items:
-            notebook = item.path.name
+            notebook = item.nodeid.partition("::")[0]
             counts[notebook] = counts.get(notebook, 0) + 1
         self.watcher.collected(counts)
 
@@ -56,7 +58,7 @@ class _Plugin:
         # A cell after one that timed out is not run, and reported as an expected failure.
         passed = report.passed and not hasattr(report, "wasxfail")
         result = CellResult(
-            Path(notebook).name,
+            notebook,
             int(cell.rsplit(" ", 1)[-1]),
             passed,
             "" if passed else report.longreprtext,
@@ -91,17 +93,19 @@ def run_notebooks(
         "-c",
         os.devnull,
         "--rootdir",
-        str(paths[0].parent),
-        "-p",
-        "no:terminal",
+        os.path.commonpath([path.resolve().parent for path in paths]),
         "-p",
         "no:cacheprovider",
+        "--color=no",
+        "--capture=no",
         "--nbval-lax" if lax else "--nbval",
         "--nbval-current-env",
         f"--nbval-cell-timeout={CELL_SECONDS}",
         *map(str, paths),
     ]
-    pytest.main(arguments, plugins=[plugin])
+    # nbval needs pytest's own reporter, so that is kept, and what it writes is thrown away.
+    with contextlib.redirect_stdout(io.StringIO()):
+        pytest.main(arguments, plugins=[plugin])
     if plugin.collect_errors:
         raise RuntimeError("\n".join(plugin.collect_errors))
     return plugin.results
