@@ -247,3 +247,34 @@ def path(ax: Axes, positions: Any, label: str, color: str, *, dashed: bool = Fal
     ax.plot(*positions[0], marker="o", color=color, markersize=6)
     ax.set_aspect("equal")
     return ax
+
+
+CURVE_STYLES = ((style.BLUE, "-"), (style.VERMILION, "--"), (style.GREEN, ":"))
+"""Colour and line of the first, second and third curve of a figure."""
+
+
+def curves(ax: Axes, named: Mapping[str, tuple[Any, Any]], xlabel: str, ylabel: str) -> Axes:
+    """Draw up to three curves, told apart by colour and line, with a legend.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw.
+    named : mapping of str to (x, y)
+        The curves by name; a single one may have an empty name and gets no legend.
+    xlabel, ylabel : str
+        What the axes show, with the unit.
+
+    Raises
+    ------
+    ValueError
+        There are more than three curves.
+    """
+    if len(named) > len(CURVE_STYLES):
+        raise ValueError(f"named must hold at most {len(CURVE_STYLES)} curves, got {len(named)}")
+    for (name, (x, y)), (color, line) in zip(named.items(), CURVE_STYLES, strict=False):
+        ax.plot(x, y, color=color, linestyle=line, label=name)
+    ax.set(xlabel=xlabel, ylabel=ylabel)
+    if any(named):
+        ax.legend(frameon=False)
+    return ax

@@ -9,13 +9,16 @@
 # %% [markdown]
 # # 01 One dimension
 #
-# Two carts on a track. They can only move left and right, so a velocity is a single number: positive to the right,
-# negative to the left. Everything about impulses can be seen here without a single vector.
+# Two carts on a track. They can only move left and right, so a velocity is a single number:
+# positive to the right, negative to the left. Everything about impulses can be seen here without
+# a single vector.
 #
 # **After this notebook you will be able to**
 #
-# 1. compute both velocities after a collision that is elastic, perfectly inelastic or anything between;
-# 2. say why the heavier body changes its velocity less, and what happens when one mass is infinite;
+# 1. compute both velocities after a collision that is elastic, perfectly inelastic or anything
+#    between;
+# 2. say why the heavier body changes its velocity less, and what happens when one mass is
+#    infinite;
 # 3. find a wrong collision formula by asking it about momentum and energy.
 #
 # **You need** notebook 00. **Time:** about 40 minutes to read, a few seconds to run.
@@ -39,15 +42,18 @@ from lesson_code.view.show import show
 # %% [markdown]
 # ## 1 A collision hands momentum over; it makes none
 #
-# While two carts touch, cart 1 pushes cart 2 and cart 2 pushes cart 1 back, just as hard, for just as long. The push
-# added up over time is the **impulse** J. Cart 2 receives +J and cart 1 receives -J:
+# While two carts touch, cart 1 pushes cart 2 and cart 2 pushes cart 1 back, just as hard, for
+# just as long. The push added up over time is the **impulse** J. Cart 2 receives +J and cart 1
+# receives -J:
 #
 # $$m_1 v_1' = m_1 v_1 - J \qquad m_2 v_2' = m_2 v_2 + J$$
 #
-# Add the two lines. J drops out. The total momentum $m_1 v_1 + m_2 v_2$ is the same before and after, whatever J is.
+# Add the two lines. J drops out. The total momentum $m_1 v_1 + m_2 v_2$ is the same before and
+# after, whatever J is.
 #
-# Divide each line by its mass: $v' = v \pm J/m$. The impulse is the same for both, but the *change of velocity* is J/m. A cart
-# with three times the mass changes its velocity by a third as much, and the other way.
+# Divide each line by its mass: $v' = v \pm J/m$. The impulse is the same for both, but the
+# *change of velocity* is J/m. A cart with three times the mass changes its velocity by a third as
+# much, and the other way.
 
 # %%
 m1, v1, m2, v2 = 1.0, 2.0, 3.0, -2.0
@@ -58,8 +64,8 @@ check("momentum after any impulse", m1 * v1_after + m2 * v2_after, -4.0)
 check("cart 1 changes three times as much", (v1_after - v1) / (v2_after - v2), -3.0)
 
 # %% [markdown]
-# So momentum alone does not decide what happens. Every impulse keeps it. We need one more piece of information: what do
-# the bodies do with the energy of the impact?
+# So momentum alone does not decide what happens. Every impulse keeps it. We need one more piece
+# of information: what do the bodies do with the energy of the impact?
 #
 # ## 2 If they stick, they go on with the centre of mass
 #
@@ -67,8 +73,9 @@ check("cart 1 changes three times as much", (v1_after - v1) / (v2_after - v2), -
 #
 # $$V = w_1 v_1 + w_2 v_2, \qquad w_1 = \frac{m_1}{m_1 + m_2}, \quad w_2 = \frac{m_2}{m_1 + m_2}.$$
 #
-# V is the total momentum divided by the total mass, so a collision cannot change it. If the carts stick together, both
-# *are* at the centre of mass, and both move with V. This is called **perfectly inelastic**.
+# V is the total momentum divided by the total mass, so a collision cannot change it. If the carts
+# stick together, both *are* at the centre of mass, and both move with V. This is called
+# **perfectly inelastic**.
 #
 # **Predict** the common velocity for a cart of 1 kg at 3 m/s that meets a cart of 3 kg at -1 m/s.
 
@@ -79,13 +86,14 @@ check("1 kg at 4 m/s meets 3 kg at rest", inelastic_1d(1, 4, 3, 0), (1, 1))
 # %% [markdown]
 # ## 3 If nothing is lost, each velocity is mirrored at V
 #
-# Watch the collision from a seat that moves along with the centre of mass. From there the carts come in with
-# velocities $v_1 - V$ and $v_2 - V$, and their momenta cancel. If no energy is lost they go out as fast as they came in,
-# each turned round: $v' - V = -(v - V)$. Back on the ground:
+# Watch the collision from a seat that moves along with the centre of mass. From there the carts
+# come in with velocities $v_1 - V$ and $v_2 - V$, and their momenta cancel. If no energy is lost
+# they go out as fast as they came in, each turned round: $v' - V = -(v - V)$. Back on the ground:
 #
 # $$v_1' = 2V - v_1 \qquad v_2' = 2V - v_2$$
 #
-# This is called **elastic**. The textbook form of the same thing is $v_1' = \frac{(m_1 - m_2) v_1 + 2 m_2 v_2}{m_1 + m_2}$.
+# This is called **elastic**. The textbook form of the same thing is $v_1' = \frac{(m_1 - m_2) v_1
+# + 2 m_2 v_2}{m_1 + m_2}$.
 
 # %%
 check("equal masses exchange velocities", elastic_1d(1, 3, 1, -1), (-1, 3))
@@ -98,20 +106,22 @@ fig, ax = style.figure(width=6.4, height=3.6)
 plots.carts(ax, 1, [before, after], 3, ["before", "after an elastic collision"])
 show(
     fig,
-    "Two carts. Before: cart 1 (1 kg) at +2 m/s, cart 2 (3 kg) at -1 m/s. After: cart 1 at -2.5 m/s, cart 2 at "
-    "+0.5 m/s.",
+    "Two carts. Before: cart 1 (1 kg) at +2 m/s, cart 2 (3 kg) at -1 m/s. After: cart 1 at "
+    "-2.5 m/s, cart 2 at +0.5 m/s.",
 )
 
 # %% [markdown]
 # ## 4 One equation holds everything between
 #
-# Real carts lie between sticking and elastic. Seen from the centre of mass, each comes back with a part e of its speed:
+# Real carts lie between sticking and elastic. Seen from the centre of mass, each comes back with
+# a part e of its speed:
 #
 # $$v_1' = V - e\,(v_1 - V) \qquad v_2' = V - e\,(v_2 - V)$$
 #
-# The number e is the **restitution**. With e = 1 the collision is elastic, with e = 0 perfectly inelastic. Chapter 02
-# is about this number. Since $v_1 - V = w_2 (v_1 - v_2)$, the program needs only four lines. These are the lines that run when you
-# call `collide_1d`, and the lines that everything else in this course runs:
+# The number e is the **restitution**. With e = 1 the collision is elastic, with e = 0 perfectly
+# inelastic. Chapter 02 is about this number. Since $v_1 - V = w_2 (v_1 - v_2)$, the program needs
+# only four lines. These are the lines that run when you call `collide_1d`, and the lines that
+# everything else in this course runs:
 
 # %%
 print(inspect.getsource(equation(collide_1d)).split('"""')[-1].strip("\n"))
@@ -124,8 +134,8 @@ check("e = 0 sticks", collide_1d(1, 2, 3, -1, 0), inelastic_1d(1, 2, 3, -1))
 check("e = 1 is elastic", collide_1d(1, 2, 3, -1, 1), elastic_1d(1, 2, 3, -1))
 
 # %% [markdown]
-# Move the sliders. **Predict first:** for which mass of cart 2 does cart 1 stop dead when e = 1 and cart 2 is at rest? And when
-# e = 0.5?
+# Move the sliders. **Predict first:** for which mass of cart 2 does cart 1 stop dead when e = 1
+# and cart 2 is at rest? And when e = 0.5?
 
 
 # %%
@@ -139,8 +149,8 @@ def draw_collision(mass_2, velocity_2, restitution):
 
 explore(
     draw_collision,
-    "Cart 1 (1 kg) at +2 m/s meets cart 2 (1 kg) at rest, e = 1: cart 1 stops, cart 2 goes on at +2 m/s. "
-    "The sliders change the second cart's mass and velocity and the restitution.",
+    "Cart 1 (1 kg) at +2 m/s meets cart 2 (1 kg) at rest, e = 1: cart 1 stops, cart 2 goes on at "
+    "+2 m/s. The sliders change the second cart's mass and velocity and the restitution.",
     mass_2=Slider("mass of cart 2, kg", 0.2, 5, 1, step=0.1),
     velocity_2=Slider("velocity of cart 2, m/s", -3, 1.5, 0, step=0.1),
     restitution=Slider("restitution e", 0, 1, 1, step=0.05),
@@ -149,9 +159,10 @@ explore(
 # %% [markdown]
 # ## 5 The ground is a body of infinite mass
 #
-# A wall does not move when a ball hits it. The formula needs no special case for that: let $m_2$ grow, and $w_1 = m_1/(m_1 + m_2)$ goes to
-# 0 and $w_2$ to 1. In Python, `math.inf` is a legal mass in every formula of this course, and means exactly that.
-# `lesson_code` computes $w_1$ as $1/(1 + m_2/m_1)$, which is right for infinite masses too: $1/(1+\infty) = 0$.
+# A wall does not move when a ball hits it. The formula needs no special case for that: let $m_2$
+# grow, and $w_1 = m_1/(m_1 + m_2)$ goes to 0 and $w_2$ to 1. In Python, `math.inf` is a legal
+# mass in every formula of this course, and means exactly that. `lesson_code` computes $w_1$ as
+# $1/(1 + m_2/m_1)$, which is right for infinite masses too: $1/(1+\infty) = 0$.
 
 # %%
 check("a ball hits a wall", elastic_1d(1, 3, inf, 0), (-3, 0))
@@ -162,7 +173,8 @@ print("v1' for growing m2:", np.round(towards_the_limit, 6))
 check("the limit is the wall", towards_the_limit[-1], -3.0, tolerance=1e-5)
 
 # %% [markdown]
-# Two infinite masses have no answer, and neither has a negative mass. Such input is refused, with the reason:
+# Two infinite masses have no answer, and neither has a negative mass. Such input is refused, with
+# the reason:
 
 # %%
 for bad in ((inf, 1, inf, -1), (-2, 1, 1, 0), (1, float("nan"), 1, 0)):
@@ -174,8 +186,9 @@ for bad in ((inf, 1, inf, -1), (-2, 1, 1, 0), (1, float("nan"), 1, 0)):
 # %% [markdown]
 # ## 6 Three judges that are not us
 #
-# Is our formula right? We ask the two laws, on 10,000 random pairs. Then we ask exact arithmetic: the same collision as two linear
-# equations, solved in fractions without any rounding. Then we ask pymunk, a physics engine.
+# Is our formula right? We ask the two laws, on 10,000 random pairs. Then we ask exact arithmetic:
+# the same collision as two linear equations, solved in fractions without any rounding. Then we
+# ask pymunk, a physics engine.
 
 # %%
 from lesson_code.reference.closed_forms import two_body_exact
@@ -209,8 +222,9 @@ check("v2' in pymunk", (w2[:1000] - engine[:, 1]) / size[:1000], 0, tolerance=1e
 # %% [markdown]
 # ## 7 Break it on purpose: one factor too many
 #
-# Here is the impulse as the web lesson had it, with 2(1 + e) where 1 + e belongs. Somebody remembered the 2 of the
-# elastic case *and* the 1 + e of the general one. **Predict:** which of the two laws will notice?
+# Here is the impulse as the web lesson had it, with 2(1 + e) where 1 + e belongs. Somebody
+# remembered the 2 of the elastic case *and* the 1 + e of the general one. **Predict:** which of
+# the two laws will notice?
 
 # %%
 from lesson_code.grading.wrong_models.restitution import doubled_impulse
@@ -221,14 +235,16 @@ for e in (0.0, 0.5, 0.8, 1.0):
     w1, w2 = doubled_impulse(1, 2, 1, -2, e)
     p_after = momentum([1, 1], [(w1, 0), (w2, 0)])
     energy_ratio = (w1**2 + w2**2) / (2**2 + 2**2)
-    print(f"e = {e}: momentum {p_before[0]} -> {p_after[0]}, energy times {energy_ratio:.2f}, right {e**2:.2f}")
+    print(f"e = {e}: momentum {p_before[0]} -> {p_after[0]}, ", end="")
+    print(f"energy times {energy_ratio:.2f}, right {e**2:.2f}")
 
 # %% [markdown]
-# Momentum is blind to this fault: *any* impulse keeps momentum. The energy sees it at once. Even with e = 0, where the carts should
-# stop, all of the energy comes back; with e = 1 there is nine times as much as before. In the web lesson's demo the energy
-# grew without end.
+# Momentum is blind to this fault: *any* impulse keeps momentum. The energy sees it at once. Even
+# with e = 0, where the carts should stop, all of the energy comes back; with e = 1 there is nine
+# times as much as before. In the web lesson's demo the energy grew without end.
 #
-# This is why every check in this course uses more than one law. Other wrong formulas are caught by the other law:
+# This is why every check in this course uses more than one law. Other wrong formulas are caught
+# by the other law:
 
 # %%
 for model in (wrong.always_swaps, wrong.target_at_rest, wrong.both_turn_round):
@@ -238,17 +254,23 @@ for model in (wrong.always_swaps, wrong.target_at_rest, wrong.both_turn_round):
 
 # %%
 cases = ["right", "impulse doubled", "always swaps"]
-answers = [elastic_1d(1, 2, 3, -1), doubled_impulse(1, 2, 3, -1, 1.0), wrong.always_swaps(1, 2, 3, -1)]
+answers = [
+    elastic_1d(1, 2, 3, -1),
+    doubled_impulse(1, 2, 3, -1, 1.0),
+    wrong.always_swaps(1, 2, 3, -1),
+]
+momenta = [(a, 3 * b) for a, b in answers]
+energies = [(a**2 / 2, 3 * b**2 / 2) for a, b in answers]
+
+# %%
 fig, (left, right) = style.figure(2, width=10.5, height=3.6)
-plots.before_and_after(left, cases, [(2, -3)] * 3, [(a, 3 * b) for a, b in answers], "momentum, kg m/s")
-plots.before_and_after(
-    right, cases, [(2, 1.5)] * 3, [(a**2 / 2, 3 * b**2 / 2) for a, b in answers], "energy, J"
-)
+plots.before_and_after(left, cases, [(2, -3)] * 3, momenta, "momentum, kg m/s")
+plots.before_and_after(right, cases, [(2, 1.5)] * 3, energies, "energy, J")
 left.get_legend().remove()
 show(
     fig,
-    "Momentum and energy of a pair before and after, for the right formula and two wrong ones. The doubled impulse "
-    "keeps the momentum but multiplies the energy; the swap keeps neither.",
+    "Momentum and energy of a pair before and after, for the right formula and two wrong ones. "
+    "The doubled impulse keeps the momentum but multiplies the energy; the swap keeps neither.",
 )
 
 # %% [markdown]
@@ -260,14 +282,15 @@ show_quiz("01")
 # %% [markdown]
 # ## What was checked, and what comes next
 #
-# **Checked here:** 10,000 random pairs with masses from 1 g to 1,000 kg, against momentum, energy and exact fractions; 1,000 of them against pymunk; all to
-# 1e-12 of the larger speed. The infinite mass is exact.
+# **Checked here:** 10,000 random pairs with masses from 1 g to 1,000 kg, against momentum, energy
+# and exact fractions; 1,000 of them against pymunk; all to 1e-12 of the larger speed. The
+# infinite mass is exact.
 #
-# **Limits.** The formulas do not ask *whether* the carts meet. Two carts that move apart get an answer too, and it means
-# nothing. Finding out who meets whom is the detection's job.
+# **Limits.** The formulas do not ask *whether* the carts meet. Two carts that move apart get an
+# answer too, and it means nothing. Finding out who meets whom is the detection's job.
 #
-# **Do now:** the exercise [01 One dimension](../exercises/01_one_dimension.ipynb): three tasks, ten points.
-# **Next:** [02 Restitution](02_restitution.ipynb).
+# **Do now:** the exercise [01 One dimension](../exercises/01_one_dimension.ipynb): three tasks,
+# ten points. **Next:** [02 Restitution](02_restitution.ipynb).
 #
-# **Sources.** Goldstein, Poole and Safko, *Classical Mechanics*, 3rd edition, section 3.11 (collisions seen from the centre
-# of mass).
+# **Sources.** Goldstein, Poole and Safko, *Classical Mechanics*, 3rd edition, section 3.11
+# (collisions seen from the centre of mass).

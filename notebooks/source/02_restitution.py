@@ -9,12 +9,13 @@
 # %% [markdown]
 # # 02 Restitution
 #
-# A superball dropped on stone comes back almost to your hand. A lump of clay stays where it falls. One number tells
-# them apart.
+# A superball dropped on stone comes back almost to your hand. A lump of clay stays where it
+# falls. One number tells them apart.
 #
 # **After this notebook you will be able to**
 #
-# 1. measure the restitution of a collision from four velocities, and compute what it costs in energy;
+# 1. measure the restitution of a collision from four velocities, and compute what it costs in
+#    energy;
 # 2. predict how high a ball bounces, and how long it goes on bouncing;
 # 3. say what a time-stepping engine makes of a bouncing ball, and how wrong it is.
 #
@@ -31,20 +32,21 @@ from lesson_code.grading.wrong_models import restitution as wrong
 from lesson_code.quiz.notebook import show_quiz
 from lesson_code.reference.closed_forms import bounce_heights, bouncing_ball, rest_time
 from lesson_code.reference.pymunk_reference import drop_onto_floor
-from lesson_code.view import style
+from lesson_code.view import plots, style
 from lesson_code.view.interactive import Slider, explore
 from lesson_code.view.show import show
 
 # %% [markdown]
 # ## 1 Restitution is a ratio of speeds
 #
-# Before they meet, two bodies approach each other with speed $v_1 - v_2$. Afterwards they part with speed $v_2' - v_1'$. Newton found
-# that for two given bodies the ratio hardly depends on how fast they meet:
+# Before they meet, two bodies approach each other with speed $v_1 - v_2$. Afterwards they part
+# with speed $v_2' - v_1'$. Newton found that for two given bodies the ratio hardly depends on how
+# fast they meet:
 #
 # $$e = \frac{v_2' - v_1'}{v_1 - v_2}$$
 #
-# Note the order: *separation* is second minus first, *approach* is first minus second. Both are positive numbers in a real
-# collision. e is 1 when nothing is lost and 0 when the bodies stick.
+# Note the order: *separation* is second minus first, *approach* is first minus second. Both are
+# positive numbers in a real collision. e is 1 when nothing is lost and 0 when the bodies stick.
 
 # %%
 check("approach 4 m/s, separation 2 m/s", restitution_1d(3, -1, -1, 1), 0.5)
@@ -52,23 +54,26 @@ v1_after, v2_after = collide_1d(1.0, 3.0, 2.0, -1.0, restitution=0.7)
 check("the restitution put in comes out", restitution_1d(3, -1, v1_after, v2_after), 0.7, 1e-12)
 
 # %% [markdown]
-# The velocities of one body alone do not tell e. Below, the same e = 0.5 gives the first body quite different
-# velocities, depending on the masses.
+# The velocities of one body alone do not tell e. Below, the same e = 0.5 gives the first body
+# quite different velocities, depending on the masses.
 
 # %%
 for mass_2 in (0.5, 1.0, 2.0, 8.0):
     v1_after, v2_after = collide_1d(1, 2, mass_2, 0, restitution=0.5)
-    print(f"m2 = {mass_2} kg: v1' = {v1_after:+.3f}, v2' = {v2_after:+.3f}, separation {v2_after - v1_after:.3f} m/s")
+    print(f"m2 = {mass_2} kg: v1' = {v1_after:+.3f}, v2' = {v2_after:+.3f}, ", end="")
+    print(f"separation {v2_after - v1_after:.3f} m/s")
 
 # %% [markdown]
 # ## 2 Only the energy of the approach can be lost
 #
-# The centre of mass moves on unchanged and keeps its kinetic energy. What can be turned into heat is the energy of the
-# *relative* motion, $\frac12 m_r (v_1 - v_2)^2$, with the reduced mass $m_r = m_1 m_2/(m_1 + m_2)$. Speeds shrink by e, energies by e²:
+# The centre of mass moves on unchanged and keeps its kinetic energy. What can be turned into heat
+# is the energy of the *relative* motion, $\frac12 m_r (v_1 - v_2)^2$, with the reduced mass $m_r
+# = m_1 m_2/(m_1 + m_2)$. Speeds shrink by e, energies by e²:
 #
 # $$\text{energy lost} = \tfrac12\, m_r\,(1 - e^2)\,(v_1 - v_2)^2$$
 #
-# **Predict:** a collision has e = 0.7. Is the part of the relative energy that survives nearer to 0.7 or to 0.5?
+# **Predict:** a collision has e = 0.7. Is the part of the relative energy that survives nearer to
+# 0.7 or to 0.5?
 
 # %%
 lost = energy_lost_1d(m1=1, v1=2, m2=3, v2=-1, restitution=0.7)
@@ -81,17 +86,20 @@ check("worked by hand: 1/2 · 3/4 · 0.51 · 9 J", lost, 1.72125, tolerance=1e-1
 # %%
 e = np.linspace(0, 1, 101)
 fig, ax = style.figure(width=6, height=3.4)
-ax.plot(e, e, color=style.VERMILION, linestyle="--", label="part of the speed kept: e")
-ax.plot(e, e**2, color=style.BLUE, label="part of the relative energy kept: e²")
-ax.set(xlabel="restitution e", ylabel="part kept")
-ax.legend(frameon=False)
-show(fig, "Two curves over restitution from 0 to 1: the speed kept is e, a straight line; the energy kept is e squared, below it.")
+named = {"part of the relative energy kept: e²": (e, e**2), "part of the speed kept: e": (e, e)}
+plots.curves(ax, named, "restitution e", "part kept")
+show(
+    fig,
+    "Two curves over restitution from 0 to 1: the speed kept is e, a straight line; the energy "
+    "kept is e squared, below it.",
+)
 
 # %% [markdown]
 # ## 3 A dropped ball rises to e² of its height, every time
 #
-# A ball that falls from height h reaches the floor with speed $\sqrt{2gh}$. It leaves with e times that speed, so it rises to e²h. The
-# next bounce starts from there. After n bounces the height is
+# A ball that falls from height h reaches the floor with speed $\sqrt{2gh}$. It leaves with e
+# times that speed, so it rises to e²h. The next bounce starts from there. After n bounces the
+# height is
 #
 # $$h_n = e^{2n} h.$$
 
@@ -104,13 +112,14 @@ check("the fifth bounce", heights[4], 0.8**10, tolerance=1e-12)
 # %% [markdown]
 # ## 4 Infinitely many bounces end in finite time
 #
-# The first fall takes $t_0 = \sqrt{2h/g}$. Each flight up and down after it takes $2 t_0 e, 2 t_0 e^2, \dots$ The times shrink so fast that all of
-# them together are finite:
+# The first fall takes $t_0 = \sqrt{2h/g}$. Each flight up and down after it takes $2 t_0 e, 2 t_0
+# e^2, \dots$ The times shrink so fast that all of them together are finite:
 #
 # $$T = t_0 + 2 t_0 (e + e^2 + e^3 + \dots) = \sqrt{\frac{2h}{g}}\;\frac{1 + e}{1 - e}$$
 #
-# At time T the ball has made infinitely many bounces, and lies still. This is called the *Zeno* ball, after the philosopher of the paradox of Achilles
-# and the tortoise. A program that waits for "the last bounce" waits for ever.
+# At time T the ball has made infinitely many bounces, and lies still. This is called the *Zeno*
+# ball, after the philosopher of the paradox of Achilles and the tortoise. A program that waits
+# for "the last bounce" waits for ever.
 
 # %%
 t0 = np.sqrt(2 * 1.0 / 9.81)
@@ -119,47 +128,55 @@ check("the sum of 199 flights", t0 + flights.sum(), rest_time(1.0, 0.8, 9.81), t
 check("the same with g = 10 m/s²", rest_time(1.0, 0.8, 10.0), np.sqrt(0.2) * 9, tolerance=1e-12)
 
 # %% [markdown]
-# Move the slider and watch the time of rest. **Predict:** by how much does T grow from e = 0.8 to e = 0.9?
+# Move the slider and watch the time of rest. **Predict:** by how much does T grow from e = 0.8 to
+# e = 0.9?
 
 
 # %%
 def draw_bouncing_ball(restitution):
     times = np.linspace(0, 5, 2001)
     fig, ax = style.figure(width=8, height=3.4)
-    ax.plot(times, bouncing_ball(times, 1.0, restitution, 9.81), color=style.BLUE)
+    heights = bouncing_ball(times, 1.0, restitution, 9.81)
+    plots.curves(ax, {"": (times, heights)}, "time, s", "height, m")
+    ax.set(ylim=(0, 1.05), xlim=(0, 5.9))
     if restitution < 1 and rest_time(1.0, restitution, 9.81) < 5:
         rest = rest_time(1.0, restitution, 9.81)
         ax.axvline(rest, color=style.VERMILION, linestyle="--")
         ax.text(rest + 0.05, 0.9, f"at rest from {rest:.2f} s", color=style.VERMILION)
-    ax.set(xlabel="time, s", ylabel="height, m", ylim=(0, 1.05), xlim=(0, 5.9))
     return fig
 
 
+# %%
 explore(
     draw_bouncing_ball,
-    "Height of a ball over time, dropped from 1 m with e = 0.8: ever lower arcs, at rest from 4.06 s. "
-    "The slider changes e.",
+    "Height of a ball over time, dropped from 1 m with e = 0.8: ever lower arcs, at rest from "
+    "4.06 s. The slider changes e.",
     restitution=Slider("restitution e", 0, 1, 0.8, step=0.01),
 )
 
 # %% [markdown]
 # ## 5 An engine that steps through time gets it nearly right
 #
-# Engines do not know the formula above. They move everything by a small step `dt`, look who overlaps, and apply an impulse. A
-# ball is then always found a little *after* it has touched the floor. pymunk, at its usual 1/60 s, gives this:
+# Engines do not know the formula above. They move everything by a small step `dt`, look who
+# overlaps, and apply an impulse. A ball is then always found a little *after* it has touched the
+# floor. pymunk, at its usual 1/60 s, gives this:
 
 # %%
 times, stepped = drop_onto_floor(height=1.0, restitution=0.8, duration=4.5, dt=1 / 60, gravity=9.81)
 fig, ax = style.figure(width=8, height=3.4)
-ax.plot(times, bouncing_ball(times, 1.0, 0.8, 9.81), color=style.BLUE, label="closed form")
-ax.plot(times, stepped, color=style.VERMILION, linestyle="--", label="pymunk, dt = 1/60 s")
-ax.set(xlabel="time, s", ylabel="height, m")
-ax.legend(frameon=False)
-show(fig, "The closed form and pymunk at 1/60 s: the same arcs at first, pymunk's drift away from bounce to bounce.")
+closed_form = bouncing_ball(times, 1.0, 0.8, 9.81)
+named = {"closed form": (times, closed_form), "pymunk, dt = 1/60 s": (times, stepped)}
+plots.curves(ax, named, "time, s", "height, m")
+show(
+    fig,
+    "The closed form and pymunk at 1/60 s: the same arcs at first, pymunk's drift away from "
+    "bounce to bounce.",
+)
 
 # %% [markdown]
-# The bounce itself is right in pymunk. What is late is the moment of the bounce, by up to one step. So the error shrinks in
-# proportion to `dt`: ten times smaller steps, about ten times smaller error, for ten times the work.
+# What is wrong is above all the moment of each bounce: it comes late, by up to one step. So the
+# error shrinks in proportion to `dt`: ten times smaller steps, about ten times smaller error, for
+# ten times the work.
 
 # %%
 errors = {}
@@ -173,21 +190,23 @@ check("the error shrinks like dt to the power", order, 1.0, tolerance=0.2)
 # %% [markdown]
 # ## 6 Break it on purpose: a ball that climbs
 #
-# This is the doubled impulse of chapter 01, now at a floor, in a small stepping loop of our own. `drop_in_steps` takes the
-# bounce rule as an argument, so we can give it the right one or a wrong one. **Predict** with e = 0.8: does the ball still come
-# to rest?
+# This is the doubled impulse of chapter 01, now at a floor, in a small stepping loop of our own.
+# `drop_in_steps` takes the bounce rule as an argument, so we can give it the right one or a wrong
+# one. **Predict** with e = 0.8: does the ball still come to rest?
 
 # %%
+drop = {"height": 1.0, "restitution": 0.8, "duration": 2.0, "dt": 1 / 600}
+paths = {
+    "right": drop_in_steps(bounce, **drop),
+    "impulse doubled": drop_in_steps(wrong_bounce.doubled_impulse, **drop),
+}
 fig, ax = style.figure(width=8, height=3.4)
-for name, rule, color, line in (
-    ("right", bounce, style.RIGHT, "-"),
-    ("impulse doubled", wrong_bounce.doubled_impulse, style.WRONG, "--"),
-):
-    times, heights = drop_in_steps(rule, height=1.0, restitution=0.8, duration=2.0, dt=1 / 600)
-    ax.plot(times, heights, color=color, linestyle=line, label=name)
-ax.set(xlabel="time, s", ylabel="height, m")
-ax.legend(frameon=False)
-show(fig, "Dropped from 1 m with e = 0.8: with the right rule the ball bounces lower and lower, with the doubled impulse it shoots up to over 6 m.")
+plots.curves(ax, paths, "time, s", "height, m")
+show(
+    fig,
+    "Dropped from 1 m with e = 0.8: with the right rule the ball bounces lower and lower, with "
+    "the doubled impulse it shoots up to over 6 m.",
+)
 
 # %%
 speed_after = wrong_bounce.doubled_impulse(np.array([0.0, -1.0]), np.array([0.0, 1.0]), 0.8)[1]
@@ -195,8 +214,8 @@ check("each bounce multiplies the energy by", speed_after**2, 6.76, tolerance=1e
 check("the right factor is", bounce((0, -1), (0, 1), 0.8)[1] ** 2, 0.64, tolerance=1e-12)
 
 # %% [markdown]
-# A quieter fault: e taken for an *energy* ratio. The ball still comes to rest, nothing explodes, and a careless eye sees nothing. A measurement
-# does:
+# A quieter fault: e taken for an *energy* ratio. The ball still comes to rest, nothing explodes,
+# and a careless eye sees nothing. A measurement does:
 
 # %%
 v1_after, v2_after = wrong.energy_restitution(1.0, 2.0, 3.0, -1.0, 0.25)
@@ -207,8 +226,9 @@ check("it is the square root of what was asked for", measured, 0.25**0.5, tolera
 # %% [markdown]
 # ## 7 No threshold unless you ask for one
 #
-# Some engines cut restitution off below a certain speed, so that things come to rest sooner. A slow ball then does not bounce at
-# all. pymunk has no such threshold, and neither has this course. A ball at 0.9 m/s with e = 1 comes back at 0.9 m/s:
+# Some engines cut restitution off below a certain speed, so that things come to rest sooner. A
+# slow ball then does not bounce at all. pymunk has no such threshold, and neither has this
+# course. A ball at 0.9 m/s with e = 1 comes back at 0.9 m/s:
 
 # %%
 check("a slow ball bounces too", bounce((0, -0.9), (0, 1), restitution=1)[1], 0.9, tolerance=1e-15)
@@ -222,14 +242,15 @@ show_quiz("02")
 # %% [markdown]
 # ## What was checked, and what comes next
 #
-# **Checked here:** restitution and energy against numbers worked by hand; heights and time of rest against their series; pymunk's
-# error against the closed form, which shrinks in proportion to the step.
+# **Checked here:** restitution and energy against numbers worked by hand; heights and time of
+# rest against their series; pymunk's error against the closed form, which shrinks in proportion
+# to the step.
 #
-# **Limits.** In reality e falls a little as the impact gets faster, and a ball that spins or slides needs friction too
-# (chapter 05).
+# **Limits.** In reality e falls a little as the impact gets faster, and a ball that spins or
+# slides needs friction too (chapter 05).
 #
-# **Do now:** the exercise [02 Restitution](../exercises/02_restitution.ipynb): four tasks, thirteen points.
-# **Next:** [03 Reflection](03_reflection.ipynb).
+# **Do now:** the exercise [02 Restitution](../exercises/02_restitution.ipynb): four tasks,
+# thirteen points. **Next:** [03 Reflection](03_reflection.ipynb).
 #
-# **Sources.** Newton, *Principia* (1687), scholium to the laws of motion (the ratio of speeds). Goldsmith, *Impact* (1960), on measured
-# restitution.
+# **Sources.** Newton, *Principia* (1687), scholium to the laws of motion (the ratio of speeds).
+# Goldsmith, *Impact* (1960), on measured restitution.

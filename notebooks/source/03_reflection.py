@@ -9,14 +9,15 @@
 # %% [markdown]
 # # 03 Reflection
 #
-# A ball meets a wall at an angle. Now velocities are vectors, and the wall has a direction. One formula serves every wall,
-# however it is tilted. This chapter ends at a billiard table.
+# A ball meets a wall at an angle. Now velocities are vectors, and the wall has a direction. One
+# formula serves every wall, however it is tilted. This chapter ends at a billiard table.
 #
 # **After this notebook you will be able to**
 #
 # 1. split a velocity into a part along the normal and a part along the wall, and mirror it;
 # 2. bounce a ball with restitution, and say what is wrong with the popular formula v' = e R;
-# 3. explain the two rules that keep a ball from sticking in a wall: the gate, and "separate first".
+# 3. explain the two rules that keep a ball from sticking in a wall: the gate, and "separate
+#    first".
 #
 # **You need** notebooks 00 to 02. **Time:** about 45 minutes to read, a few seconds to run.
 
@@ -36,12 +37,14 @@ from lesson_code.view.show import show
 # %% [markdown]
 # ## 1 The mirror removes the normal part twice
 #
-# A wall has a unit normal N. It points **inward**: from the wall to the ball. The incoming velocity is I.
+# A wall has a unit normal N. It points **inward**: from the wall to the ball. The incoming
+# velocity is I.
 #
-# The dot product I · N says how far I reaches along N. So **(I · N) N** is a vector: the *normal part* of I. What is left, I - (I · N) N,
-# runs along the wall: the *tangent part*.
+# The dot product I · N says how far I reaches along N. So **(I · N) N** is a vector: the *normal
+# part* of I. What is left, I - (I · N) N, runs along the wall: the *tangent part*.
 #
-# Take the normal part away once, and the ball slides along the wall. Take it away twice, and it leaves as steeply as it came:
+# Take the normal part away once, and the ball slides along the wall. Take it away twice, and it
+# leaves as steeply as it came:
 #
 # $$R = I - 2\,(I \cdot N)\,N$$
 
@@ -57,27 +60,24 @@ check("taken away twice: the mirror image", reflect(incident, normal), (3, 4))
 # %%
 tilted = np.array([np.sin(0.35), np.cos(0.35)])
 incident = np.array([2.0, -4.0])
-fig, ax = style.figure(width=5.4, height=5)
-plots.velocity_at_wall(
-    ax,
-    incident,
-    tilted,
-    {
-        "R": (reflect(incident, tilted), style.BLUE, False),
-        "tangent part": (incident - dot(incident, tilted) * tilted, style.GREEN, True),
-    },
-)
+outgoing = {
+    "R": (reflect(incident, tilted), style.BLUE, False),
+    "tangent part": (incident - dot(incident, tilted) * tilted, style.GREEN, True),
+}
+fig, ax = style.figure(width=5.4, height=4.4)
+plots.velocity_at_wall(ax, incident, tilted, outgoing)
 show(
     fig,
-    "A tilted wall with its normal N. The incoming velocity I, the mirror image R, and the tangent part between them "
-    "along the wall.",
+    "A tilted wall with its normal N. The incoming velocity I, the mirror image R, and the "
+    "tangent part between them along the wall.",
 )
 
 # %% [markdown]
 # ## 2 A level wall just flips a sign
 #
-# In many small games a ball bounces off the floor with `vy *= -1`. That is R for N = (0, 1), and nothing else. A box has
-# four walls with four inward normals (y up): floor (0, 1), ceiling (0, -1), left (1, 0), right (-1, 0).
+# In many small games a ball bounces off the floor with `vy *= -1`. That is R for N = (0, 1), and
+# nothing else. A box has four walls with four inward normals (y up): floor (0, 1), ceiling (0,
+# -1), left (1, 0), right (-1, 0).
 
 # %%
 velocity = np.array([3.0, 4.0])
@@ -86,19 +86,25 @@ for name, n in (("floor", (0, 1)), ("ceiling", (0, -1)), ("left", (1, 0)), ("rig
 check("floor and ceiling flip y", reflect(velocity, (0, 1)), reflect(velocity, (0, -1)))
 
 # %% [markdown]
-# Floor and ceiling give the *same* R. Turn N round, and both factors N in the formula change sign, so nothing changes. "Inward" will
-# matter all the same: for the gate in section 5, and for the push in section 6.
+# Floor and ceiling give the *same* R. Turn N round, and both factors N in the formula change
+# sign, so nothing changes. "Inward" will matter all the same: for the gate in section 5, and for
+# the push in section 6.
 #
-# A tilted wall needs the whole formula. **Predict** what a bumper at 45 degrees does to a ball that falls straight down on it.
+# A tilted wall needs the whole formula. **Predict** what a bumper at 45 degrees does to a ball
+# that falls straight down on it.
 
 # %%
 half = np.sqrt(0.5)
 check("a 45 degree bumper turns down into right", reflect((0, -2), (half, half)), (2, 0), 1e-15)
-check("flipping one sign cannot do that", wrong.flips_an_axis(np.array([0.0, -2.0]), np.array([half, half])), (0, -2))
+check(
+    "flipping one sign cannot do that",
+    wrong.flips_an_axis(np.array([0.0, -2.0]), np.array([half, half])),
+    (0, -2),
+)
 
 # %% [markdown]
-# Four facts about every mirror, on 10,000 random walls: the speed is kept, the tangent part is kept, the normal part changes its sign,
-# and two reflections undo each other.
+# Four facts about every mirror, on 10,000 random walls: the speed is kept, the tangent part is
+# kept, the normal part changes its sign, and two reflections undo each other.
 
 # %%
 rng = np.random.default_rng(seed=3)
@@ -114,12 +120,13 @@ check("twice is not at all", reflect(r, n) - v, 0, tolerance=1e-12)
 # %% [markdown]
 # ## 3 Restitution acts on the normal part alone
 #
-# A smooth wall can only push along its normal. It cannot touch the tangent part. So of the two parts only one gets the
-# factor e:
+# A smooth wall can only push along its normal. It cannot touch the tangent part. So of the two
+# parts only one gets the factor e:
 #
 # $$v' = v - (1 + e)\,(v \cdot N)\,N$$
 #
-# This is chapter 01 again, along N: the impulse on a ball of mass m against an infinite mass is $J = -(1 + e)\,m\,(v \cdot N)$.
+# This is chapter 01 again, along N: the impulse on a ball of mass m against an infinite mass is
+# $J = -(1 + e)\,m\,(v \cdot N)$.
 
 # %%
 after = bounce(velocity=(3, -4), normal=(0, 1), restitution=0.5)
@@ -130,10 +137,12 @@ check("e = 0 slides along the wall", bounce((3, -4), (0, 1), 0), (3, 0))
 # %% [markdown]
 # ## 4 The popular variant e R brakes where no one brakes
 #
-# Many programs write v' = e R and scale the *whole* mirror image. It looks alike when the ball comes in steeply. At a
-# flat angle it is quite different: the ball loses speed along a wall that is perfectly smooth.
+# Many programs write v' = e R and scale the *whole* mirror image. It looks alike when the ball
+# comes in steeply. At a flat angle it is quite different: the ball loses speed along a wall that
+# is perfectly smooth.
 #
-# **Predict** for a pool ball with velocity (280, 180) px/s, e = 0.95, at the bottom cushion: how much of its energy is left with each rule?
+# **Predict** for a pool ball with velocity (280, 180) px/s, e = 0.95, at the bottom cushion: how
+# much of its energy is left with each rule?
 
 # %%
 v = np.array([280.0, 180.0])  # pixels and y down, as on the billiard table
@@ -141,7 +150,12 @@ n = np.array([0.0, -1.0])
 right, popular = bounce(v, n, 0.95), scaled_reflection(v, n, 0.95)
 print("bounce:  ", right)
 print("e R:     ", popular)
-check("energy left after a bounce", dot(right, right) / dot(v, v), (280**2 + 171**2) / (280**2 + 180**2), 1e-12)
+check(
+    "energy left after a bounce",
+    dot(right, right) / dot(v, v),
+    (280**2 + 171**2) / (280**2 + 180**2),
+    1e-12,
+)
 check("energy left after e R", dot(popular, popular) / dot(v, v), 0.95**2, 1e-12)
 
 # %%
@@ -153,16 +167,23 @@ for count in bounces[1:]:
     v_scaled.append(scaled_reflection(v_scaled[-1], n, 0.95))
 
 # %%
+speeds = {
+    "bounce": (bounces, np.hypot(*np.transpose(v_bounce))),
+    "e R": (bounces, np.hypot(*np.transpose(v_scaled))),
+    "tangent part, 280 px/s": (bounces, np.full(31, 280.0)),
+}
 fig, ax = style.figure(width=7, height=3.4)
-ax.plot(bounces, np.hypot(*np.transpose(v_bounce)), color=style.BLUE, marker="o", markersize=3, label="bounce")
-ax.plot(bounces, np.hypot(*np.transpose(v_scaled)), color=style.VERMILION, marker="s", markersize=3, linestyle="--", label="e R")
-ax.axhline(280, color=style.GREY, linestyle=":", label="tangent part, 280 px/s")
-ax.set(xlabel="bounces between two parallel cushions", ylabel="speed, px/s", ylim=(0, None))
-ax.legend(frameon=False)
-show(fig, "Speed over the number of bounces between parallel cushions. With bounce it falls towards the tangent part, 280 px/s. With e R it falls towards zero.")
+plots.curves(ax, speeds, "bounces between two parallel cushions", "speed, px/s")
+ax.set_ylim(0, None)
+show(
+    fig,
+    "Speed over the number of bounces between parallel cushions. With bounce it falls towards the"
+    " tangent part, 280 px/s. With e R it falls towards zero.",
+)
 
 # %% [markdown]
-# `lesson_code` keeps the variant under its own name, `scaled_reflection`, because programs use it. Now you know what it costs.
+# `lesson_code` keeps the variant under its own name, `scaled_reflection`, because programs use
+# it. Now you know what it costs.
 #
 # Move the sliders and compare both rules. Where do they agree?
 
@@ -172,18 +193,20 @@ def draw_bounce(tilt, restitution):
     angle = np.radians(tilt)
     n = np.array([np.sin(angle), np.cos(angle)])
     v = np.array([3.0, -3.0])
-    fig, ax = style.figure(width=5.4, height=5)
     outgoing = {
         "bounce": (bounce(v, n, restitution), style.BLUE, False),
         "e R": (scaled_reflection(v, n, restitution), style.VERMILION, True),
     }
-    return plots.velocity_at_wall(ax, v, n, outgoing).figure
+    fig, ax = style.figure(width=5.4, height=4.4)
+    plots.velocity_at_wall(ax, v, n, outgoing)
+    return fig
 
 
+# %%
 explore(
     draw_bounce,
-    "A ball comes in at 45 degrees on a level wall, e = 0.5. The bounce leaves flat along the wall; e R leaves at 45 degrees "
-    "and slower. The sliders tilt the wall and change e.",
+    "A ball comes in at 45 degrees on a level wall, e = 0.5. The bounce leaves flat along the "
+    "wall; e R leaves at 45 degrees and slower. The sliders tilt the wall and change e.",
     tilt=Slider("tilt of the wall, degrees", -40, 40, 0, step=1),
     restitution=Slider("restitution e", 0, 1, 0.5, step=0.05),
 )
@@ -191,57 +214,72 @@ explore(
 # %% [markdown]
 # ## 5 The gate: only a ball that comes in is bounced
 #
-# A program looks at the ball once per time step. When it finds the ball inside the wall, the ball may already be on its way *out*, bounced a
-# step ago. If it is bounced again, it is sent back in. So every bounce needs a gate:
+# A program looks at the ball once per time step. When it finds the ball inside the wall, the ball
+# may already be on its way *out*, bounced a step ago. If it is bounced again, it is sent back in.
+# So every bounce needs a gate:
 #
 # $$v \cdot N < 0 \quad\text{(with N inward: the ball moves against the normal, into the wall)}$$
 #
-# Here is a ball with and without the gate. Nothing pushes it out of the floor. **Predict** what the ball without a gate does.
+# Here is a ball with and without the gate. Nothing pushes it out of the floor. **Predict** what
+# the ball without a gate does.
 
 # %%
 fig, axes = style.figure(2, width=9.5, height=3.4)
-for ax, rule, title in zip(axes, (bounce, wrong.without_gate), ("with the gate", "without"), strict=True):
-    times, heights = drop_in_steps(
-        rule, height=1.0, restitution=0.8, duration=3, push_out=False
-    )
+for ax, rule, title in zip(
+    axes, (bounce, wrong.without_gate), ("with the gate", "without"), strict=True
+):
+    times, heights = drop_in_steps(rule, height=1.0, restitution=0.8, duration=3, push_out=False)
     ax.plot(times, heights, color=style.BLUE, marker="o", markersize=3)
     ax.axhline(0, color=style.INK)
     ax.set(xlabel="time, s", ylabel="height, m", title=title, ylim=(-0.2, 1.05))
-show(fig, "Two plots of height over time. With the gate the ball goes on bouncing. Without the gate it is caught in the floor at its third bounce and never comes up again.")
+show(
+    fig,
+    "Two plots of height over time. With the gate the ball goes on bouncing. Without the gate it "
+    "is caught in the floor at its third bounce and never comes up again.",
+)
 
 # %%
 late = times > 1.8  # after the third bounce
 gated = drop_in_steps(bounce, height=1.0, restitution=0.8, duration=3, push_out=False)[1]
-print(f"highest point after 1.8 s: {gated[late].max():.2f} m with the gate, {heights[late].max():.2f} m without")
+print(f"highest point after 1.8 s: {gated[late].max():.2f} m with the gate, ", end="")
+print(f"{heights[late].max():.2f} m without")
 check("without the gate it stays below the floor", bool(heights[late].max() < 0), True)
 check("a leaving ball is left alone", bounce((3, 4), (0, 1), 0.5), (3, 4))
 
 # %% [markdown]
-# At its third bounce the ball was deep enough in the floor that, slowed down to 0.8 of its speed, one step did not bring it out. The next step
-# bounced it back in, and so on for ever. The gate is inside `bounce`, so nobody can forget it. In its source it is the words "if v · n < 0, else 0": the impulse of a
-# wall is never negative. A wall can push, but not pull.
+# At its third bounce the ball was deep enough in the floor that, slowed down to 0.8 of its speed,
+# one step did not bring it out. The next step bounced it back in, and so on for ever. The gate is
+# inside `bounce`, so nobody can forget it: it is the clamp in `normal_impulse`, which never lets
+# the impulse of a wall be negative. A wall can push, but not pull.
 #
 # ## 6 Separate first
 #
-# The gate is not enough. When the ball has come to rest, nobody moves it out of the floor, and in each step gravity moves it a
-# little further in. So the position needs a rule of its own: if the ball is inside the wall by a depth d, it is
-# moved out by **d N**. This happens whether the ball comes in or leaves.
+# The gate is not enough. When the ball has come to rest, nobody moves it out of the floor, and in
+# each step gravity moves it a little further in. So the position needs a rule of its own: if the
+# ball is inside the wall by a depth d, it is moved out by **d N**. This happens whether the ball
+# comes in or leaves.
+
+# %%
+drop = {"height": 1.0, "restitution": 0.5, "duration": 3}
+paths = {
+    "separated first": drop_in_steps(bounce, **drop),
+    "never separated": drop_in_steps(bounce, **drop, push_out=False),
+}
+for name, (times, heights) in paths.items():
+    print(f"{name}: after {times[-1]:.0f} s the ball is at {heights[-1]:+.3f} m")
 
 # %%
 fig, ax = style.figure(width=8, height=3.2)
-for push_out, color, line, name in (
-    (True, style.BLUE, "-", "separated first"),
-    (False, style.VERMILION, "--", "never separated"),
-):
-    times, heights = drop_in_steps(bounce, height=1.0, restitution=0.5, duration=3, push_out=push_out)
-    ax.plot(times, heights, color=color, linestyle=line, label=name)
-    print(f"{name}: after 3 s the ball is at {heights[-1]:+.3f} m")
-ax.set(xlabel="time, s", ylabel="height, m")
-ax.legend(frameon=False)
-show(fig, "Height of a ball over 3 s. Separated first it comes to rest on the floor; never separated it sinks through the floor.")
+plots.curves(ax, paths, "time, s", "height, m")
+show(
+    fig,
+    "Height of a ball over 3 s. Separated first it comes to rest on the floor; never separated it"
+    " sinks through the floor.",
+)
 
 # %% [markdown]
-# A check of positions, worked by hand: a ball is 0.3 m deep in a floor, and moves out. Its position changes, its velocity does not.
+# A check of positions, worked by hand: a ball is 0.3 m deep in a floor, and moves out. Its
+# position changes, its velocity does not.
 
 # %%
 position, velocity, n, depth = np.array([2.0, 0.2]), np.array([1.0, 5.0]), np.array([0.0, 1.0]), 0.3
@@ -251,8 +289,9 @@ check("the velocity of a leaving ball stays", bounce(velocity, n, 0.5), (1, 5))
 # %% [markdown]
 # ## 7 The judge: pymunk, on both sides and at the ends
 #
-# A wall of finite length has two sides and two round ends. The normal is then the direction from the *closest point* of the wall to the
-# ball. We throw 2,000 balls at random walls, let pymunk do one step, and compare its velocities with ours.
+# A wall of finite length has two sides and two round ends. The normal is then the direction from
+# the *closest point* of the wall to the ball. We throw 2,000 balls at random walls, let pymunk do
+# one step, and compare its velocities with ours.
 
 # %%
 from lesson_code.geometry import circle_against_segment
@@ -275,9 +314,10 @@ check("velocities after, ours and pymunk's", np.subtract(ours, theirs), 0, toler
 # %% [markdown]
 # ## 8 A billiard table with a bumper
 #
-# Everything of this chapter in one program: four cushions, and a bumper at 45 degrees that is a short wall with two sides and
-# round ends. In every step: move, look for contacts, **separate first**, then **bounce**. Corners meet two cushions in one step.
-# This table is measured in pixels, and y points down.
+# Everything of this chapter in one program: four cushions, and a bumper at 45 degrees that is a
+# short wall with two sides and round ends. In every step: move, look for contacts, **separate
+# first**, then **bounce**. Corners meet two cushions in one step. This table is measured in
+# pixels, and y points down.
 
 # %%
 from lesson_code.programs import billiards_table
@@ -293,15 +333,21 @@ check("all four cushions and the bumper", len(set(hits)), 5)
 
 # %%
 table = billiards_table.TABLE
+bumper = zip(table.bumper_start, table.bumper_end, strict=True)
 fig, ax = style.figure(width=7, height=4.8)
 plots.path(ax, track, "the ball's centre", style.BLUE)
-ax.plot(*zip(table.bumper_start, table.bumper_end, strict=True), color=style.VERMILION, linewidth=8, solid_capstyle="round")
+ax.plot(*bumper, color=style.VERMILION, linewidth=8, solid_capstyle="round")
 ax.set(xlim=(0, table.width), ylim=(table.height, 0), xlabel="x, px", ylabel="y, px (down)")
 ax.grid(False)
-show(fig, "Path of the ball over 8 s on a table of 600 by 400 pixels: it hits all four cushions and the 45 degree bumper.")
+show(
+    fig,
+    "Path of the ball over 8 s on a table of 600 by 400 pixels: it hits all four cushions and the"
+    " 45 degree bumper.",
+)
 
 # %% [markdown]
-# Play it: `workbook play billiards` opens the window. Write it: [exercises/billiards.py](../exercises/billiards.py) has five functions for you to fill in.
+# Play it: `workbook play billiards` opens the window. Write it:
+# [exercises/billiards.py](../exercises/billiards.py) has five functions for you to fill in.
 #
 # ## 9 Quiz
 
@@ -311,14 +357,15 @@ show_quiz("03")
 # %% [markdown]
 # ## What was checked, and what comes next
 #
-# **Checked here:** the mirror's four properties on 10,000 random walls; the bounce against pymunk on 2,000 random walls, both sides and both ends, to
-# 1e-9 m/s; the table's hits over 8 s.
+# **Checked here:** the mirror's four properties on 10,000 random walls; the bounce against pymunk
+# on 2,000 random walls, both sides and both ends, to 1e-9 m/s; the table's hits over 8 s.
 #
-# **Limits.** The ball cannot spin, and the wall cannot move. A very fast ball can jump over a thin wall between two steps: chapter 07 is about that.
+# **Limits.** The ball cannot spin, and the wall cannot move. A very fast ball can jump over a
+# thin wall between two steps: chapter 07 is about that.
 #
-# **Do now:** the exercise [03 Reflection](../exercises/03_reflection.ipynb): three tasks, twelve points; and the
-# [billiards](../exercises/billiards.py).
-# **Next:** circles that meet circles.
+# **Do now:** the exercise [03 Reflection](../exercises/03_reflection.ipynb): three tasks, twelve
+# points; and the [billiards](../exercises/billiards.py). **Next:** circles that meet circles.
 #
-# **Sources.** Householder, *Unitary Triangularization of a Nonsymmetric Matrix* (1958): the mirror as a matrix. Brach, *Mechanical Impact
-# Dynamics* (1991), chapter 1: a particle against a massive surface.
+# **Sources.** Householder, *Unitary Triangularization of a Nonsymmetric Matrix* (1958): the
+# mirror as a matrix. Brach, *Mechanical Impact Dynamics* (1991), chapter 1: a particle against a
+# massive surface.

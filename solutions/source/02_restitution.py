@@ -9,15 +9,19 @@
 # %% [markdown]
 # # Exercise 02: restitution
 #
-# Four functions to write, thirteen points. Read notebook [02](../notebooks/02_restitution.ipynb) first.
+# Four functions to write, thirteen points. Read notebook [02](../notebooks/02_restitution.ipynb)
+# first.
 #
-# - Replace the `raise` line of each function with your answer. Do not change its name or its arguments.
-# - Run the cell below it. It calls your function with new numbers each time, and says what is right and what is not.
-# - You may add cells and helper functions of your own. Formulas from `lesson_code` do not count: imports of it are left out
-#   when your work is graded.
+# - Replace the `raise` line of each function with your answer. Do not change its name or its
+#   arguments.
+# - Run the cell below it. It calls your function with new numbers each time, and says what is
+#   right and what is not.
+# - You may add cells and helper functions of your own. Formulas from `lesson_code` do not count:
+#   imports of it are left out when your work is graded.
 # - `workbook grade exercises/02_restitution.ipynb` marks the whole file.
 #
-# Masses are in kg, velocities in m/s and positive to the right, heights in m, times in s. A restitution lies between 0 and 1.
+# Masses are in kg, velocities in m/s and positive to the right, heights in m, times in s. A
+# restitution lies between 0 and 1.
 
 # %%
 from lesson_code.grading import check_task
@@ -38,12 +42,14 @@ def restitution_1d(v1, v2, v1_after, v2_after):
 check_task("2.1", restitution_1d)
 
 # %% [markdown] tags=["solution"]
-# **Why.** Before, body 1 is the faster one: the approach is v1 - v2. After, body 2 is: the separation is v2' - v1'.
+# **Why.** Before, body 1 is the faster one: the approach is v1 - v2. After, body 2 is: the
+# separation is v2' - v1'.
 
 # %% [markdown]
 # ## Task 2.2 A collision with restitution (4 points)
 #
-# Return both velocities after a collision with restitution e. Your function must be right for e = 0 and e = 1 too.
+# Return both velocities after a collision with restitution e. Your function must be right for e =
+# 0 and e = 1 too.
 
 
 # %% tags=["task"]
@@ -62,7 +68,8 @@ check_task("2.2", collide_1d)
 # %% [markdown]
 # ## Task 2.3 Heights of a bouncing ball (3 points)
 #
-# A ball is dropped from a height. Return a list of the heights it reaches after its 1st, 2nd, ... bounce, `count` of them.
+# A ball is dropped from a height. Return a list of the heights it reaches after its 1st, 2nd, ...
+# bounce, `count` of them.
 
 
 # %% tags=["task"]
@@ -75,12 +82,14 @@ def bounce_heights(height, restitution, count):
 check_task("2.3", bounce_heights)
 
 # %% [markdown] tags=["solution"]
-# **Why.** The speed comes back by the factor e, and the height a ball reaches grows with the square of its speed.
+# **Why.** The speed comes back by the factor e, and the height a ball reaches grows with the
+# square of its speed.
 
 # %% [markdown]
 # ## Task 2.4 The end of the bouncing (3 points)
 #
-# A ball is dropped from a height onto a floor, with restitution e < 1. Return the time from the drop until it lies still.
+# A ball is dropped from a height onto a floor, with restitution e < 1. Return the time from the
+# drop until it lies still.
 
 
 # %% tags=["task"]
@@ -94,5 +103,5 @@ def rest_time(height, restitution, gravity):
 check_task("2.4", rest_time)
 
 # %% [markdown] tags=["solution"]
-# **Why.** One fall, and then flights up and down that each last e times as long as the one before:
-# t0 + 2 t0 (e + e² + ...) = t0 (1 + 2 e/(1 - e)) = t0 (1 + e)/(1 - e).
+# **Why.** One fall, and then flights up and down that each last e times as long as the one
+# before: t0 + 2 t0 (e + e² + ...) = t0 (1 + 2 e/(1 - e)) = t0 (1 + e)/(1 - e).
