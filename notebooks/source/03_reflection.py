@@ -41,7 +41,7 @@ from lesson_code.view.show import show
 # velocity is I.
 #
 # The dot product I · N says how far I reaches along N. So **(I · N) N** is a vector: the *normal
-# part* of I. What is left, I - (I · N) N, runs along the wall: the *tangent part*.
+# part* of I. What is left, T = I - (I · N) N, runs along the wall: the *tangent part*.
 #
 # Take the normal part away once, and the ball slides along the wall. Take it away twice, and it
 # leaves as steeply as it came:
@@ -62,14 +62,14 @@ tilted = np.array([np.sin(0.35), np.cos(0.35)])
 incident = np.array([2.0, -4.0])
 outgoing = {
     "R": (reflect(incident, tilted), style.BLUE, False),
-    "tangent part": (incident - dot(incident, tilted) * tilted, style.GREEN, True),
+    "T": (incident - dot(incident, tilted) * tilted, style.GREEN, True),
 }
 fig, ax = style.figure(width=5.4, height=4.4)
 plots.velocity_at_wall(ax, incident, tilted, outgoing)
 show(
     fig,
     "A tilted wall with its normal N. The incoming velocity I, the mirror image R, and the "
-    "tangent part between them along the wall.",
+    "tangent part T between them along the wall.",
 )
 
 # %% [markdown]

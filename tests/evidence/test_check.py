@@ -87,6 +87,7 @@ FALSE = {
     "none is not 0": (None, 0.0, 0, "None, expected 0 (not the same)"),
     "none is not nan": (None, NAN, 0, "(not the same)"),
     "none does not agree with none beside it": ([None], None, 0, "(not the same)"),
+    "NumPy's true is not 1": (np.True_, 1, 0, "True, expected 1 (not the same)"),
     "other truth": (np.True_, False, 0, "True, expected False (not the same)"),
     "text is not a number": ("1", 1, 0, "1, expected 1 (not the same)"),
     "texts are not numbers": (["1"], [1], 0, "(not the same)"),

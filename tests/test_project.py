@@ -1,0 +1,125 @@
+"""The project holds itself to its own rules: layout, style, types, layers, one source."""
+
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from lesson_code import __version__
+
+ROOT = Path(__file__).parents[1]
+PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+TOP_LEVEL = {
+    ".ci",
+    ".gitignore",
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
+    "LICENSE",
+    "README.md",
+    "exercises",
+    "lesson_code",
+    "notebooks",
+    "pyproject.toml",
+    "requirements.lock",
+    "solutions",
+    "tests",
+}
+
+
+def _run(*command: str) -> subprocess.CompletedProcess[str]:
+    """Run a tool of this environment in the project's folder."""
+    return subprocess.run(
+        [str(Path(sys.executable).parent / command[0]), *command[1:]],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("ruff", "check", "."),
+        ("ruff", "format", "--check", "."),
+        ("mypy",),
+        ("lint-imports",),
+        ("workbook", "regenerate", "--check"),
+    ],
+    ids=" ".join,
+)
+def test_project_passes_its_own_tool(command: tuple[str, ...]) -> None:
+    """Style, types, layers and derived files are as the project says."""
+    finished = _run(*command)
+    assert finished.returncode == 0, finished.stdout + finished.stderr
+
+
+def test_top_level_holds_what_is_fixed_and_nothing_else() -> None:
+    """Git tracks the fixed top level and no other file or folder there."""
+    listed = subprocess.run(
+        ["git", "ls-files"],  # noqa: S607 - git is wherever it is
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if listed.returncode:
+        pytest.skip("not a git checkout")
+    assert {line.split("/")[0] for line in listed.stdout.splitlines()} <= TOP_LEVEL
+
+
+def test_readme_two_commands_are_what_ci_runs() -> None:
+    """The README has one command to open and one to test, and CI picks the latter from it."""
+    commands = re.findall(r"^python3 -m venv .*$", README, flags=re.MULTILINE)
+    assert [command.split(" && ")[-1] for command in commands] == [
+        ".venv/bin/workbook open",
+        ".venv/bin/pytest",
+    ]
+    assert "README.md" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+
+
+def test_readme_links_lead_to_files() -> None:
+    """Every local link of the README and of CONTRIBUTING leads to a file that is there."""
+    for name in ("README.md", "CONTRIBUTING.md"):
+        text = (ROOT / name).read_text(encoding="utf-8")
+        for target in re.findall(r"\]\(([^)#]+)\)", text):
+            if not target.startswith("http"):
+                assert (ROOT / target).exists(), f"{name}: {target}"
+
+
+def test_readme_points_are_those_of_the_exercises() -> None:
+    """Tasks and points in the README's table are those that the grader gives."""
+    from lesson_code.grading.exercises import EXERCISES
+
+    for exercise in EXERCISES:
+        promised = f"{len(exercise.tasks)} tasks, {exercise.points} points"
+        assert f"{promised}](exercises/{exercise.name}{exercise.suffix})" in README
+
+
+def test_every_dependency_has_a_lower_bound() -> None:
+    """Every requirement in pyproject names the oldest version that was tested."""
+    extras = PYPROJECT["project"]["optional-dependencies"].values()
+    requirements = [*PYPROJECT["project"]["dependencies"], *(r for extra in extras for r in extra)]
+    assert all(">=" in requirement for requirement in requirements)
+
+
+def test_pygame_is_pygame_ce_where_it_has_no_wheel() -> None:
+    """Exactly one of pygame and pygame-ce is asked for by any interpreter."""
+    pygame = [r for r in PYPROJECT["project"]["dependencies"] if r.startswith("pygame")]
+    assert [r.split(";")[1].strip() for r in pygame] == [
+        "python_version < '3.14'",
+        "python_version >= '3.14'",
+    ]
+
+
+def test_version_is_the_same_everywhere() -> None:
+    """The package, pyproject and the newest entry of the changelog agree on the version."""
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    newest = re.search(r"^## ([\d.]+)", changelog, flags=re.MULTILINE)
+    assert newest is not None
+    assert __version__ == PYPROJECT["project"]["version"] == newest.group(1)
