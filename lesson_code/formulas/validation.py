@@ -69,6 +69,18 @@ def vector(name: str, value: Any) -> Any:
     return array
 
 
+def one_vector(name: str, value: Any) -> Any:
+    """Return `value` as a float array of shape (2,), or raise a ValueError that names it.
+
+    >>> one_vector("point", (1, 2))
+    array([1., 2.])
+    """
+    array = vector(name, value)
+    if array.shape != (2,):
+        raise ValueError(f"{name} must have shape (2,), got shape {array.shape}")
+    return array
+
+
 def unit_vector(name: str, value: Any) -> Any:
     """Return `value` as a float array of shape (..., 2), every vector of length 1."""
     array = vector(name, value)

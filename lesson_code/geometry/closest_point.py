@@ -22,7 +22,13 @@ from typing import Any
 import numpy as np
 
 from lesson_code.formulas.arithmetic import clamp, dot, perpendicular
-from lesson_code.formulas.validation import Number, Vector, non_negative, positive, vector
+from lesson_code.formulas.validation import (
+    Number,
+    Vector,
+    non_negative,
+    one_vector,
+    positive,
+)
 
 
 def closest_point_on_segment(point: Vector, start: Vector, end: Vector) -> Any:
@@ -121,18 +127,6 @@ def circle_against_segment(
         return None
     normal = _direction(offset) if offset.any() else perpendicular(_direction(b - a))
     return normal, penetration
-
-
-def one_vector(name: str, value: Any) -> Any:
-    """Return `value` as a float array of shape (2,), or raise a ValueError that names it.
-
-    >>> one_vector("point", (1, 2))
-    array([1., 2.])
-    """
-    array = vector(name, value)
-    if array.shape != (2,):
-        raise ValueError(f"{name} must have shape (2,), got shape {array.shape}")
-    return array
 
 
 def segment_ends(start: Vector, end: Vector) -> tuple[Any, Any]:

@@ -10,8 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.formulas.arithmetic import clamp
-from lesson_code.formulas.validation import Vector, non_negative
-from lesson_code.geometry.closest_point import one_vector
+from lesson_code.formulas.validation import Vector, non_negative, one_vector
 from lesson_code.programs.billiards_table import CUSHIONS, LAUNCH, MAX_LAUNCH_SPEED, TABLE
 from lesson_code.view.pygame_view import Place, pygame
 

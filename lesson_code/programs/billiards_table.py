@@ -23,8 +23,8 @@ import numpy as np
 
 from lesson_code.formulas import bounce
 from lesson_code.formulas.arithmetic import dot
-from lesson_code.formulas.validation import Vector, non_negative, unit_vector
-from lesson_code.geometry.closest_point import circle_against_segment, one_vector
+from lesson_code.formulas.validation import Vector, non_negative, one_vector, unit_vector
+from lesson_code.geometry.closest_point import circle_against_segment
 
 TIME_STEP = 1 / 60
 """s: one frame of the window. Steps of another length give another rounding, so it is fixed."""

@@ -26,11 +26,11 @@ from lesson_code.formulas.validation import (
     Vector,
     finite,
     non_negative,
+    one_vector,
     positive,
     unit_interval,
     vector,
 )
-from lesson_code.geometry.closest_point import one_vector
 
 
 def two_body_exact(

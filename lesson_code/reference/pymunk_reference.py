@@ -28,10 +28,11 @@ from lesson_code.formulas.validation import (
     mass,
     non_negative,
     not_both_immovable,
+    one_vector,
     positive,
     unit_interval,
 )
-from lesson_code.geometry.closest_point import one_vector, segment_ends
+from lesson_code.geometry.closest_point import segment_ends
 
 STEP = 1e-9
 """s: so short that a body moves by less than 1e-6 m at 1,000 m/s within one step."""
