@@ -22,7 +22,7 @@ angles = st.floats(-math.pi, math.pi)
 speeds = st.floats(1e-3, 1e3)
 restitutions = st.floats(0, 1)
 frictions = st.floats(0, 10)
-components = st.floats(-1e3, 1e3)
+components = st.floats(-1e3, 1e3, allow_subnormal=False)
 velocities = st.tuples(components, components)
 
 
