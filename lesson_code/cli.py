@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -49,7 +50,7 @@ def _clear_errors() -> Iterator[None]:
     except typer.Exit:  # is a RuntimeError too, but none of these
         raise
     except (ValueError, OSError, RuntimeError) as error:
-        errors.print(f"workbook: {error}", style="bold red", markup=False, highlight=False)
+        _say_error(f"workbook: {error}", style="bold red")
         raise typer.Exit(2) from None
 
 
@@ -59,7 +60,9 @@ def open_workbook(
     browser: Annotated[
         bool, typer.Option(help="Open a browser window, if there is a screen.")
     ] = True,
-    port: Annotated[int | None, typer.Option(help="The port to serve on.")] = None,
+    port: Annotated[
+        int | None, typer.Option(min=1, max=65535, help="The port to serve on.")
+    ] = None,
 ) -> None:
     """Open the workbook in a browser; without a screen, serve it and print the address."""
     import webbrowser
@@ -69,17 +72,21 @@ def open_workbook(
 
     with _clear_errors():
         root = find_root()
-        found = sorted((root / "notebooks").glob(f"{notebook}*.ipynb"))
-        if not notebook or len(found) != 1:
+        notebooks = sorted((root / "notebooks").glob("*.ipynb"))
+        found = [path for path in notebooks if path.name.startswith(notebook)]
+        if len(found) != 1:
             raise ValueError(f"notebook must be the number of one, such as 00, got {notebook!r}")
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
         running = server.start(root, found[0].relative_to(root), port)
-    console.print("The workbook is served at", running.address, soft_wrap=True, highlight=False)
-    console.print("Stop it with Ctrl-C.")
-    if browser and server.has_screen():
-        webbrowser.open(running.address)
     try:
+        console.print("The workbook is served at", running.address, soft_wrap=True, highlight=False)
+        console.print("Stop it with Ctrl-C.")
+        if browser and server.has_screen():
+            webbrowser.open(running.address)
         running.process.wait()
     except KeyboardInterrupt:
+        console.print("Stopped.")
+    finally:
         running.stop()
 
 
@@ -120,9 +127,7 @@ def _check_notebooks(as_json: bool) -> None:
         )
     else:
         for result in failed:
-            errors.print(
-                f"{result.notebook}, code cell {result.cell + 1}:\n{result.message}", markup=False
-            )
+            _say_error(f"{result.notebook}, code cell {result.cell + 1}:\n{result.message}")
         console.print(f"{len(paths)} notebooks, {len(results)} cells, {len(failed)} failed")
     raise typer.Exit(1 if failed else 0)
 
@@ -139,7 +144,7 @@ def _check_exercises(as_json: bool) -> None:
         _print_json({"version": 1, "command": "check --exercises", "faults": found})
     else:
         for fault in found:
-            errors.print(fault, markup=False)
+            _say_error(fault)
         console.print(f"exercises: {len(found)} faults")
     raise typer.Exit(1 if found else 0)
 
@@ -240,7 +245,7 @@ def quiz(
     with _clear_errors():
         result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
         if as_json:
-            _print_json(result.as_dict())
+            _print_json(result.as_dict() | {"command": "quiz"})
 
 
 @play.command("billiards")
@@ -256,7 +261,7 @@ def play_billiards(
         if headless and frames is None:
             raise ValueError("--headless needs --frames: without a window nobody can close it")
         outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
-    console.print(f"{sum(outcome.bounces.values())} bounces in {outcome.frames} frames")
+    console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
 
 
 @app.command()
@@ -277,12 +282,15 @@ def regenerate(
         if only_check:
             lines = drifted(root, tasks)
             for line in lines:
-                errors.print(line, markup=False)
+                _say_error(line)
             raise typer.Exit(1 if lines else 0)
-        for file in derived_files(root, tasks):
-            if not names or file.path.name.startswith(tuple(names)):
-                file.path.write_text(file.text(run=True), encoding="utf-8")
-                console.print(f"{file.path.relative_to(root)}")
+        begins = tuple(names or [""])
+        wanted = [f for f in derived_files(root, tasks) if f.path.name.startswith(begins)]
+        if not wanted:
+            raise ValueError(f"names must begin a file's name, such as 01, got {', '.join(begins)}")
+        for file in wanted:
+            file.write()
+            console.print(f"{file.path.relative_to(root)}", soft_wrap=True, highlight=False)
 
 
 def _progress() -> Progress:
@@ -310,6 +318,11 @@ def _watcher(progress: Progress) -> Watcher:
         progress.advance(bars[result.notebook])
 
     return Watcher(collected, finished)
+
+
+def _say_error(line: str, style: str | None = None) -> None:
+    """Write a line on standard error as it is: not cut, no part of it taken for markup."""
+    errors.print(line, style=style, markup=False, highlight=False, soft_wrap=True)
 
 
 def _print_json(value: dict[str, Any]) -> None:

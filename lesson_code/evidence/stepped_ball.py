@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.formulas.validation import non_negative, positive, unit_interval
+from lesson_code.formulas.validation import (
+    Rule,
+    non_negative,
+    one_vector,
+    positive,
+    unit_interval,
+)
 
 Bounce: TypeAlias = Callable[[Any, Any, float], Any]
 """Takes velocity, normal and restitution; returns the velocity after."""
 
 UP = np.array([0.0, 1.0])
+UP.setflags(write=False)  # the rules under test are handed this very array
+
+ROUNDING_OF_STEPS = 1e-9
+"""Of a step: a duration of 30 steps may come out of the division as 29.999999999999996."""
 
 
 def drop_in_steps(
@@ -40,7 +51,7 @@ def drop_in_steps(
     restitution : float
         0 to 1.
     duration : float
-        s, >= 0; whole steps are made.
+        s, >= 0; as many whole steps are made as fit in.
     gravity : float
         m/s^2, > 0, downward.
     dt : float
@@ -56,20 +67,40 @@ def drop_in_steps(
     Raises
     ------
     ValueError
-        A number is out of its range.
+        A number is out of its range, or `bounce` returns something that is no velocity.
+    TypeError
+        An argument is no number, or more than one.
+
+    Examples
+    --------
+    At 10 m/s^2 and 0.1 s a step, the velocity grows by 1 m/s in each, and so the ball falls by
+    0.1, 0.2, 0.3, 0.4 m. One more step would take it below the floor: it is set back onto it.
+
+    >>> from lesson_code.formulas import bounce
+    >>> _, heights = drop_in_steps(
+    ...     bounce, height=1.2, restitution=0, duration=0.6, gravity=10, dt=0.1
+    ... )
+    >>> heights.round(9)
+    array([1.2, 1.1, 0.9, 0.6, 0.2, 0. , 0. ])
     """
-    positive("height", height)
-    unit_interval("restitution", restitution)
-    positive("gravity", gravity)
-    steps = round(non_negative("duration", duration) / positive("dt", dt))
-    heights = np.empty(steps + 1)
-    heights[0] = y = height
+    y, e = _one(positive, "height", height), _one(unit_interval, "restitution", restitution)
+    g, dt = _one(positive, "gravity", gravity), _one(positive, "dt", dt)
+    steps = math.floor(_one(non_negative, "duration", duration) / dt + ROUNDING_OF_STEPS)
+    times, heights = dt * np.arange(steps + 1.0), np.empty(steps + 1)
+    heights[0] = y
     velocity = np.zeros(2)
     for step in range(1, steps + 1):
-        velocity = velocity - gravity * dt * UP
+        velocity = velocity - g * dt * UP
         y += velocity[1] * dt
         if y < 0:
-            velocity = np.asarray(bounce(velocity, UP, restitution))
+            velocity = one_vector("the velocity after a bounce", bounce(velocity, UP, e))
             y = 0.0 if push_out else y
         heights[step] = y
-    return dt * np.arange(steps + 1), heights
+    return times, heights
+
+
+def _one(rule: Rule, name: str, value: Any) -> float:
+    """Return `value`, a single number that satisfies a rule."""
+    if np.ndim(value):
+        raise TypeError(f"{name} must be one number, got an array of shape {np.shape(value)}")
+    return float(rule(name, value))

@@ -4,22 +4,27 @@ This file is run as a script in a process of its own and imports nothing of less
 is expected stays with the parent. The parent writes one JSON request a line, the child answers
 each with one JSON line:
 
-    {"load": [{"name", "source", "keep"}, ...]}  ->  {"loaded": [error or null, ...]}
-    {"call": function, "arguments": [...]}       ->  {"kind": "returned", "value": ...}
-                                                     or {"kind": "raised" | ..., "text": ...}
+    {"load": [{"name", "source", "groups"}, ...]}  ->  {"loaded": [error, ...]}
+    {"call": function, "arguments": [...]}         ->  {"kind": "returned", "value": ...}
+                                                       or {"kind": "raised" | ..., "text": ...}
+
+Each request has a "number", and its answer the same one.
 """
 
 from __future__ import annotations
 
 import ast
+import codeop
 import json
 import numbers
 import os
 import sys
 import traceback
 import types
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, BinaryIO
+
+import numpy as np
 
 MOST_NUMBERS = 100_000
 """An answer holds at most so many numbers; no task asks for more than a thousand."""
@@ -30,13 +35,34 @@ STOPPED = (Exception, SystemExit)
 DEEPEST = 20
 """An answer is nested at most so deep; no task needs more than four."""
 
+UNORDERED = (dict, set, frozenset, bytes)
+"""Containers that do not say which number comes first, or what the numbers are."""
+
+LONGEST_TEXT = 300
+"""Characters of an error's own words that are passed on."""
+
+LARGEST_INTEGER = 2**53
+"""A larger integer is taken as a float, as all the answers' other numbers are."""
+
+
+class NotPlainError(ValueError):
+    """An answer that is nothing a task can ask for; the message says what it is instead."""
+
 
 def plain(value: Any) -> Any:
     """Return an answer as None, bool, int, float, str, or lists of these.
 
     Lists, tuples, arrays, Fractions, complex numbers (as [x, y]) and vectors of other libraries
-    are all welcome.
+    are all welcome. What comes back holds these very types, none made from them.
 
+    Raises
+    ------
+    NotPlainError
+        The answer is something else, or too large. Code of the answer's own may run here and
+        raise anything.
+
+    Examples
+    --------
     >>> from fractions import Fraction
     >>> plain((Fraction(1, 2), 3 + 4j, None))
     [0.5, [3.0, 4.0], None]
@@ -48,22 +74,26 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
     """Return `value` made plain; `room` counts down the numbers there is still room for."""
     room[0] -= 1
     if room[0] < 0 or depth < 0:
-        raise ValueError("the answer is too large")
-    if value is None or isinstance(value, str | bool):
+        raise NotPlainError("returned more than any task asks for")
+    if value is None or value is True or value is False:
         return value
+    if isinstance(value, str):
+        return str.__str__(value)  # str(value) would ask a class of its own
     if type(value).__name__ == "bool" and hasattr(value, "item"):  # NumPy's own bool
         return bool(value)
     if isinstance(value, numbers.Integral):
-        return int(value)
+        number = int(value)
+        return number if abs(number) <= LARGEST_INTEGER else float(number)
     if isinstance(value, numbers.Real) or hasattr(value, "as_integer_ratio"):
         return float(value)
     if isinstance(value, numbers.Complex):
         return [float(value.real), float(value.imag)]
     if getattr(value, "shape", None) == ():  # a NumPy array of no dimensions is a number
         return _plain(value.item(), room, depth - 1)
-    if isinstance(value, Iterable) and not isinstance(value, dict | bytes):
+    if isinstance(value, Iterable) and not isinstance(value, UNORDERED):
         return [_plain(item, room, depth - 1) for item in value]
-    raise TypeError(f"returned a {type(value).__name__}, which is no number, vector or tuple")
+    kind = type(value).__name__
+    raise NotPlainError(f"returned an object of type {kind}, which is no number, vector or tuple")
 
 
 def arguments_from(values: Iterable[Any]) -> list[Any]:
@@ -72,8 +102,6 @@ def arguments_from(values: Iterable[Any]) -> list[Any]:
     >>> arguments_from([2.0, (3.0, 4.0)])
     [2.0, array([3., 4.])]
     """
-    import numpy as np
-
     return [
         np.array(value, dtype=float) if isinstance(value, list | tuple) else value
         for value in values
@@ -89,20 +117,21 @@ class LessonCodeBlocked:
             raise ImportError("lesson_code cannot be imported while an answer is graded")
 
 
-def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> list[str | None]:
-    """Run the kept statements of each unit; return for each what went wrong, or None."""
-    return [_load_unit(unit, namespace) for unit in units]
+def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[str]:
+    """Run the kept statements of all units; yield what went wrong.
 
-
-def _load_unit(unit: dict[str, Any], namespace: dict[str, Any]) -> str | None:
-    """Run one unit up to its first failing statement."""
-    try:
-        tree = ast.parse(unit["source"], filename=unit["name"])
-        tree.body = [tree.body[index] for index in unit["keep"]]
-        exec(compile(tree, unit["name"], "exec"), namespace)  # noqa: S102 - what this is for
-    except STOPPED as error:
-        return _described(error)
-    return None
+    A ``from __future__`` import holds from there on, as it does in a notebook and in a file.
+    """
+    compiler = codeop.Compile()
+    for unit in units:
+        body = ast.parse(unit["source"]).body
+        for group in unit["groups"]:
+            tree = ast.Module([body[index] for index in group], type_ignores=[])
+            try:
+                code = compiler(tree, unit["name"], "exec")  # type: ignore[arg-type] # takes trees
+                exec(code, namespace)  # noqa: S102 - what this is for
+            except STOPPED as error:
+                yield _described(error)
 
 
 def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict[str, Any]:
@@ -112,23 +141,28 @@ def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict
     try:
         value = namespace[function](*arguments_from(arguments))
     except NotImplementedError as error:
-        return {"kind": "not written", "text": str(error)}
+        return {"kind": "not written", "text": _described(error)}
     except STOPPED as error:
         return {"kind": "raised", "text": _described(error)}
     try:
         return {"kind": "returned", "value": plain(value)}
+    except NotPlainError as error:
+        return {"kind": "unusable", "text": str(error)}
     except STOPPED as error:  # an answer may be an object of any class
-        return {"kind": "raised", "text": str(error)}
+        return {"kind": "raised", "text": _described(error)}
 
 
 def _described(error: BaseException) -> str:
     """Return an error in a line, with the place in the student's own code."""
+    told = traceback.TracebackException.from_exception(error, lookup_lines=False)
     places = [
         f" ({frame.filename}, line {frame.lineno})"
-        for frame in traceback.extract_tb(error.__traceback__)
+        for frame in told.stack
         if frame.filename.startswith("your ")
     ]
-    return f"{type(error).__name__}: {error}{places[-1] if places else ''}"[:500]
+    text = str(told)[:LONGEST_TEXT]  # unlike str(error), does not fail where its class does
+    said = f"{type(error).__name__}: {text}" if text else type(error).__name__
+    return f"{said}{places[-1] if places else ''}"
 
 
 def limit(seconds: int, bytes_of_memory: int) -> None:
@@ -155,10 +189,10 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     for line in requests:
         request = json.loads(line)
         if "load" in request:
-            answer: dict[str, Any] = {"loaded": load(request["load"], namespace)}
+            answer: dict[str, Any] = {"loaded": list(load(request["load"], namespace))}
         else:
             answer = call(request["call"], request["arguments"], namespace)
-        answers.write(json.dumps(answer).encode() + b"\n")
+        answers.write(json.dumps(answer | {"number": request["number"]}).encode() + b"\n")
         answers.flush()
 
 

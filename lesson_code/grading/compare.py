@@ -6,6 +6,9 @@ from typing import Any
 
 from lesson_code.grading.task import ANSWER_TOLERANCE
 
+LONGEST_VALUE = 300
+"""Characters of an answer that a message shows."""
+
 
 def agrees(got: Any, expected: Any) -> bool:
     """Return whether two plain values are the same to the tolerance of answers.
@@ -30,12 +33,28 @@ def agrees(got: Any, expected: Any) -> bool:
     return bool(abs(got - expected) <= ANSWER_TOLERANCE * max(1.0, abs(expected)))
 
 
-def written(value: Any) -> str:
+def written(value: Any, digits: int = 6) -> str:
     """Return a plain value as a message shows it: six digits, tuples in round brackets.
 
-    >>> written([1.0, [0.1 + 0.2, None]])
-    '(1, (0.3, None))'
+    >>> written([1.0, [0.1 + 0.2, None, "left"]])
+    "(1, (0.3, None, 'left'))"
     """
     if isinstance(value, list | tuple):
-        return f"({', '.join(written(item) for item in value)})"
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+        return f"({', '.join(written(item, digits) for item in value)})"
+    return f"{value:.{digits}g}" if isinstance(value, float) else repr(value)
+
+
+def told_apart(got: Any, expected: Any) -> tuple[str, str]:
+    """Return two values as a message shows them, with more digits where six look the same.
+
+    >>> told_apart([1.0, 2.00000003], [1.0, 2.0])
+    ('(1, 2.00000003)', '(1, 2)')
+    """
+    texts = ((written(got, digits), written(expected, digits)) for digits in (6, 12))
+    shown = next((pair for pair in texts if pair[0] != pair[1]), (repr(got), repr(expected)))
+    return _shortened(shown[0]), _shortened(shown[1])
+
+
+def _shortened(text: str) -> str:
+    """Return the beginning of a text that is too long for a message."""
+    return text if len(text) <= LONGEST_VALUE else f"{text[:LONGEST_VALUE]}..."

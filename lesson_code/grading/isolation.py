@@ -6,8 +6,10 @@ files, an empty environment and an empty working folder. What is expected never 
 
 from __future__ import annotations
 
+import builtins
 import contextlib
 import json
+import math
 import os
 import queue
 import signal
@@ -17,15 +19,24 @@ import tempfile
 import threading
 from collections.abc import Iterator
 from dataclasses import dataclass
-from types import TracebackType
-from typing import Any, Literal, TypeAlias
+from itertools import count
+from pathlib import Path
+from types import ModuleType, TracebackType
+from typing import Any, Literal, TypeAlias, cast
+
+import numpy as np
 
 from lesson_code.grading import child
 from lesson_code.grading.submission import Unit
 from lesson_code.grading.task import Arguments
 
-Kind: TypeAlias = Literal["returned", "raised", "missing", "not written", "timeout", "crashed"]
-KINDS_FROM_CHILD = ("returned", "raised", "missing", "not written")
+Kind: TypeAlias = Literal[
+    "returned", "raised", "unusable", "missing", "not written", "timeout", "crashed"
+]
+KINDS_FROM_CHILD = ("returned", "raised", "unusable", "missing", "not written")
+
+LONGEST_TEXT = 500
+"""Characters of what a child says in words that are kept."""
 
 
 @dataclass(frozen=True)
@@ -69,9 +80,10 @@ class StudentProcess:
         self._units = units
         self._limits = limits
         self._process: subprocess.Popen[bytes] | None = None
-        self._answers: queue.Queue[bytes] = queue.Queue()
+        self._folder: tempfile.TemporaryDirectory[str] | None = None
+        self._reader: threading.Thread | None = None
+        self._numbers = count(1)
         self._load_failed: Outcome | None = None
-        self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.load_errors: list[str] = []
 
     def __enter__(self) -> StudentProcess:
@@ -85,7 +97,6 @@ class StudentProcess:
         trace: TracebackType | None,
     ) -> None:
         self._kill()
-        self._folder.cleanup()
 
     def call(self, function: str, arguments: Arguments) -> Outcome:
         """Return what came of calling a function of the submission."""
@@ -95,14 +106,11 @@ class StudentProcess:
             return self._load_failed
         request = {"call": function, "arguments": arguments}
         reply = self._ask(request, self._limits.seconds_a_call)
-        if isinstance(reply, Outcome):
-            return reply
-        if reply.get("kind") not in KINDS_FROM_CHILD:
-            return Outcome("crashed", text="the answer could not be read")
-        return Outcome(reply["kind"], reply.get("value"), str(reply.get("text", ""))[:500])
+        return reply if isinstance(reply, Outcome) else _outcome(reply)
 
     def _start(self) -> None:
-        """Start a child and load the submission into it."""
+        """Start a child in a new folder and load the submission into it."""
+        self._folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._process = subprocess.Popen(  # noqa: S603 - our own interpreter, our own script
             [
                 sys.executable,
@@ -118,44 +126,54 @@ class StudentProcess:
             env=_environment(self._folder.name),
             start_new_session=True,
         )
-        self._answers = queue.Queue()
-        threading.Thread(
-            target=_read_answers,
-            args=(self._process.stdout, self._answers, self._limits.bytes_an_answer),
-            daemon=True,
-        ).start()
         reply = self._ask(
             {"load": [unit.as_request() for unit in self._units]}, self._limits.seconds_to_load
         )
         if isinstance(reply, Outcome):
             self._load_failed = Outcome(reply.kind, text=f"{reply.text}, while it was loaded")
         else:
-            self.load_errors = [str(error) for error in reply.get("loaded", []) if error]
+            loaded = reply.get("loaded")
+            self.load_errors = [_one_line(e) for e in loaded] if isinstance(loaded, list) else []
 
     def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | Outcome:
         """Return the child's reply, or what kept it from replying."""
         assert self._process is not None  # noqa: S101 - _start has made it
         assert self._process.stdin is not None  # noqa: S101 - asked for as a pipe
+        number = next(self._numbers)
         with contextlib.suppress(OSError):  # a child that is gone is found out by its silence
-            self._process.stdin.write(json.dumps(request).encode() + b"\n")
+            self._process.stdin.write(json.dumps(request | {"number": number}).encode() + b"\n")
             self._process.stdin.flush()
-        try:
-            line = self._answers.get(timeout=seconds)
-        except queue.Empty:
+        line = self._line(seconds)
+        if line is None:
             self._kill()
             return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
-        try:
-            reply = json.loads(line)
-        except ValueError:
-            reply = None
-        if isinstance(reply, dict):
+        reply = _object_in(line)
+        if reply is not None and reply.get("number") == number:
             return reply
         self._kill()
+        if reply is not None:
+            return Outcome("crashed", text="it wrote where only the grader's own lines may stand")
         return Outcome("crashed", text="it ended the process, or used more than it may")
 
+    def _line(self, seconds: float) -> bytes | None:
+        """Return the child's next line, b"" if there will be none, or None if it is late.
+
+        One line is read for each that is asked for, so that the rest of what a child may write
+        stays on its own side of the pipe.
+        """
+        assert self._process is not None  # noqa: S101 - _start has made it
+        pipe, most = self._process.stdout, self._limits.bytes_an_answer
+        lines: queue.Queue[bytes] = queue.Queue()
+        self._reader = threading.Thread(target=_read_line, args=(pipe, most, lines), daemon=True)
+        self._reader.start()
+        try:
+            return lines.get(timeout=seconds)
+        except queue.Empty:
+            return None
+
     def _kill(self) -> None:
-        """End the child and everything it has started."""
-        if self._process is None:
+        """End the child and everything it has started, and remove its folder."""
+        if self._process is None or self._folder is None:
             return
         with contextlib.suppress(OSError):
             if os.name == "posix":
@@ -163,11 +181,24 @@ class StudentProcess:
             else:
                 self._process.kill()
         self._process.wait()
-        for pipe in (self._process.stdin, self._process.stdout):
-            with contextlib.suppress(OSError):
-                if pipe is not None:
-                    pipe.close()
-        self._process = None
+        self._close_pipes(self._process)
+        with contextlib.suppress(RecursionError):  # from folders nested by the thousand
+            self._folder.cleanup()
+        self._process = self._folder = None
+
+    def _close_pipes(self, process: subprocess.Popen[bytes]) -> None:
+        """Close the pipes to a child that has ended.
+
+        A process that has left the child's group may outlive it and keep its pipe open. Who
+        waits for a line of it then goes on waiting, and closing would wait as well.
+        """
+        with contextlib.suppress(OSError):
+            if process.stdin is not None:
+                process.stdin.close()
+        if self._reader is not None:
+            self._reader.join(timeout=1.0)
+        if process.stdout is not None and not (self._reader and self._reader.is_alive()):
+            process.stdout.close()
 
 
 def _environment(folder: str) -> dict[str, str]:
@@ -183,12 +214,38 @@ def _environment(folder: str) -> dict[str, str]:
     }
 
 
-def _read_answers(pipe: Any, answers: queue.Queue[bytes], most: int) -> None:
-    """Pass on each line from the child; an empty one says that no more will come."""
-    with contextlib.suppress(OSError, ValueError):
-        while line := pipe.readline(most):
-            answers.put(line)
-    answers.put(b"")
+def _read_line(pipe: Any, most: int, lines: queue.Queue[bytes]) -> None:
+    """Read one line from a child, at most so many bytes; an empty one is the end."""
+    try:
+        lines.put(pipe.readline(most))
+    except (OSError, ValueError):
+        lines.put(b"")
+
+
+def _object_in(line: bytes) -> dict[str, Any] | None:
+    """Return the JSON object in a line, which may hold anything, or None."""
+    try:
+        value = json.loads(line)
+    except (ValueError, RecursionError, MemoryError):
+        return None
+    return value if isinstance(value, dict) else None
+
+
+def _outcome(reply: dict[str, Any]) -> Outcome:
+    """Return what a reply says, if it says it in the form agreed on."""
+    kind = reply.get("kind")
+    try:
+        if kind in KINDS_FROM_CHILD:
+            return Outcome(kind, child.plain(reply.get("value")), _one_line(reply.get("text", "")))
+    except (ValueError, OverflowError):
+        pass
+    return Outcome("crashed", text="the answer could not be read")
+
+
+def _one_line(text: Any) -> str:
+    """Return a student's words so that they can stand in a report and forge none of it."""
+    shown = str(text)[:LONGEST_TEXT]
+    return "".join(character if character.isprintable() else " " for character in shown)
 
 
 def call_here(
@@ -196,11 +253,40 @@ def call_here(
 ) -> Outcome:
     """Call a function in this process, as a notebook does with its reader's own code."""
     try:
-        with time_limit(seconds):
+        with kept_apart(), silence(), time_limit(seconds):
             reply = child.call(function, list(arguments), functions)
     except TimeLimitError:
         return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
-    return Outcome(reply["kind"], reply.get("value"), reply.get("text", ""))
+    return _outcome(reply)
+
+
+@contextlib.contextmanager
+def kept_apart() -> Iterator[None]:
+    """Keep the code below apart from the checks, as far as that goes within one process.
+
+    Imports of lesson_code fail there, since an answer has to stand on its own. What it changes
+    in the modules that the checks are made of is put back.
+    """
+    own = {name: m for name, m in sys.modules.items() if name.partition(".")[0] == "lesson_code"}
+    used = [(vars(module), dict(vars(module))) for module in (builtins, json, math, np)]
+    sys.modules.update(dict.fromkeys(own, cast("ModuleType", None)))
+    try:
+        yield
+    finally:
+        for names, before in used:
+            names.update(before)
+        sys.modules.update(own)
+
+
+@contextlib.contextmanager
+def silence() -> Iterator[None]:
+    """Drop what is printed below, so that a check cell shows the marks and nothing else."""
+    with (
+        Path(os.devnull).open("w", encoding="utf-8") as sink,
+        contextlib.redirect_stdout(sink),
+        contextlib.redirect_stderr(sink),
+    ):
+        yield
 
 
 class TimeLimitError(BaseException):

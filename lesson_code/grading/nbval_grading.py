@@ -20,6 +20,23 @@ from lesson_code.notebook_tools.nbval_run import Watcher, run_notebooks
 
 CHECK_CALL = re.compile(r"""check_task\(\s*["']([\w.]+)["']""")
 
+BEFORE = """\
+from contextlib import ExitStack
+
+from lesson_code.grading.isolation import kept_apart
+
+answers_alone = ExitStack()
+answers_alone.enter_context(kept_apart())
+"""
+"""Stands before the answers in a merged notebook: imports of lesson_code fail in them."""
+
+AFTER = """\
+answers_alone.close()
+
+from lesson_code.grading import check_task
+"""
+"""Stands behind them: they may not replace the check."""
+
 
 @dataclass(frozen=True)
 class TaskOutcome:
@@ -31,7 +48,9 @@ class TaskOutcome:
 
 
 def merge(submission: Submission, exercise: Exercise, root: Path) -> dict[str, Any]:
-    """Return the solution notebook with a student's code in place of the answers.
+    """Return the solution notebook with a student's code in place of all its own.
+
+    Of the solution's cells only texts and checks remain: an answer may not lean on its imports.
 
     Raises
     ------
@@ -40,22 +59,25 @@ def merge(submission: Submission, exercise: Exercise, root: Path) -> dict[str, A
     """
     if exercise.suffix != ".ipynb":
         raise SubmissionError(f"{exercise.name} is a program: grade it without nbval")
-    text = exercise.solution(root).read_text(encoding="utf-8")
-    notebook: dict[str, Any] = json.loads(text)
-    cells: list[dict[str, Any]] = []
-    placed = False
-    for cell in notebook["cells"]:
-        if "task" in cell["metadata"].get("tags", []):
-            if not placed:
-                cells += _student_cells(submission)
-            placed = True
-            continue
-        cells.append(cell)
-    return {**notebook, "cells": cells}
+    notebook = json.loads(exercise.solution(root).read_text(encoding="utf-8"))
+    cells = [
+        cell
+        for cell in notebook["cells"]
+        if cell["cell_type"] != "code" or _has_tag(cell, "check") or _has_tag(cell, "task")
+    ]
+    first = next(number for number, cell in enumerate(cells) if _has_tag(cell, "task"))
+    kept = [cell for cell in cells if not _has_tag(cell, "task")]
+    return {**notebook, "cells": [*kept[:first], *_answer_cells(submission), *kept[first:]]}
 
 
-def _student_cells(submission: Submission) -> list[dict[str, Any]]:
-    """Return a student's units as cells."""
+def _has_tag(cell: dict[str, Any], tag: str) -> bool:
+    """Return whether a cell has a tag."""
+    return tag in cell["metadata"].get("tags", [])
+
+
+def _answer_cells(submission: Submission) -> list[dict[str, Any]]:
+    """Return a student's code as cells, between the two that keep it apart."""
+    answers = [source for unit in submission.units for source in unit.kept_sources]
     return [
         {
             "cell_type": "code",
@@ -63,9 +85,9 @@ def _student_cells(submission: Submission) -> list[dict[str, Any]]:
             "id": f"answer-{number}",
             "metadata": {"tags": ["answer"]},
             "outputs": [],
-            "source": unit.kept_source,
+            "source": source,
         }
-        for number, unit in enumerate(submission.units, start=1)
+        for number, source in enumerate([BEFORE, *answers, AFTER])
     ]
 
 
@@ -92,6 +114,5 @@ def _check_cells(notebook: dict[str, Any]) -> dict[int, str]:
     return {
         number: found.group(1)
         for number, cell in enumerate(code)
-        if "check" in cell["metadata"].get("tags", [])
-        and (found := CHECK_CALL.search("".join(cell["source"])))
+        if _has_tag(cell, "check") and (found := CHECK_CALL.search("".join(cell["source"])))
     }

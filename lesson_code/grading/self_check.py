@@ -48,6 +48,7 @@ def faults(root: Path, told: Callable[[str], None] = lambda _: None) -> Iterator
             told(f"{exercise.name}: task {task.title}")
             yield from _task_faults(task)
     yield from _orphans()
+    yield from _orphaned_files(root)
 
 
 def _student_copy_faults(exercise: Exercise, root: Path) -> Iterator[str]:
@@ -57,12 +58,51 @@ def _student_copy_faults(exercise: Exercise, root: Path) -> Iterator[str]:
     for verdict in report.verdicts:
         if any(criterion.message != "not written yet" for criterion in verdict.criteria):
             yield f"{path.name}: the stub of task {verdict.task.title} is no stub"
-    for unit in read_submission(path).units:
-        for statement in ast.parse(unit.source).body:
-            if isinstance(statement, ast.FunctionDef) and statement.name in exercise.task_ids:
-                yield from _body_faults(path.name, statement)
+    for stub, _ in _answers(path, exercise):
+        yield from _body_faults(path.name, stub)
+    yield from _leaks(exercise, root)
     if path.suffix == ".ipynb":
         yield from _notebook_faults(path)
+
+
+def _answers(path: Path, exercise: Exercise) -> Iterator[tuple[ast.FunctionDef, str]]:
+    """Yield the definition of each function to write, and the code it stands in."""
+    for unit in read_submission(path).units:
+        for statement in unit.statements:
+            if isinstance(statement, ast.FunctionDef) and statement.name in exercise.task_ids:
+                yield statement, unit.source
+
+
+def _leaks(exercise: Exercise, root: Path) -> Iterator[str]:
+    """Yield which formulas of the solution stand in a student copy, be it in a comment."""
+    path = exercise.student_copy(root)
+    copy = _squeezed(_all_text(path))
+    for answer, source in _answers(exercise.solution(root), exercise):
+        for formula in _formulas(answer, source):
+            if _squeezed(formula) in copy:
+                yield f"{path.name}: holds what the solution of {answer.name} has: {formula}"
+
+
+def _formulas(answer: ast.FunctionDef, source: str) -> Iterator[str]:
+    """Yield the statements of a function that compute something."""
+    for statement in ast.walk(answer):
+        if isinstance(statement, ast.Assign | ast.AugAssign | ast.Return) and any(
+            isinstance(part, ast.BinOp) for part in ast.walk(statement)
+        ):
+            yield ast.get_source_segment(source, statement) or ""
+
+
+def _all_text(path: Path) -> str:
+    """Return the text of a program, or of all cells of a notebook, whatever they hold."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix != ".ipynb":
+        return text
+    return "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"])
+
+
+def _squeezed(text: str) -> str:
+    """Return a text without its white space."""
+    return "".join(text.split())
 
 
 def _body_faults(name: str, stub: ast.FunctionDef) -> Iterator[str]:
@@ -116,15 +156,25 @@ def _verdicts(task: Task, mark: WrongModel | Alternative) -> Iterator[Verdict]:
 
 
 def _orphans() -> Iterator[str]:
-    """Yield which wrong models and alternatives belong to no task."""
-    known = {task.id for exercise in EXERCISES for task in exercise.tasks}
+    """Yield which wrong models and alternatives no task lists."""
+    tasks = [task for exercise in EXERCISES for task in exercise.tasks]
+    listed = [mark for task in tasks for mark in (*task.wrong_models, *task.alternatives)]
     marks: list[WrongModel | Alternative] = [
         *(mark for module in _modules(wrong_models) for mark in marked(vars(module), WrongModel)),
         *(mark for module in _modules(alternatives) for mark in marked(vars(module), Alternative)),
     ]
     for mark in marks:
-        if mark.task not in known:
-            yield f"{mark.name}: belongs to task {mark.task}, which does not exist"
+        if mark not in listed:
+            yield f"{mark.name}: is marked for task {mark.task}, which does not list it"
+
+
+def _orphaned_files(root: Path) -> Iterator[str]:
+    """Yield which files among the exercises and solutions belong to no exercise."""
+    known = [f"{exercise.name}{exercise.suffix}" for exercise in EXERCISES]
+    for folder in ("exercises", "solutions"):
+        for path in sorted((root / folder).iterdir()):
+            if path.suffix in (".ipynb", ".py") and path.name not in known:
+                yield f"{folder}/{path.name}: belongs to no exercise"
 
 
 def _modules(package: ModuleType) -> Iterator[ModuleType]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import json
 import re
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,16 @@ LARGEST_FILE = 20_000_000
 MOST_CELLS = 2_000
 """A chapter's exercise has about 20 cells."""
 
-MAGIC = re.compile(r"^(\s*)[%!].*$", re.MULTILINE)
+MOST_CODE = 200_000
+"""Characters. A chapter's answers take 5,000; reading code takes a thousand times its memory."""
+
+MAGIC = re.compile(
+    r"^([ \t]*)(?:(?:\w[\w, ]*=[ \t]*)?[%!].*|\?.*|[\w.]+\?{1,2}[ \t]*)$", re.MULTILINE
+)
+"""Lines that a notebook understands and Python does not: %magic, !command, x = !command, name?."""
+
+UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+"""What reading code may end in."""
 
 
 class SubmissionError(ValueError):
@@ -29,22 +39,33 @@ class SubmissionError(ValueError):
 
 @dataclass(frozen=True)
 class Unit:
-    """Statements that run one after another until one fails: a cell, or a statement of a .py."""
+    """A cell, or a whole .py file: its code, and which of its statements are kept.
+
+    Statements are kept in groups, which run one after another. A statement that fails ends its
+    group: a cell is one group, as in a notebook; in a .py file each statement is its own.
+    """
 
     name: str
     source: str
-    keep: tuple[int, ...]
+    groups: tuple[tuple[int, ...], ...]
 
     def as_request(self) -> dict[str, Any]:
         """Return the unit as the child process is sent it."""
-        return {"name": self.name, "source": self.source, "keep": self.keep}
+        return {"name": self.name, "source": self.source, "groups": self.groups}
 
     @property
-    def kept_source(self) -> str:
-        """The kept statements alone, as they were written."""
-        lines = self.source.splitlines()
-        body = ast.parse(self.source).body
-        return "\n\n".join(_written(body[index], lines) for index in self.keep)
+    def statements(self) -> list[ast.stmt]:
+        """All statements, kept or not."""
+        return parsed(self.source)
+
+    @property
+    def kept_sources(self) -> list[str]:
+        """The kept statements of each group, as they were written."""
+        body = self.statements
+        return [
+            "\n\n".join(_written(body[index], self.source) for index in group)
+            for group in self.groups
+        ]
 
 
 @dataclass(frozen=True)
@@ -62,7 +83,7 @@ class Submission:
         return tuple(
             statement.name
             for unit in self.units
-            for statement in ast.parse(unit.source).body
+            for statement in unit.statements
             if isinstance(statement, ast.FunctionDef)
         )
 
@@ -73,17 +94,18 @@ def read_submission(path: Path) -> Submission:
     Raises
     ------
     SubmissionError
-        The file is missing, empty, too large, neither .ipynb nor .py, not text, not a
-        notebook, or holds no code at all.
+        The file is missing, empty, a link, too large, neither .ipynb nor .py, not text, not
+        a notebook, or holds no code at all.
     """
     text = _text_of(path)
-    if path.suffix == ".ipynb":
-        cells, exercise = _notebook_cells(path, text)
-        parts = [_unit(f"your cell {number}", source) for number, source in cells]
-    else:
-        exercise = None
-        parts = _statements(f"your {path.name}", text)
-    units = tuple(part for part in parts if isinstance(part, Unit) and part.keep)
+    is_notebook = path.suffix == ".ipynb"
+    sources, exercise = [(f"your {path.name}", text)], None
+    if is_notebook:
+        sources, exercise = _notebook_cells(path, text)
+    if sum(len(source) for _, source in sources) > MOST_CODE:
+        raise SubmissionError(f"{path}: holds more than {MOST_CODE:,} characters of code")
+    parts = [_unit(name, source, is_cell=is_notebook) for name, source in sources]
+    units = tuple(part for part in parts if isinstance(part, Unit) and any(part.groups))
     unreadable = tuple(part for part in parts if isinstance(part, str))
     if not units and not unreadable:
         raise SubmissionError(f"{path}: holds no code to grade")
@@ -92,6 +114,8 @@ def read_submission(path: Path) -> Submission:
 
 def _text_of(path: Path) -> str:
     """Return the text of a file, or say why it cannot be one."""
+    if path.is_symlink():
+        raise SubmissionError(f"{path}: a submission is a file, and this is a link")
     if not path.exists():
         raise SubmissionError(f"{path}: no such file")
     if not path.is_file():
@@ -109,8 +133,8 @@ def _text_of(path: Path) -> str:
     return text
 
 
-def _notebook_cells(path: Path, text: str) -> tuple[list[tuple[int, str]], str | None]:
-    """Return the numbered code cells of a notebook, and the exercise it says it is."""
+def _notebook_cells(path: Path, text: str) -> tuple[list[tuple[str, str]], str | None]:
+    """Return name and code of a notebook's code cells, and the exercise it says it is."""
     try:
         notebook = json.loads(text)
     except (ValueError, RecursionError):
@@ -120,13 +144,13 @@ def _notebook_cells(path: Path, text: str) -> tuple[list[tuple[int, str]], str |
         raise SubmissionError(f"{path}: is not a notebook (it has no list of cells)")
     if len(cells) > MOST_CELLS:
         raise SubmissionError(f"{path}: has more than {MOST_CELLS} cells")
-    numbered = [
-        (number, _cell_source(cell))
+    sources = [
+        (f"your cell {number}", _cell_source(cell))
         for number, cell in enumerate(cells, start=1)
         if cell.get("cell_type") == "code"
     ]
     exercise = _deep(notebook, "metadata", "workbook", "exercise")
-    return numbered, exercise if isinstance(exercise, str) else None
+    return sources, exercise if isinstance(exercise, str) else None
 
 
 def _deep(value: Any, *keys: str) -> Any:
@@ -137,27 +161,35 @@ def _deep(value: Any, *keys: str) -> Any:
 
 
 def _cell_source(cell: dict[str, Any]) -> str:
-    """Return a cell's source, with magics turned into comments."""
+    """Return a cell's source, which may be a text or a list of lines."""
     source = cell.get("source", "")
-    joined = "".join(map(str, source)) if isinstance(source, list) else str(source)
-    return MAGIC.sub(r"\1pass  # a magic, left out", joined)
+    return "".join(map(str, source)) if isinstance(source, list) else str(source)
 
 
-def _unit(name: str, source: str) -> Unit | str:
-    """Return a cell as a unit, or in a line why it cannot be read."""
+def parsed(source: str) -> list[ast.stmt]:
+    """Return the statements of some code, without a word about its style."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return ast.parse(source).body
+
+
+def _unit(name: str, source: str, *, is_cell: bool) -> Unit | str:
+    """Return a cell or a file as a unit, or in a line why it cannot be read."""
+    code = _without_magics(source) if is_cell else source
     try:
-        body = ast.parse(source).body
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        kept = tuple(i for i, statement in enumerate(parsed(code)) if _is_kept(statement))
+    except UNPARSABLE as error:
         return _unreadable(name, error)
-    return Unit(name, source, tuple(i for i, item in enumerate(body) if _is_kept(item)))
+    return Unit(name, code, (kept,) if is_cell else tuple((index,) for index in kept))
 
 
-def _statements(name: str, source: str) -> list[Unit | str]:
-    """Return each kept statement of a .py file as a unit of its own."""
-    whole = _unit(name, source)
-    if isinstance(whole, str):
-        return [whole]
-    return [Unit(name, source, (index,)) for index in whole.keep]
+def _without_magics(source: str) -> str:
+    """Return a cell's code, with magics commented out if it cannot be read as it is."""
+    try:
+        parsed(source)
+    except UNPARSABLE:
+        return MAGIC.sub(r"\1pass  # a magic, left out", source)
+    return source
 
 
 def _unreadable(name: str, error: Exception) -> str:
@@ -175,7 +207,12 @@ def _is_kept(statement: ast.stmt) -> bool:
         return not any(_is_lesson_code(alias.name) for alias in statement.names)
     if isinstance(statement, ast.ImportFrom):
         return not _is_lesson_code(statement.module or "")
-    return not (isinstance(statement, ast.If) and "__name__" in ast.unparse(statement.test))
+    return not (isinstance(statement, ast.If) and _asks_for_name(statement.test))
+
+
+def _asks_for_name(test: ast.expr) -> bool:
+    """Return whether a condition looks at ``__name__``."""
+    return any(isinstance(node, ast.Name) and node.id == "__name__" for node in ast.walk(test))
 
 
 def _is_lesson_code(module: str) -> bool:
@@ -183,8 +220,9 @@ def _is_lesson_code(module: str) -> bool:
     return module.partition(".")[0] == "lesson_code"
 
 
-def _written(statement: ast.stmt, lines: list[str]) -> str:
-    """Return a statement's own lines, decorators included."""
+def _written(statement: ast.stmt, source: str) -> str:
+    """Return a statement's own text, decorators included."""
     decorators = getattr(statement, "decorator_list", [])
-    first = min([statement.lineno, *(decorator.lineno for decorator in decorators)])
-    return "\n".join(lines[first - 1 : statement.end_lineno])
+    if decorators:
+        statement.lineno, statement.col_offset = decorators[0].lineno, 0
+    return ast.get_source_segment(source, statement) or ""

@@ -82,12 +82,15 @@ def marked(module: dict[str, Any], kind: type[M]) -> tuple[M, ...]:
 
 
 def source_as_answer(model: WrongModel | Alternative, function_name: str) -> str:
-    """Return the model's source as a student would hand it in: undecorated, renamed."""
+    """Return the model's source as a student would hand it in: undecorated, renamed, untyped."""
     tree = ast.parse(textwrap.dedent(inspect.getsource(model.function)))
     definition = tree.body[0]
     assert isinstance(definition, ast.FunctionDef)  # noqa: S101 - only functions are marked
     definition.decorator_list = []
     definition.name = function_name
+    definition.returns = None
+    for argument in definition.args.args:
+        argument.annotation = None
     return ast.unparse(tree)
 
 

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.grading.child import arguments_from, plain
-from lesson_code.grading.compare import agrees, written
+from lesson_code.grading.compare import agrees, told_apart, written
 from lesson_code.grading.isolation import Outcome
 from lesson_code.grading.task import Arguments, Criterion, Task, WrongModel
 
@@ -125,13 +125,27 @@ def _message(task: Task, criterion: Criterion, trial: Trial) -> str:
     called = f"Called {task.function}{_call_written(trial.arguments)}."
     if outcome.kind == "raised":
         return f"{called} It stopped with {outcome.text}."
+    if outcome.kind == "unusable":
+        return f"{called} It {outcome.text}."
     if outcome.kind != "returned":
         return f"{called} {outcome.text[:1].upper()}{outcome.text[1:]}."
     got, expected = outcome.value, trial.expected
     if criterion.part is not None:
         got, expected = _part(criterion.part, got), plain(criterion.part(expected))
-    why = f" {task.explain(trial.arguments, outcome.value)}" if task.explain else ""
-    return f"{called} It returned {written(got)}; expected {written(expected)}.{why}".rstrip()
+    got_written, expected_written = told_apart(got, expected)
+    says = f"{called} It returned {got_written}; expected {expected_written}."
+    return f"{says} {_why(task, trial)}".rstrip()
+
+
+def _why(task: Task, trial: Trial) -> str:
+    """Return why a trial's answer is wrong, if the task can say it of an answer of this form."""
+    if task.explain is None:
+        return ""
+    try:
+        with np.errstate(all="ignore"):
+            return task.explain(trial.arguments, trial.outcome.value)
+    except (TypeError, ValueError, IndexError):
+        return ""
 
 
 def _call_written(arguments: Arguments) -> str:
@@ -143,7 +157,7 @@ def _part(part: Callable[[Any], Any], answer: Any) -> Any:
     """Return the part of an answer that is looked at; of an answer of another form, None."""
     try:
         return plain(part(answer))
-    except (TypeError, ValueError, IndexError, KeyError, AttributeError):
+    except (TypeError, ValueError, IndexError):
         return None
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import io
 import os
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -83,29 +85,58 @@ def run_notebooks(
 
     Raises
     ------
+    FileNotFoundError
+        There is no such notebook.
     RuntimeError
-        A notebook could not be read.
+        A notebook could not be read, or the run did not come to its end.
+    KeyboardInterrupt
+        Ctrl-C was pressed.
     """
     import pytest
 
+    if not paths:
+        return []
+    for path in paths:
+        if not path.is_file():
+            raise FileNotFoundError(f"{path}: there is no such notebook")
     plugin = _Plugin(watcher or Watcher())
-    arguments = [
+    code, written = _run_pytest([*_arguments(paths, lax), *map(str, paths)], plugin)
+    if plugin.collect_errors:
+        raise RuntimeError("\n".join(plugin.collect_errors))
+    if code == pytest.ExitCode.INTERRUPTED:
+        raise KeyboardInterrupt
+    if code in (pytest.ExitCode.USAGE_ERROR, pytest.ExitCode.INTERNAL_ERROR):
+        raise RuntimeError(f"the notebooks could not be run:\n{written}")
+    return plugin.results
+
+
+def _arguments(paths: Sequence[Path], lax: bool) -> list[str]:
+    """Return pytest's options: the configuration of a project around is left alone."""
+    return [
         "-c",
         os.devnull,
         "--rootdir",
         os.path.commonpath([path.resolve().parent for path in paths]),
         "-p",
         "no:cacheprovider",
+        "-p",
+        "no:unraisableexception",
         "--color=no",
         "--capture=no",
         "--nbval-lax" if lax else "--nbval",
         "--nbval-current-env",
         f"--nbval-cell-timeout={CELL_SECONDS}",
-        *map(str, paths),
     ]
-    # nbval needs pytest's own reporter, so that is kept, and what it writes is thrown away.
-    with contextlib.redirect_stdout(io.StringIO()):
-        pytest.main(arguments, plugins=[plugin])
-    if plugin.collect_errors:
-        raise RuntimeError("\n".join(plugin.collect_errors))
-    return plugin.results
+
+
+def _run_pytest(arguments: list[str], plugin: _Plugin) -> tuple[int, str]:
+    """Run pytest in this process; return its exit code and what it wrote."""
+    import pytest
+
+    # nbval needs pytest's own reporter, so that is kept, and what it writes goes nowhere.
+    with contextlib.redirect_stdout(io.StringIO()) as written, warnings.catch_warnings():
+        # nbval leaves a file open for each kernel.
+        warnings.simplefilter("ignore", ResourceWarning)
+        code = pytest.main(arguments, plugins=[plugin])
+        gc.collect()
+    return int(code), written.getvalue()

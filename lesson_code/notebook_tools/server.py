@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import http.client
 import importlib.util
 import os
 import secrets
@@ -9,14 +10,19 @@ import socket
 import subprocess
 import sys
 import time
-import urllib.error
 import urllib.request
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from urllib.parse import quote
 
+HOST = "127.0.0.1"
 USUAL_PORT = 8888
 SECONDS_TO_START = 60.0
 """JupyterLab answers after 2 to 10 s, even on a slow machine."""
+
+SECONDS_TO_STOP = 10.0
+"""It ends its kernels first; each is given some seconds to go by itself."""
 
 
 class ServerError(RuntimeError):
@@ -31,12 +37,13 @@ class Server:
     address: str
 
     def stop(self) -> None:
-        """End the server."""
+        """End the server, and with it the kernels it runs."""
         self.process.terminate()
         try:
-            self.process.wait(timeout=10)
+            self.process.wait(timeout=SECONDS_TO_STOP)
         except subprocess.TimeoutExpired:
             self.process.kill()
+            self.process.wait()
 
 
 def has_screen() -> bool:
@@ -56,60 +63,74 @@ def start(root: Path, notebook: Path, port: int | None = None) -> Server:
     notebook : Path
         The notebook to open, relative to `root`.
     port : int, optional
-        8888 by default, or another one if that is taken.
+        8888 by default, or another one if that is taken; one asked for must be free.
 
     Raises
     ------
     ServerError
-        JupyterLab is missing or does not start.
+        JupyterLab is missing or does not start, or the port asked for is taken.
     """
     if importlib.util.find_spec("jupyterlab") is None:
         raise ServerError("JupyterLab is not installed: pip install -e '.[jupyter]'")
-    chosen, token = port or _free_port(), secrets.token_hex(24)
-    command = [
+    chosen = _free_port([USUAL_PORT, 0] if port is None else [port])
+    token = secrets.token_hex(24)
+    process = subprocess.Popen(  # noqa: S603 - our own interpreter
+        _command(root, chosen), env={**os.environ, "JUPYTER_TOKEN": token}
+    )
+    address = f"http://{HOST}:{chosen}/lab/tree/{quote(notebook.as_posix())}?token={token}"
+    server = Server(process, address)
+    try:
+        _wait_for(server, f"http://{HOST}:{chosen}/api")
+    except BaseException:  # Ctrl-C too: no server is left behind
+        server.stop()
+        raise
+    return server
+
+
+def _command(root: Path, port: int) -> list[str]:
+    """Return the command line of a JupyterLab that says nothing but errors."""
+    as_root = hasattr(os, "geteuid") and os.geteuid() == 0
+    return [
         sys.executable,
         "-m",
         "jupyterlab",
         "--no-browser",
         f"--ServerApp.root_dir={root}",
-        f"--ServerApp.port={chosen}",
+        f"--ServerApp.ip={HOST}",
+        f"--ServerApp.port={port}",
         "--ServerApp.port_retries=0",
-        "--ServerApp.log_level=ERROR",
+        "--ServerApp.answer_yes=True",
+        "--Application.log_level=ERROR",
+        *(["--allow-root"] if as_root else []),
     ]
-    if hasattr(os, "geteuid") and os.geteuid() == 0:
-        command.append("--allow-root")
-    process = subprocess.Popen(  # noqa: S603 - our own interpreter
-        command, env={**os.environ, "JUPYTER_TOKEN": token}
-    )
-    server = Server(
-        process, f"http://127.0.0.1:{chosen}/lab/tree/{notebook.as_posix()}?token={token}"
-    )
-    _wait_for(server, f"http://127.0.0.1:{chosen}/api")
-    return server
 
 
-def _free_port() -> int:
-    """Return the usual port, or one that is free if that is taken."""
-    for port in (USUAL_PORT, 0):
+def _free_port(wanted: Sequence[int]) -> int:
+    """Return the first port that can be used; 0 stands for any."""
+    for port in wanted:
         with socket.socket() as tried:
             try:
-                tried.bind(("127.0.0.1", port))
-            except OSError:
+                tried.bind((HOST, port))
+            except OSError as error:
+                reason = error.strerror
                 continue
             return int(tried.getsockname()[1])
-    raise ServerError("no free port on this machine")
+    raise ServerError(
+        f"port {wanted[0]} cannot be used ({reason}); leave it out, and a free one is chosen"
+    )
 
 
 def _wait_for(server: Server, url: str) -> None:
-    """Return when the server answers, or stop it and say that it does not."""
+    """Return when the server answers, or say that it does not."""
+    # Without proxies: one that is set for the web would be asked for this machine's own address.
+    opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
     end = time.monotonic() + SECONDS_TO_START
     while time.monotonic() < end:
         if server.process.poll() is not None:
             raise ServerError("JupyterLab ended before it was ready; its own words stand above")
         try:
-            with urllib.request.urlopen(url, timeout=2):  # noqa: S310 - our own address
+            with opener.open(url, timeout=2):
                 return
-        except (urllib.error.URLError, OSError):
+        except (OSError, http.client.HTTPException):  # nobody answers yet
             time.sleep(0.1)
-    server.stop()
     raise ServerError(f"JupyterLab did not answer within {SECONDS_TO_START:g} s")

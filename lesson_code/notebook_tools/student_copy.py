@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import ast
 import copy
-from collections.abc import Mapping
-from typing import Any
+import io
+import tokenize
+from collections.abc import Iterable, Mapping
+from typing import Any, TypeAlias
+
+Function: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef
 
 SOLUTION_ONLY = "solution"
 """Tag of cells that are for the instructor's copy alone."""
@@ -20,23 +24,36 @@ def student_notebook(solution: Any, tasks: Mapping[str, str]) -> Any:
         The solution, executed or not; it is not changed.
     tasks : mapping of str to str
         For each function to write, the number of its task.
+
+    Raises
+    ------
+    ValueError
+        A function to write is not defined where it can be taken out.
     """
     notebook = copy.deepcopy(solution)
     notebook.cells = [
         cell for cell in notebook.cells if SOLUTION_ONLY not in cell.metadata.get("tags", [])
     ]
-    for cell in notebook.cells:
-        if cell.cell_type == "code":
-            cell.source = student_source(cell.source, tasks)
-            cell.outputs = []
-            cell.execution_count = None
+    code_cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    _require_all((cell.source for cell in code_cells), tasks)
+    for cell in code_cells:
+        cell.source = student_source(cell.source, tasks)
+        cell.outputs = []
+        cell.execution_count = None
     return notebook
+
+
+def student_program(solution: str, tasks: Mapping[str, str]) -> str:
+    """Return a solution program with stubs for answers; see :func:`student_notebook`."""
+    _require_all([solution], tasks)
+    return student_source(solution, tasks)
 
 
 def student_source(solution: str, tasks: Mapping[str, str]) -> str:
     """Return code with the body of each function to write replaced by a stub.
 
-    Signature and docstring stay; the stub raises NotImplementedError with the task's number.
+    Decorators, signature and docstring stay; the stub raises NotImplementedError with the
+    task's number. Comments of the body go with it.
 
     Examples
     --------
@@ -44,24 +61,63 @@ def student_source(solution: str, tasks: Mapping[str, str]) -> str:
     def f(x):
         raise NotImplementedError("Task 9.1: f")
     """
-    lines = solution.splitlines()
-    written = [
+    solution = io.StringIO(solution, newline=None).read()  # line ends become \n
+    lines = solution.split("\n")
+    for function in reversed(_answers(solution, tasks)):
+        stub = f'raise NotImplementedError("Task {tasks[function.name]}: {function.name}")'
+        lines[function.lineno - 1 : _end(function, lines)] = [
+            *_signature(function, lines),
+            *_docstring(function, solution),
+            f"    {stub}",
+        ]
+    return "\n".join(lines)
+
+
+def _answers(solution: str, tasks: Mapping[str, str]) -> list[Function]:
+    """Return the functions to write that stand at the top level of some code, in their order."""
+    return [
         statement
         for statement in ast.parse(solution).body
-        if isinstance(statement, ast.FunctionDef) and statement.name in tasks
+        if isinstance(statement, Function) and statement.name in tasks
     ]
-    for function in reversed(written):
-        first, last = _answer_lines(function)
-        stub = f'raise NotImplementedError("Task {tasks[function.name]}: {function.name}")'
-        lines[first:last] = ["    " + stub]
-    return "\n".join(lines) + ("\n" if solution.endswith("\n") else "")
 
 
-def _answer_lines(function: ast.FunctionDef) -> tuple[int, int]:
-    """Return the slice of lines that holds a function's body after its docstring."""
-    body = function.body
-    has_docstring = ast.get_docstring(function) is not None
-    first = body[0].end_lineno if has_docstring else body[0].lineno - 1
-    assert first is not None  # noqa: S101 - parsed code has line numbers
-    assert function.end_lineno is not None  # noqa: S101 - the same
-    return first, function.end_lineno
+def _require_all(sources: Iterable[str], tasks: Mapping[str, str]) -> None:
+    """Refuse a solution in which an answer would be overlooked, and so left to the student."""
+    found = {function.name for source in sources for function in _answers(source, tasks)}
+    for name in tasks:
+        if name not in found:
+            raise ValueError(f"solution must define {name} with def, not indented; it does not")
+
+
+def _signature(function: Function, lines: list[str]) -> list[str]:
+    """Return the lines of a function from its ``def`` to the colon that ends the signature."""
+    code = lines[function.lineno - 1 : function.end_lineno]
+    depth = 0
+    for token in tokenize.generate_tokens(io.StringIO("\n".join(code)).readline):
+        if token.type == tokenize.OP:
+            depth += (token.string in "([{") - (token.string in ")]}")
+            if token.string == ":" and depth == 0:
+                break
+    row, column = token.end
+    return [*code[: row - 1], code[row - 1][:column]]
+
+
+def _docstring(function: Function, solution: str) -> list[str]:
+    """Return the lines of a function's docstring as they are written; none without one."""
+    first = function.body[0]
+    if ast.get_docstring(function) is None or not isinstance(first, ast.Expr):
+        return []
+    written = ast.get_source_segment(solution, first.value)
+    return f"    {written}".split("\n")
+
+
+def _end(function: Function, lines: list[str]) -> int:
+    """Return the number of a function's last line, indented comments after it included."""
+    end = last = function.end_lineno or function.lineno
+    for number, line in enumerate(lines[end:], start=end + 1):
+        if line.startswith((" ", "\t")) and line.lstrip().startswith("#"):
+            last = number
+        elif line.strip():
+            break
+    return last

@@ -28,6 +28,8 @@ class Slider:
     def __post_init__(self) -> None:
         if not self.low <= self.start <= self.high:
             raise ValueError(f"start must lie between {self.low} and {self.high}, got {self.start}")
+        if not self.step > 0:
+            raise ValueError(f"step must be > 0, got {self.step}")
 
 
 def explore(draw: Callable[..., Figure], alt: str, **sliders: Slider) -> None:
@@ -98,4 +100,5 @@ def _control(slider: Slider) -> Any:
 def _image(png: bytes, alt: str) -> str:
     """Return a picture as HTML that needs no file."""
     data = base64.b64encode(png).decode()
-    return f'<img alt="{html.escape(alt, quote=True)}" src="data:image/png;base64,{data}">'
+    text = html.escape(alt, quote=True)
+    return f'<img alt="{text}" style="max-width: 100%" src="data:image/png;base64,{data}">'

@@ -45,19 +45,20 @@ def arrow(
         How far the name stands from the tip, in points.
     """
     tip = (start[0] + vector[0], start[1] + vector[1])
-    ax.annotate(
-        "",
-        xy=tip,
-        xytext=(start[0], start[1]),
-        arrowprops={
-            "arrowstyle": "-|>,head_width=0.3,head_length=0.6",
-            "color": color,
-            "linewidth": 2.0,
-            "linestyle": (0, (3, 2)) if dashed else "solid",
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-    )
+    if vector[0] or vector[1]:  # a zero vector has no direction to draw
+        ax.annotate(
+            "",
+            xy=tip,
+            xytext=(start[0], start[1]),
+            arrowprops={
+                "arrowstyle": "-|>,head_width=0.3,head_length=0.6",
+                "color": color,
+                "linewidth": 2.0,
+                "linestyle": (0, (3, 2)) if dashed else "solid",
+                "shrinkA": 0,
+                "shrinkB": 0,
+            },
+        )
     if label:
         ax.annotate(
             label,
@@ -154,34 +155,48 @@ def carts(
     """
     size_1, size_2 = np.sqrt([m1, m2]) / np.sqrt(max(m1, m2)) * 0.8
     fastest = max(abs(float(v)) for pair in velocities for v in pair) or 1.0
-    for row, (pair, name) in enumerate(zip(velocities, rows, strict=True)):
+    for row, ((v1, v2), name) in enumerate(zip(velocities, rows, strict=True)):
         y = -1.5 * row
         ax.plot([-4, 4], [y, y], color=style.INK, linewidth=1)
-        ax.text(-4, y + 0.95, name, fontsize=10, va="center")
-        for centre, size, v, color, hatch, label in (
-            (-1.0, size_1, pair[0], style.FIRST, "", "1"),
-            (1.0, size_2, pair[1], style.SECOND, "///", "2"),
-        ):
-            ax.add_patch(
-                Rectangle((centre - size / 2, y), size, size, color=color, hatch=hatch, ec="white")
-            )
-            ax.text(
-                centre,
-                y + size / 2,
-                label,
-                color="white",
-                ha="center",
-                va="center",
-                fontweight="bold",
-            )
-            if v:
-                arrow(ax, (centre, y + size + 0.15), (1.6 * v / fastest, 0), "", color)
-            ax.text(centre, y - 0.22, f"{v:+.2f} m/s", ha="center", va="center", fontsize=9)
+        ax.text(-4, y - 0.22, name, fontsize=10, va="center")
+        _cart(ax, (-1.0, y), size_1, "1", style.FIRST, "")
+        _cart(ax, (1.0, y), size_2, "2", style.SECOND, "///")
+        _cart_velocity(ax, (-1.0, y), size_1, v1, fastest, style.FIRST)
+        _cart_velocity(ax, (1.0, y), size_2, v2, fastest, style.SECOND)
     ax.set_xlim(-4.1, 4.1)
-    ax.set_ylim(-1.5 * (len(rows) - 1) - 0.5, 1.4)
+    ax.set_ylim(-1.5 * (len(rows) - 1) - 0.5, 1.1)
     ax.set_aspect("equal")
     ax.axis("off")
     return ax
+
+
+def _cart(ax: Axes, foot: Point, size: float, name: str, color: str, hatch: str) -> None:
+    """Draw a cart that stands on the track at `foot`, with its number."""
+    x, y = foot
+    ax.add_patch(
+        Rectangle((x - size / 2, y), size, size, facecolor=color, hatch=hatch, edgecolor="white")
+    )
+    ax.text(
+        x,
+        y + size / 2,
+        name,
+        color="white",
+        ha="center",
+        va="center",
+        fontweight="bold",
+        bbox={"boxstyle": "circle,pad=0.2", "facecolor": color, "edgecolor": "none"},
+    )
+
+
+def _cart_velocity(
+    ax: Axes, foot: Point, size: float, v: float, fastest: float, color: str
+) -> None:
+    """Draw the velocity of a cart as an arrow above it and as a number below the track."""
+    x, y = foot
+    shown = round(v, 2) + 0.0  # + 0.0 takes the sign off a zero
+    if shown:
+        arrow(ax, (x, y + size + 0.15), (1.6 * v / fastest, 0), "", color)
+    ax.text(x, y - 0.22, f"{shown:+.2f} m/s", ha="center", va="center", fontsize=9)
 
 
 def velocity_at_wall(
@@ -203,7 +218,8 @@ def velocity_at_wall(
     outgoing : mapping of str to (vector, colour, dashed)
         The velocities after, by name, drawn from the wall.
     """
-    reach = max(math.hypot(*incident), *(math.hypot(*v) for v, _, _ in outgoing.values()))
+    speeds = [math.hypot(*v) for v in (incident, *(v for v, _, _ in outgoing.values()))]
+    reach = max(speeds) or 1.0
     wall(ax, (0, 0), normal, 0.95 * reach)
     arrow(ax, np.negative(incident), incident, "", style.INK)
     ax.annotate(
@@ -215,22 +231,30 @@ def velocity_at_wall(
         fontweight="bold",
     )
     arrow(ax, (0, 0), np.multiply(normal, 0.4 * reach), "N", style.GREY, beside=(8, 6))
-    for name, (vector, color, dashed) in outgoing.items():
-        arrow(ax, (0, 0), vector, name, color, dashed=dashed, beside=_past_the_tip(vector, name))
+    for vector, color, dashed in outgoing.values():
+        arrow(ax, (0, 0), vector, "", color, dashed=dashed)
+    _legend_of_arrows(ax, outgoing)
+    lowest = min(-incident[1], *(vector[1] for vector, _, _ in outgoing.values()))
     ax.set_xlim(-1.25 * reach, 1.25 * reach)
-    ax.set_ylim(-0.8 * reach, 1.15 * reach)
+    ax.set_ylim(min(-0.8 * reach, lowest - 0.15 * reach), 1.15 * reach)
     ax.set_aspect("equal")
     ax.set_xlabel("velocity along x, m/s")
     ax.set_ylabel("velocity along y, m/s")
     return ax
 
 
-def _past_the_tip(vector: Point, name: str) -> tuple[float, float]:
-    """Return how far from an arrow's tip its name stands clear of it, in points."""
-    length = max(math.hypot(vector[0], vector[1]), 1e-9)
-    x, y = vector[0] / length, vector[1] / length
-    half_width = 3.6 * len(name)
-    return x * (10 + half_width), y * 12
+def _legend_of_arrows(ax: Axes, arrows: Mapping[str, tuple[Point, str, bool]]) -> None:
+    """Name arrows above the axes: at their tips the names of two that agree would overlap."""
+    ax.legend(
+        handles=[
+            Line2D([], [], color=color, linestyle="--" if dashed else "-", linewidth=2, label=name)
+            for name, (_, color, dashed) in arrows.items()
+        ],
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+        ncols=len(arrows),
+        frameon=False,
+    )
 
 
 def path(ax: Axes, positions: Any, label: str, color: str, *, dashed: bool = False) -> Axes:

@@ -140,10 +140,9 @@ check("e = 1 is elastic", collide_1d(1, 2, 3, -1, 1), elastic_1d(1, 2, 3, -1))
 
 # %%
 def draw_collision(mass_2, velocity_2, restitution):
-    start = (2.0, velocity_2)
-    end = collide_1d(1, *start[:1], mass_2, velocity_2, restitution)
+    before, after = (2.0, velocity_2), collide_1d(1, 2.0, mass_2, velocity_2, restitution)
     fig, ax = style.figure(width=6.4, height=3.6)
-    plots.carts(ax, 1, [start, end], mass_2, ["before", f"after, e = {restitution:.2f}"])
+    plots.carts(ax, 1, [before, after], mass_2, ["before", f"after, e = {restitution:.2f}"])
     return fig
 
 

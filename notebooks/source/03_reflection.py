@@ -212,7 +212,7 @@ explore(
 )
 
 # %% [markdown]
-# ## 5 The gate: only a ball that comes in is bounced
+# ## 5 Break it on purpose: a wall without a gate
 #
 # A program looks at the ball once per time step. When it finds the ball inside the wall, the ball
 # may already be on its way *out*, bounced a step ago. If it is bounced again, it is sent back in.
@@ -252,7 +252,7 @@ check("a leaving ball is left alone", bounce((3, 4), (0, 1), 0.5), (3, 4))
 # inside `bounce`, so nobody can forget it: it is the clamp in `normal_impulse`, which never lets
 # the impulse of a wall be negative. A wall can push, but not pull.
 #
-# ## 6 Separate first
+# ## 6 Separate first, or sink
 #
 # The gate is not enough. When the ball has come to rest, nobody moves it out of the floor, and in
 # each step gravity moves it a little further in. So the position needs a rule of its own: if the

@@ -47,8 +47,9 @@ def momentum_before_and_after(arguments: Arguments, answer: Any) -> str:
     m1, v1, m2, v2 = arguments[:4]
     before = _total_momentum(m1, v1, m2, v2)
     try:
-        after = _total_momentum(m1, float(answer[0]), m2, float(answer[1]))
-    except (TypeError, ValueError, IndexError):
+        v1_after, v2_after = map(float, answer)
+        after = m1 * v1_after + m2 * v2_after
+    except (TypeError, ValueError):
         return f"Two velocities were asked for; the momentum before is {written(before)} kg m/s."
     return f"Momentum before {written(before)} kg m/s, after yours {written(after)} kg m/s."
 

@@ -103,7 +103,7 @@ def parts_of_the_answer(arguments: Arguments, answer: Any) -> str:
     """Say which parts of the velocity the answer has changed."""
     velocity, normal = np.array(arguments[0]), np.array(arguments[1])
     tangent = np.array([-normal[1], normal[0]])
-    if np.shape(answer) != (2,):
+    if not _is_vector(answer):
         return "A velocity with two components was asked for."
     return (
         f"Along the normal {_along(velocity, normal)} before, {_along(answer, normal)} after yours;"
@@ -118,9 +118,16 @@ def _along(vector: Any, direction: Any) -> str:
 
 def _speed(velocity: Any) -> str:
     """Return the length of a velocity, written, or a question mark for anything else."""
-    if np.shape(velocity) != (2,):
-        return "?"
-    return written(math.hypot(*velocity))
+    return written(math.hypot(*velocity)) if _is_vector(velocity) else "?"
+
+
+def _is_vector(value: Any) -> bool:
+    """Return whether a plain value is a pair of numbers."""
+    return (
+        isinstance(value, list | tuple)
+        and len(value) == 2
+        and all(isinstance(component, int | float) for component in value)
+    )
 
 
 TASKS = (

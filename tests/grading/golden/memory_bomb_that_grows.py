@@ -1,0 +1,13 @@
+def elastic_1d(m1, v1, m2, v2):
+    grown = [0]
+    while True:
+        grown += grown
+
+
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v, v
+
+
+def elastic_impulse_1d(m1, v1, m2, v2):
+    return 2 * m1 * m2 / (m1 + m2) * (v1 - v2)

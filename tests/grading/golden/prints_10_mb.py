@@ -1,0 +1,21 @@
+"""Right, but says so at length."""
+
+import os
+import sys
+
+
+def elastic_1d(m1, v1, m2, v2):
+    print("x" * 10_000_000)
+    print("x" * 10_000_000, file=sys.stderr)
+    os.write(1, b"x" * 10_000_000)
+    total = m1 + m2
+    return ((m1 - m2) * v1 + 2 * m2 * v2) / total, ((m2 - m1) * v2 + 2 * m1 * v1) / total
+
+
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v, v
+
+
+def elastic_impulse_1d(m1, v1, m2, v2):
+    return 2 * m1 * m2 / (m1 + m2) * (v1 - v2)

@@ -1,0 +1,60 @@
+"""Golden submissions: each earns what it should, and leaves the next one alone."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from lesson_code.grading.isolation import Limits
+from lesson_code.grading.report import grade
+
+FOLDER = Path(__file__).parent / "golden"
+TABLE: dict[str, dict[str, Any]] = tomllib.loads((FOLDER / "golden.toml").read_text())
+RIGHT = "right_notebook.ipynb"
+SEED_OF_HARD_CODED = 1
+"""The seed whose answers hard_coded.py has learnt by heart."""
+
+
+def test_golden_table_lists_every_file_and_no_other() -> None:
+    """Each committed submission has its expected points, and each entry its file."""
+    files = {path.name for path in FOLDER.iterdir() if path.suffix in (".py", ".ipynb")}
+    assert files == set(TABLE)
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_golden_submission_earns_its_points_and_the_next_one_too(name: str, quick: Limits) -> None:
+    """A submission earns exactly its points; a right one that is graded after it, all of them."""
+    expected = TABLE[name]
+    report = grade(FOLDER / name, exercise=expected["exercise"], seed=7, limits=quick)
+    assert [verdict.points for verdict in report.verdicts] == expected["points"]
+    hints = [verdict.recognised.name for verdict in report.verdicts if verdict.recognised]
+    assert hints == ([expected["hint"]] if "hint" in expected else [])
+    assert grade(FOLDER / RIGHT, seed=7).is_full
+
+
+@pytest.mark.parametrize("name", [name for name in TABLE if TABLE[name]["under_nbval"] == "agrees"])
+def test_golden_points_do_not_depend_on_the_seed(name: str, quick: Limits) -> None:
+    """With other inputs the points are the same."""
+    expected = TABLE[name]
+    report = grade(FOLDER / name, exercise=expected["exercise"], seed=4711, limits=quick)
+    assert [verdict.points for verdict in report.verdicts] == expected["points"]
+
+
+def test_golden_hard_coded_answers_are_right_for_one_seed_alone() -> None:
+    """Answers learnt by heart are right with the seed they were learnt from, and no other."""
+    learnt = grade(FOLDER / "hard_coded.py", exercise="01", seed=SEED_OF_HARD_CODED)
+    assert learnt.is_full
+    assert not grade(FOLDER / "hard_coded.py", exercise="01", seed=SEED_OF_HARD_CODED + 1).is_full
+
+
+def test_golden_marks_are_the_same_twice(quick: Limits) -> None:
+    """Graded again with the same seed, a submission gets the same report, word for word."""
+    for name in ("wrong_model.ipynb", "raises.ipynb", "no_answers_of_the_right_kind.py"):
+        path, exercise = FOLDER / name, TABLE[name]["exercise"]
+        first, second = (
+            grade(path, exercise=exercise, seed=7, limits=quick).as_dict() for _ in range(2)
+        )
+        assert first == second

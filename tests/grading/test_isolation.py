@@ -1,0 +1,475 @@
+"""The wall: a child with limits, of which nothing is believed but plain values."""
+
+from __future__ import annotations
+
+import builtins
+import importlib
+import json
+import math
+import os
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lesson_code.grading.isolation import (
+    LONGEST_TEXT,
+    Limits,
+    Outcome,
+    StudentProcess,
+    call_here,
+    isolation_in_force,
+    kept_apart,
+)
+from lesson_code.grading.submission import Unit, parsed
+
+POSIX = pytest.mark.skipif(os.name != "posix", reason="limits are set on POSIX systems alone")
+FORGE = """\
+import json, os
+def forge(**reply):
+    line = json.dumps(reply).encode() + b"\\n"
+    for descriptor in range(3, 21):
+        try:
+            os.write(descriptor, line)
+        except OSError:
+            pass
+"""
+
+
+def units(source: str) -> tuple[Unit, ...]:
+    """Return code as a submission that keeps all of its statements in one group."""
+    return (Unit("your test", source, (tuple(range(len(parsed(source)))),)),)
+
+
+@pytest.fixture
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the folder in which temporary folders are made, empty."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    return tmp_path
+
+
+def test_call_returns_plain_values() -> None:
+    """Vectors go over as arrays and come back as lists; numbers stay what they are."""
+    source = "def f(n, v): return n, v, type(n).__name__, type(v).__name__, v.shape"
+    with StudentProcess(units(source)) as student:
+        outcome = student.call("f", (2, (3.0, 4.0)))
+    assert outcome == Outcome("returned", [2, [3.0, 4.0], "int", "ndarray", [2]])
+
+
+def test_call_of_missing_function_says_so() -> None:
+    """A function that was not handed in is missing, and no crash."""
+    with StudentProcess(units("x = 1")) as student:
+        assert student.call("f", ()) == Outcome("missing", text="there is no function named f")
+
+
+def test_calls_share_one_process_until_one_fails(quick: Limits) -> None:
+    """State is kept from call to call; after a crash it starts afresh."""
+    source = "import os\nn = []\ndef f(): n.append(0); return len(n)\ndef g(): os._exit(0)"
+    with StudentProcess(units(source), quick) as student:
+        assert [student.call("f", ()).value for _ in range(3)] == [1, 2, 3]
+        assert student.call("g", ()).kind == "crashed"
+        assert student.call("f", ()).value == 1
+
+
+def test_load_errors_are_kept_and_the_rest_is_loaded() -> None:
+    """What failed while loading is told in a line each."""
+    parts = (*units("1 / 0"), *units("def f(): return 1"))
+    with StudentProcess(parts) as student:
+        assert student.call("f", ()).value == 1
+        assert student.load_errors == ["ZeroDivisionError: division by zero (your test, line 1)"]
+
+
+@pytest.mark.parametrize(
+    ("source", "kind", "text"),
+    [
+        ("while True: pass", "timeout", "it did not finish within 0.4 s, while it was loaded"),
+        ("import os; os._exit(0)", "crashed", "used more than it may, while it was loaded"),
+        ("import os; os.kill(os.getpid(), 9)", "crashed", "used more than it may, while it was"),
+    ],
+)
+def test_load_that_hangs_or_dies_fails_every_call_at_once(
+    source: str, kind: str, text: str
+) -> None:
+    """Code that cannot be loaded is not tried again for each call."""
+    limits = Limits(seconds_to_load=0.4)
+    with StudentProcess(units(f"def f(): return 1\n{source}"), limits) as student:
+        began = time.perf_counter()
+        outcomes = [student.call("f", ()) for _ in range(20)]
+        assert time.perf_counter() - began < Limits().seconds_to_load
+    assert {outcome.kind for outcome in outcomes} == {kind}
+    assert text in outcomes[0].text
+
+
+def test_child_knows_nothing_of_the_parent() -> None:
+    """The child has an empty folder, no input, and none of the parent's environment or paths."""
+    source = """\
+import os, sys
+def f():
+    names = sorted(name for name in os.environ if name not in ("LC_CTYPE",))
+    mine = os.getcwd() in sys.path or "" in sys.path
+    return os.listdir("."), sys.stdin.read(), names, mine, "lesson_code" in str(list(sys.modules))
+"""
+    with StudentProcess(units(source)) as student:
+        listing, read, names, in_path, has_lesson = student.call("f", ()).value
+    assert (listing, read, in_path, has_lesson) == ([], "", False, False)
+    assert set(names) <= {
+        "HOME",
+        "MPLBACKEND",
+        "OPENBLAS_NUM_THREADS",
+        "PYGAME_HIDE_SUPPORT_PROMPT",
+        "SDL_AUDIODRIVER",
+        "SDL_VIDEODRIVER",
+    }
+
+
+@POSIX
+def test_child_runs_under_the_limits_it_was_given() -> None:
+    """Memory, CPU time, file size and open files are limited, and cannot be raised again."""
+    source = """\
+import resource
+def f():
+    names = ("AS", "CPU", "FSIZE", "NOFILE", "CORE")
+    return [resource.getrlimit(getattr(resource, "RLIMIT_" + name)) for name in names]
+def g():
+    with open("file", "wb") as file:
+        file.write(b"x" * 2_000_000)
+"""
+    limits = Limits(cpu_seconds=7, bytes_of_memory=900_000_000)
+    with StudentProcess(units(source), limits) as student:
+        most = [900_000_000, 7, 1_000_000, 64, 0]
+        assert student.call("f", ()).value == [[limit, limit] for limit in most]
+        assert "File too large" in student.call("g", ()).text
+
+
+@POSIX
+def test_child_is_ended_by_the_limit_on_cpu_time() -> None:
+    """A call that burns more CPU time than allowed ends as a crash, before the wall clock."""
+    source = "def f():\n    while True: pass"
+    with StudentProcess(units(source), Limits(cpu_seconds=1, seconds_a_call=5.0)) as student:
+        assert student.call("f", ()).kind == "crashed"
+
+
+@POSIX
+def test_exit_ends_child_threads_and_whatever_it_started(temporary: Path) -> None:
+    """Afterwards no process of the submission is left, and no folder."""
+    source = """\
+import os, threading, time
+def f():
+    threading.Thread(target=time.sleep, args=(60,)).start()
+    started = os.fork()
+    if not started:
+        time.sleep(60)
+    return os.getpid(), started
+"""
+    with StudentProcess(units(source)) as student:
+        processes = student.call("f", ()).value
+        assert all(Path(f"/proc/{process}").exists() for process in processes)
+    _wait_for_end_of(processes)
+    assert list(temporary.iterdir()) == []
+
+
+def _wait_for_end_of(processes: list[int]) -> None:
+    """Wait until some processes have ended; a killed orphan is buried by the system's init."""
+    for _ in range(100):
+        if all(_state(process) in ("gone", "Z") for process in processes):
+            return
+        time.sleep(0.02)
+    pytest.fail(f"still running: {processes}")
+
+
+def _state(process: int) -> str:
+    """Return the state of a process, as the system shows it."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(") ")[2].partition(" ")[0]
+    except OSError:
+        return "gone"
+
+
+def test_each_child_has_a_folder_of_its_own(quick: Limits, temporary: Path) -> None:
+    """A submission that deletes its folder and dies is called again in a new one."""
+    source = """\
+import os, shutil
+def f():
+    shutil.rmtree(os.getcwd())
+    os._exit(0)
+def g():
+    return os.listdir(os.getcwd())
+"""
+    with StudentProcess(units(source), quick) as student:
+        assert student.call("f", ()).kind == "crashed"
+        assert student.call("g", ()) == Outcome("returned", [])
+    assert list(temporary.iterdir()) == []
+
+
+def test_folders_nested_by_the_thousand_do_not_stop_the_parent(temporary: Path) -> None:
+    """A tree too deep for Python's own rmtree is left behind, and the grader goes on."""
+    source = """\
+import os
+def f():
+    for _ in range(1500):
+        os.mkdir("d")
+        os.chdir("d")
+"""
+    with StudentProcess(units(source)) as student:
+        assert student.call("f", ()) == Outcome("returned", None)
+    for folder in temporary.iterdir():
+        _flatten(folder)
+
+
+def _flatten(folder: Path) -> None:
+    """Remove a deep tree of single folders, level by level."""
+    while (inner := folder / "d").exists():
+        inner.rename(folder.parent / "inner")
+        folder.rmdir()
+        folder = (folder.parent / "inner").rename(folder)
+    folder.rmdir()
+
+
+def test_call_that_hangs_is_a_timeout(quick: Limits) -> None:
+    """A call that does not come back is cut off after the limit, and the child with it."""
+    source = "import time\ndef f(): time.sleep(60)\ndef g(): return 1"
+    with StudentProcess(units(source), quick) as student:
+        began = time.perf_counter()
+        assert student.call("f", ()) == Outcome("timeout", text="it did not finish within 0.5 s")
+        assert time.perf_counter() - began < 10.0
+        assert student.call("g", ()).value == 1
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        '"kind": "returned", "value": [1, 2]',
+        '"kind": "returned", "value": [1, 2], "number": 99',
+        '"loaded": 5',
+        '"number": [2]',
+    ],
+)
+def test_forged_reply_without_the_number_asked_for_is_a_crash(quick: Limits, reply: str) -> None:
+    """A line out of turn ends the child, so that it cannot be taken for the next answer."""
+    source = f"{FORGE}\ndef f(): forge(**{{{reply}}})\ndef g(): return 1"
+    with StudentProcess(units(source), quick) as student:
+        outcome = student.call("f", ())
+        assert outcome.kind == "crashed"
+        assert outcome.text == "it wrote where only the grader's own lines may stand"
+        assert student.call("g", ()) == Outcome("returned", 1)
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        {},
+        {"kind": "passed"},
+        {"kind": ["returned"]},
+        {"kind": None, "value": 1},
+        {"kind": "returned", "value": {"points": 4}},
+        {"kind": "returned", "value": 10**400},
+        {"kind": "returned", "value": [[[[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]]]},
+        {"kind": "timeout"},
+    ],
+    ids=str,
+)
+def test_forged_reply_of_another_form_cannot_be_read(quick: Limits, reply: dict[str, Any]) -> None:
+    """With the right number too, nothing but the agreed kinds and plain values comes through."""
+    source = f"{FORGE}\ndef f(): forge(number=2, **{reply})"
+    with StudentProcess(units(source), quick) as student:
+        outcome = student.call("f", ())
+    assert outcome == Outcome("crashed", text="the answer could not be read")
+
+
+@pytest.mark.parametrize("loaded", [5, None, {"a": 1}, "text", [1, None, {}]], ids=str)
+def test_forged_reply_to_loading_does_no_harm(quick: Limits, loaded: Any) -> None:
+    """Whatever stands where the load errors belong, they end up as lines of text."""
+    source = f"{FORGE}\nforge(number=1, loaded={loaded})"
+    with StudentProcess(units(source), quick) as student:
+        assert all(type(line) is str for line in student.load_errors)
+
+
+@pytest.mark.parametrize("line", ['b"[" * 200_000', 'b"\\\\xff\\\\xfe"', 'b"9" * 5000', 'b"no"'])
+def test_forged_line_that_is_no_json_is_a_crash(quick: Limits, line: str) -> None:
+    """A line that breaks a JSON reader ends the child and not the parent."""
+    source = f"""\
+import os
+def f():
+    for descriptor in range(3, 21):
+        try:
+            os.write(descriptor, {line} + b"\\n")
+        except OSError:
+            pass
+"""
+    with StudentProcess(units(source), quick) as student:
+        assert student.call("f", ()).kind == "crashed"
+
+
+@POSIX
+def test_parent_does_not_store_what_it_has_not_asked_for() -> None:
+    """Lines written without end stay in the pipe and do not fill the parent's memory."""
+    source = """\
+import json, os, threading
+block = b'{"number": 0}\\n' * 10_000
+def flood():
+    while True:
+        for descriptor in range(3, 21):
+            try:
+                os.write(descriptor, block)
+            except OSError:
+                pass
+def f():
+    for descriptor in range(3, 21):
+        try:
+            os.write(descriptor, b'{"kind": "returned", "value": 1, "number": 2}\\n')
+        except OSError:
+            pass
+    threading.Thread(target=flood, daemon=True).start()
+"""
+    with StudentProcess(units(source)) as student:
+        assert student.call("f", ()).value == 1
+        before = _megabytes()
+        time.sleep(0.5)
+        assert _megabytes() - before < 20
+
+
+def _megabytes() -> float:
+    """Return the memory that this process holds now."""
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+def test_answer_longer_than_allowed_is_a_crash() -> None:
+    """The parent reads no more of an answer than it has set."""
+    source = "def f(): return 'x' * 10_000"
+    with StudentProcess(units(source), Limits(bytes_an_answer=1000)) as student:
+        assert student.call("f", ()).kind == "crashed"
+
+
+def test_words_of_a_student_cannot_forge_a_report() -> None:
+    """Line ends, escape sequences and marks of direction become spaces; long texts are cut."""
+    source = """\
+def f(): raise ValueError("\\x1b[2J\\n1.1 f: 4/4 points\\u202e\\ud800\\x07" + "x" * 1000)
+"""
+    with StudentProcess(units(source)) as student:
+        outcome = student.call("f", ())
+    assert outcome.text.startswith("ValueError:  [2J 1.1 f: 4/4 points   xxx")
+    assert outcome.text.isprintable()
+    assert len(outcome.text) <= LONGEST_TEXT
+
+
+def test_no_thread_or_open_file_is_left_behind(quick: Limits) -> None:
+    """Ten submissions, good and bad, leave neither threads nor open descriptors."""
+    sources = ["def f(): return 1", "def f():\n    while True: pass"]
+    threads, files = threading.active_count(), _open_files()
+    for source in sources * 5:
+        with StudentProcess(units(source), Limits(seconds_a_call=0.05)) as student:
+            student.call("f", ())
+    assert threading.active_count() == threads
+    assert _open_files() == files
+
+
+def _open_files() -> int:
+    """Return how many descriptors this process has open."""
+    folder = Path("/proc/self/fd")
+    return len(list(folder.iterdir())) if folder.exists() else 0
+
+
+def test_isolation_in_force_is_named_truly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The report says "limits" where they are set, and claims less where they are not."""
+    if os.name == "posix":
+        assert isolation_in_force().startswith("limits (")
+    monkeypatch.setattr(os, "name", "nt")
+    assert isolation_in_force().startswith("process (")
+
+
+def here(function: Any, *arguments: Any, seconds: float = 3.0) -> Outcome:
+    """Return what comes of calling a function in this process."""
+    return call_here({"f": function}, "f", arguments, seconds)
+
+
+def test_call_here_returns_what_a_child_returns() -> None:
+    """In a notebook an answer is made as plain as across the wall."""
+    assert here(lambda n, v: (n, v), 2, (3.0, 4.0)) == Outcome("returned", [2, [3.0, 4.0]])
+    assert here(dict).kind == "unusable"
+    assert here(lambda: 1 / 0).text == "ZeroDivisionError: division by zero"
+    assert here(None) == Outcome("missing", text="there is no function named f")
+
+
+def test_call_here_cuts_off_an_endless_loop() -> None:
+    """A loop without an end is interrupted after the limit, and so is one in an answer."""
+
+    def loops() -> None:
+        while True:
+            try:
+                math.sqrt(2.0)
+            except Exception:  # noqa: S112 - as students do
+                continue
+
+    def yields_for_ever() -> Iterator[float]:
+        while True:
+            pass
+        yield 1.0
+
+    late = Outcome("timeout", text="it did not finish within 0.1 s")
+    assert here(loops, seconds=0.1) == late
+    assert here(yields_for_ever, seconds=0.1) == late
+
+
+def test_call_here_works_outside_of_the_main_thread() -> None:
+    """Where no timer can interrupt, the call is made all the same."""
+    outcomes: list[Outcome] = []
+    thread = threading.Thread(target=lambda: outcomes.append(here(lambda: 1.0)))
+    thread.start()
+    thread.join()
+    assert outcomes == [Outcome("returned", 1.0)]
+
+
+def test_call_here_is_silent(capfd: pytest.CaptureFixture[str]) -> None:
+    """What an answer prints does not stand between the marks."""
+
+    def talks() -> float:
+        print("hello")  # noqa: T201
+        print("hello", file=sys.stderr)  # noqa: T201
+        return 1.0
+
+    assert here(talks).value == 1.0
+    print("after")  # noqa: T201
+    assert capfd.readouterr() == ("after\n", "")
+
+
+def test_call_here_hides_lesson_code_from_the_answer_alone() -> None:
+    """An answer cannot import lesson_code in any way; afterwards everybody can again."""
+
+    def imports() -> float:
+        from lesson_code.formulas import elastic_1d
+
+        return float(elastic_1d(1, 1, 1, 1)[0])
+
+    def imports_what_is_not_loaded() -> float:
+        return float(importlib.import_module("lesson_code.quiz.terminal") is None)
+
+    for function in (imports, imports_what_is_not_loaded):
+        outcome = here(function)
+        assert outcome.kind == "raised"
+        assert outcome.text.startswith("ModuleNotFoundError")
+    assert imports() == 1.0
+
+
+def test_kept_apart_puts_back_what_checks_are_made_of() -> None:
+    """Builtins, json, math and numpy are as they were, whatever was done to them."""
+    originals = (builtins.abs, json.dumps, math.hypot, np.array)
+    with kept_apart():
+        setattr(builtins, "abs", lambda _: 0)  # noqa: B010
+        setattr(json, "dumps", None)  # noqa: B010
+        del math.hypot
+        setattr(np, "array", None)  # noqa: B010
+    assert (builtins.abs, json.dumps, math.hypot, np.array) == originals
+
+
+def test_kept_apart_puts_back_after_an_error() -> None:
+    """An error on the way does not leave lesson_code hidden."""
+    with pytest.raises(ZeroDivisionError), kept_apart():
+        1 / 0  # noqa: B018
+    assert sys.modules["lesson_code"] is not None

@@ -1,0 +1,283 @@
+"""Every committed notebook keeps the rules of the course: its form, its words, its outputs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import nbformat
+import pytest
+
+ROOT = Path(__file__).parents[1]
+CHAPTERS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))
+STUDENT_COPIES = sorted((ROOT / "exercises").glob("*.ipynb"))
+ALL = [*CHAPTERS, *SOLUTIONS, *STUDENT_COPIES]
+
+MOST_LINES_IN_A_CELL = 15
+MOST_WORDS_IN_A_PARAGRAPH = 119
+SHORTEST_ALT_TEXT = 30
+"""Characters: less than this cannot say what is in a figure."""
+
+ADDRESS = re.compile(r"\bat 0x[0-9a-f]{4,}|<[\w.]+ object at")
+ABSOLUTE_PATH = re.compile(
+    r"(?<![\w:/.])/(?:home|root|tmp|usr|var|work|opt|Users|private|mnt|etc)\b/?|\b[A-Z]:\\"
+)
+EMOJI = re.compile(r"[\U0001f000-\U0001faff\u2600-\u27bf\u2b50\ufe0f]")
+LINK = re.compile(r"\[[^]]*]\(([^)\s]+)")
+
+
+def read(path: Path) -> Any:
+    """Return a notebook."""
+    return nbformat.read(path, as_version=4)
+
+
+def code_cells(path: Path) -> list[Any]:
+    """Return a notebook's code cells."""
+    return [cell for cell in read(path).cells if cell.cell_type == "code"]
+
+
+def prose(path: Path) -> list[str]:
+    """Return the text of each markdown cell."""
+    return [cell.source for cell in read(path).cells if cell.cell_type == "markdown"]
+
+
+def paragraphs(text: str) -> list[str]:
+    """Return the paragraphs of some markdown: headings, formulas and list items apart."""
+    text = re.sub(r"\$\$.*?\$\$", "\n\n", text, flags=re.DOTALL)
+    parts = re.split(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.)\s)|^#+ .*$", text, flags=re.MULTILINE)
+    return [part for part in parts if part.strip()]
+
+
+def outputs(path: Path) -> Iterator[tuple[int, Any]]:
+    """Yield each output, with the number of its code cell, from 1."""
+    for number, cell in enumerate(code_cells(path), start=1):
+        for output in cell.outputs:
+            yield number, output
+
+
+def words_in(output: Any) -> str:
+    """Return whatever text an output holds, pictures left out."""
+    data = {k: v for k, v in output.get("data", {}).items() if not k.startswith("image/")}
+    return "\n".join(
+        map(str, [output.get("text", ""), *data.values(), output.get("traceback", "")])
+    )
+
+
+def chapters(function: Any) -> Any:
+    """Run a test for each chapter's notebook."""
+    return pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)(function)
+
+
+def notebooks(function: Any) -> Any:
+    """Run a test for each notebook of the workbook."""
+    ids = [f"{path.parent.name}-{path.stem}" for path in ALL]
+    return pytest.mark.parametrize("path", ALL, ids=ids)(function)
+
+
+def test_there_are_notebooks_to_look_at() -> None:
+    """The tests below find what they are about."""
+    assert len(CHAPTERS) >= 4
+    assert len(SOLUTIONS) == len(STUDENT_COPIES) >= 3
+
+
+# Every chapter's form
+
+
+@chapters
+def test_chapter_opens_with_its_number_and_three_things_to_learn(path: Path) -> None:
+    """The first cell has the title, and three numbered things the reader will be able to do."""
+    first = prose(path)[0]
+    assert first.startswith(f"# {path.stem[:2]} ")
+    _, found, aims = first.partition("you will be able to")
+    assert found
+    assert re.findall(r"^(\d)\. ", aims, flags=re.MULTILINE) == ["1", "2", "3"]
+
+
+@chapters
+def test_chapter_says_what_it_needs_and_how_long_it_takes(path: Path) -> None:
+    """Prerequisites and time stand in the first cell."""
+    first = prose(path)[0]
+    assert "**You need**" in first
+    assert re.search(r"\*\*Time:\*\*\s+about\s+\d+\s+minutes", first)
+
+
+@chapters
+def test_chapter_has_its_own_quiz(path: Path) -> None:
+    """One cell shows the quiz of this chapter, under a heading that says so."""
+    assert [c.source for c in code_cells(path) if "show_quiz(" in c.source] == [
+        f'show_quiz("{path.stem[:2]}")'
+    ]
+    assert any(re.search(r"^## \d+ Quiz$", text, flags=re.MULTILINE) for text in prose(path))
+
+
+@chapters
+def test_chapter_has_something_to_move(path: Path) -> None:
+    """At least one figure has sliders."""
+    assert any(re.search(r"^explore\(", c.source, flags=re.MULTILINE) for c in code_cells(path))
+
+
+@chapters
+def test_chapter_breaks_something_on_purpose(path: Path) -> None:
+    """A section shows what goes wrong, and why; the gate of chapter 03 is one too."""
+    headings = re.findall(r"^## .*$", "\n".join(prose(path)), flags=re.MULTILINE)
+    assert any("Break it on purpose" in heading for heading in headings)
+
+
+@chapters
+def test_chapter_closes_with_what_was_checked_and_sources(path: Path) -> None:
+    """The last cell says what was checked, what comes next, and where it is from."""
+    last = prose(path)[-1]
+    assert read(path).cells[-1].source == last
+    assert last.startswith("## What was checked")
+    assert "**Checked here:**" in last
+    assert "**Next:**" in last
+    assert "**Sources.**" in last
+
+
+@chapters
+def test_sections_are_numbered_without_gaps(path: Path) -> None:
+    """A section can be pointed to by its number."""
+    numbers = re.findall(r"^## (\d+) ", "\n".join(prose(path)), flags=re.MULTILINE)
+    assert [int(number) for number in numbers] == [*range(1, len(numbers) + 1)]
+    assert len(numbers) >= 5
+
+
+# Words
+
+
+@notebooks
+def test_paragraphs_are_short(path: Path) -> None:
+    """No paragraph has 120 words or more."""
+    long = [
+        part[:60]
+        for text in prose(path)
+        for part in paragraphs(text)
+        if len(part.split()) > MOST_WORDS_IN_A_PARAGRAPH
+    ]
+    assert long == []
+
+
+@notebooks
+def test_there_are_no_emoji(path: Path) -> None:
+    """Neither in the prose nor in the code."""
+    assert EMOJI.findall("\n".join(cell.source for cell in read(path).cells)) == []
+
+
+@notebooks
+def test_links_to_files_lead_somewhere(path: Path) -> None:
+    """Every link that is not to the web is to a file of the workbook."""
+    links = [link for text in prose(path) for link in LINK.findall(text)]
+    local = [unquote(link.partition("#")[0]) for link in links if "://" not in link]
+    assert [link for link in local if link and not (path.parent / link).is_file()] == []
+
+
+# Code
+
+
+@notebooks
+def test_code_cells_are_short(path: Path) -> None:
+    """No code cell is longer than 15 lines, empty ones between not counted."""
+    long = {
+        number: lines
+        for number, cell in enumerate(code_cells(path), start=1)
+        if (lines := sum(1 for line in cell.source.splitlines() if line.strip()))
+        > MOST_LINES_IN_A_CELL
+    }
+    assert long == {}
+
+
+@notebooks
+def test_code_cells_define_no_classes_and_load_no_files(path: Path) -> None:
+    """Notebooks tell, `lesson_code` computes; nothing is read from anywhere else."""
+    code = "\n".join(cell.source for cell in code_cells(path))
+    assert not re.search(r"^class |\bopen\(|\burlopen\(|^[%!]", code, flags=re.MULTILINE)
+
+
+# Figures
+
+
+@notebooks
+def test_every_picture_has_an_alt_text_and_says_it_in_words_too(path: Path) -> None:
+    """Who cannot see a figure, or has no browser, reads what is in it."""
+    for number, output in outputs(path):
+        if any(kind.startswith("image/") for kind in output.get("data", {})):
+            alt = output.metadata.get("image/png", {}).get("alt", "")
+            assert len(alt) >= SHORTEST_ALT_TEXT, f"code cell {number}"
+            assert alt in output.data["text/plain"], f"code cell {number}"
+
+
+@chapters
+def test_chapter_has_figures(path: Path) -> None:
+    """There is at least one picture, stored for those who only read."""
+    assert any("image/png" in output.get("data", {}) for _, output in outputs(path))
+
+
+# Outputs
+
+
+@notebooks
+def test_outputs_hold_no_paths_and_no_memory_addresses(path: Path) -> None:
+    """What is stored is the same on every machine."""
+    for number, output in outputs(path):
+        found = [p.search(words_in(output)) for p in (ADDRESS, ABSOLUTE_PATH)]
+        assert found == [None, None], f"code cell {number}"
+
+
+@notebooks
+def test_code_names_no_place_on_one_machine(path: Path) -> None:
+    """Code and prose hold no absolute path."""
+    for cell in read(path).cells:
+        assert ABSOLUTE_PATH.search(cell.source) is None
+
+
+@notebooks
+def test_nothing_is_stored_of_when_and_where_it_ran(path: Path) -> None:
+    """Metadata is what the kernel needs and tags, no more; no widget's state, no errors."""
+    notebook = read(path)
+    assert set(notebook.metadata) <= {"kernelspec", "language_info", "workbook"}
+    for cell in notebook.cells:
+        assert set(cell.metadata) <= {"tags"}
+        for output in cell.get("outputs", []):
+            assert set(output.get("metadata", {})) <= {"image/png"}
+            assert not [kind for kind in output.get("data", {}) if "widget" in kind]
+            assert output.output_type != "error"
+            assert output.get("name") != "stderr"
+
+
+@notebooks
+def test_notebook_is_valid_and_its_cells_have_unique_ids(path: Path) -> None:
+    """Every front end opens it without a word."""
+    notebook = read(path)
+    nbformat.validate(notebook)
+    ids = [cell.id for cell in notebook.cells]
+    assert len(set(ids)) == len(ids)
+
+
+@pytest.mark.parametrize("path", [*CHAPTERS, *SOLUTIONS], ids=lambda p: f"{p.parent.name}-{p.stem}")
+def test_cells_were_run_top_to_bottom(path: Path) -> None:
+    """Counts are those of one run from the top: the n-th code cell has n, or prints nothing."""
+    for number, cell in enumerate(code_cells(path), start=1):
+        assert cell.execution_count == (number if cell.outputs else None)
+
+
+@pytest.mark.parametrize("path", STUDENT_COPIES, ids=lambda path: path.stem)
+def test_student_copies_hold_no_outputs_and_nothing_for_the_instructor(path: Path) -> None:
+    """What is handed out was never run, and has no cell of the solution."""
+    assert list(outputs(path)) == []
+    assert all(cell.execution_count is None for cell in code_cells(path))
+    assert not [c for c in read(path).cells if "solution" in c.metadata.get("tags", [])]
+
+
+@pytest.mark.parametrize("path", SOLUTIONS, ids=lambda path: path.stem)
+def test_solutions_show_full_marks(path: Path) -> None:
+    """The stored output of each check cell is a line with all the points."""
+    checks = [cell for cell in code_cells(path) if "check" in cell.metadata.get("tags", [])]
+    assert checks
+    for cell in checks:
+        points = re.search(r"(\d+)/(\d+) points", words_in(cell.outputs[0]))
+        assert points
+        assert points[1] == points[2]
