@@ -102,7 +102,7 @@ check("the textbook form agrees", elastic_1d(1, 2, 3, -2)[0], textbook, toleranc
 
 # %%
 before, after = (2.0, -1.0), elastic_1d(1, 2, 3, -1)
-fig, ax = style.figure(width=6.4, height=3.6)
+fig, ax = style.figure(width=6.4, height=2.8)
 plots.carts(ax, 1, [before, after], 3, ["before", "after an elastic collision"])
 show(
     fig,
@@ -120,7 +120,7 @@ show(
 #
 # The number e is the **restitution**. With e = 1 the collision is elastic, with e = 0 perfectly
 # inelastic. Chapter 02 is about this number. Since $v_1 - V = w_2 (v_1 - v_2)$, the program needs
-# only four lines. These are the lines that run when you call `collide_1d`, and the lines that
+# only a few lines. These are the lines that run when you call `collide_1d`, and the lines that
 # everything else in this course runs:
 
 # %%
@@ -141,7 +141,7 @@ check("e = 1 is elastic", collide_1d(1, 2, 3, -1, 1), elastic_1d(1, 2, 3, -1))
 # %%
 def draw_collision(mass_2, velocity_2, restitution):
     before, after = (2.0, velocity_2), collide_1d(1, 2.0, mass_2, velocity_2, restitution)
-    fig, ax = style.figure(width=6.4, height=3.6)
+    fig, ax = style.figure(width=6.4, height=2.8)
     plots.carts(ax, 1, [before, after], mass_2, ["before", f"after, e = {restitution:.2f}"])
     return fig
 
