@@ -184,7 +184,7 @@ def _cart(ax: Axes, foot: Point, size: float, name: str, color: str, hatch: str)
         ha="center",
         va="center",
         fontweight="bold",
-        bbox={"boxstyle": "circle,pad=0.2", "facecolor": color, "edgecolor": "none"},
+        bbox={"boxstyle": "circle,pad=0.45", "facecolor": color, "edgecolor": "none"},
     )
 
 
