@@ -132,8 +132,9 @@ class StudentProcess:
         if isinstance(reply, Outcome):
             self._load_failed = Outcome(reply.kind, text=f"{reply.text}, while it was loaded")
         else:
-            loaded = reply.get("loaded")
-            self.load_errors = [_one_line(e) for e in loaded] if isinstance(loaded, list) else []
+            errors = reply.get("loaded")
+            lines = errors if isinstance(errors, list) else []
+            self.load_errors = [_one_line(line) for line in lines if isinstance(line, str)]
 
     def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | Outcome:
         """Return the child's reply, or what kept it from replying."""
@@ -233,18 +234,18 @@ def _object_in(line: bytes) -> dict[str, Any] | None:
 
 def _outcome(reply: dict[str, Any]) -> Outcome:
     """Return what a reply says, if it says it in the form agreed on."""
-    kind = reply.get("kind")
+    kind, text = reply.get("kind"), reply.get("text", "")
     try:
-        if kind in KINDS_FROM_CHILD:
-            return Outcome(kind, child.plain(reply.get("value")), _one_line(reply.get("text", "")))
+        if kind in KINDS_FROM_CHILD and isinstance(text, str):
+            return Outcome(kind, child.plain(reply.get("value")), _one_line(text))
     except (ValueError, OverflowError):
         pass
     return Outcome("crashed", text="the answer could not be read")
 
 
-def _one_line(text: Any) -> str:
+def _one_line(text: str) -> str:
     """Return a student's words so that they can stand in a report and forge none of it."""
-    shown = str(text)[:LONGEST_TEXT]
+    shown = text[:LONGEST_TEXT]
     return "".join(character if character.isprintable() else " " for character in shown)
 
 

@@ -23,8 +23,8 @@ def root() -> Path:
 
 @pytest.fixture(scope="session")
 def quick() -> Limits:
-    """Return limits that a hanging or greedy submission meets soon."""
-    return Limits(seconds_to_load=3.0, seconds_a_call=0.5, bytes_of_memory=600_000_000)
+    """Return limits that a call which hangs or takes memory meets soon."""
+    return Limits(seconds_a_call=0.5, bytes_of_memory=600_000_000)
 
 
 @pytest.fixture

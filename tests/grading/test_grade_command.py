@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typer.testing import CliRunner
+from typer.testing import CliRunner, Result
 
 from lesson_code.cli import app
 
@@ -17,17 +17,15 @@ FOLDER = Path(__file__).parent / "golden"
 WORKBOOK = Path(sysconfig.get_path("scripts")) / "workbook"
 
 
-def workbook(*arguments: object, folder: Path = FOLDER) -> subprocess.CompletedProcess[str]:
-    """Run the command as an instructor does."""
-    return subprocess.run(
-        [WORKBOOK, *map(str, arguments)],
-        cwd=folder, capture_output=True, text=True, timeout=60,
-    )  # fmt: skip
+def workbook(*arguments: object) -> Result:
+    """Run the command, here."""
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
-def graded(*arguments: object) -> dict[str, Any]:
+def graded(*arguments: str) -> dict[str, Any]:
     """Return what ``workbook grade --json`` prints."""
-    value: dict[str, Any] = json.loads(workbook("grade", *arguments, "--json").stdout)
+    name, *options = arguments
+    value: dict[str, Any] = json.loads(workbook("grade", FOLDER / name, *options, "--json").stdout)
     return value
 
 
@@ -47,19 +45,29 @@ def test_grade_of_what_cannot_be_graded_exits_2_with_a_line(
     """Exit code 2, one line on standard error with the file's name, and nothing else."""
     if content is not None:
         (tmp_path / name).write_bytes(content)
-    ran = workbook("grade", name, "--json", folder=tmp_path)
-    assert ran.returncode == 2
+    ran = workbook("grade", tmp_path / name, "--json")
+    assert ran.exit_code == 2
     assert ran.stdout == ""
     assert len(ran.stderr.splitlines()) == 1
     assert name in ran.stderr
     assert reason in ran.stderr
 
 
+def test_grade_as_a_command_of_its_own(tmp_path: Path) -> None:
+    """The installed command says the same, without a traceback."""
+    ran = subprocess.run(
+        [WORKBOOK, "grade", "missing.ipynb"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert ran.stderr == "workbook: missing.ipynb: no such file\n"
+
+
 def test_grade_of_long_path_is_not_broken_over_lines(tmp_path: Path) -> None:
     """The line that names the file stays one line, however long the path."""
     path = tmp_path / ("long" * 30) / "missing.py"
     ran = workbook("grade", path)
-    assert ran.returncode == 2
+    assert ran.exit_code == 2
     assert f"{path}: no such file\n" in ran.stderr
 
 
@@ -69,9 +77,9 @@ def test_grade_of_long_path_is_not_broken_over_lines(tmp_path: Path) -> None:
 )
 def test_grade_exit_code_says_whether_marks_are_full(name: str, code: int, points: int) -> None:
     """Exit code 0 for full marks and 1 otherwise; JSON is one object of version 1."""
-    ran = workbook("grade", name, "--json")
+    ran = workbook("grade", FOLDER / name, "--json")
     value = json.loads(ran.stdout)
-    assert ran.returncode == code
+    assert ran.exit_code == code
     assert (value["version"], value["command"], value["points"]) == (1, "grade", points)
     assert ran.stderr == ""
 
@@ -79,7 +87,7 @@ def test_grade_exit_code_says_whether_marks_are_full(name: str, code: int, point
 def test_grade_seed_repeats_marks_and_messages() -> None:
     """With the seed of a first run, a second one prints the same."""
     first = graded("wrong_model.ipynb")
-    assert graded("wrong_model.ipynb", "--seed", first["seed"]) == first
+    assert graded("wrong_model.ipynb", "--seed", str(first["seed"])) == first
 
 
 def test_grade_exercise_can_be_named() -> None:
@@ -90,8 +98,7 @@ def test_grade_exercise_can_be_named() -> None:
 
 def test_grade_under_nbval_says_that_it_has_no_isolation() -> None:
     """Before nbval starts it says so, and its JSON says "none"."""
-    path = str(FOLDER / "wrong_model.ipynb")
-    ran = CliRunner().invoke(app, ["grade", path, "--nbval", "--json"])
+    ran = workbook("grade", FOLDER / "wrong_model.ipynb", "--nbval", "--json")
     value = json.loads(ran.stdout)
     assert ran.exit_code == 1
     assert "without any isolation" in ran.stderr

@@ -84,7 +84,7 @@ def test_judge_expected_answer_earns_every_point(task: Task) -> None:
         {"a": 1},
         object(),
     ],
-    ids=str,
+    ids=range(17),
 )
 def test_judge_nonsense_earns_nothing_and_gets_a_message(task: Task, answer: Any) -> None:
     """Whatever form an answer has, it is judged, with a message and without an error."""

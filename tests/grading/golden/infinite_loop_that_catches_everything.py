@@ -1,4 +1,4 @@
-def elastic_1d(m1, v1, m2, v2):
+def elastic_impulse_1d(m1, v1, m2, v2):
     while True:
         try:
             while True:
@@ -12,5 +12,6 @@ def inelastic_1d(m1, v1, m2, v2):
     return v, v
 
 
-def elastic_impulse_1d(m1, v1, m2, v2):
-    return 2 * m1 * m2 / (m1 + m2) * (v1 - v2)
+def elastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return 2 * v - v1, 2 * v - v2

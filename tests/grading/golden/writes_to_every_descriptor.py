@@ -1,4 +1,4 @@
-"""Forged results on every descriptor: with the right numbers, for somebody else's question."""
+"""Forged results on every descriptor that may lead to the grader."""
 
 import json
 import os
