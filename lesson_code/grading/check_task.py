@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from lesson_code.grading.exercises import task_by_id
-from lesson_code.grading.isolation import call_here
+from lesson_code.grading.in_process import call_here
 from lesson_code.grading.verdict import Verdict, judge
 
 LARGEST_SEED = 10_000

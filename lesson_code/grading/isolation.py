@@ -6,10 +6,8 @@ files, an empty environment and an empty working folder. What is expected never 
 
 from __future__ import annotations
 
-import builtins
 import contextlib
 import json
-import math
 import os
 import queue
 import signal
@@ -17,35 +15,15 @@ import subprocess
 import sys
 import tempfile
 import threading
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import count
-from pathlib import Path
-from types import ModuleType, TracebackType
-from typing import Any, Literal, TypeAlias, cast
-
-import numpy as np
+from types import TracebackType
+from typing import Any
 
 from lesson_code.grading import child
+from lesson_code.grading.outcome import Outcome, one_line, outcome_of
 from lesson_code.grading.submission import Unit
 from lesson_code.grading.task import Arguments
-
-Kind: TypeAlias = Literal[
-    "returned", "raised", "unusable", "missing", "not written", "timeout", "crashed"
-]
-KINDS_FROM_CHILD = ("returned", "raised", "unusable", "missing", "not written")
-
-LONGEST_TEXT = 500
-"""Characters of what a child says in words that are kept."""
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a call: a plain value, or the reason why there is none."""
-
-    kind: Kind
-    value: Any = None
-    text: str = ""
 
 
 @dataclass(frozen=True)
@@ -106,7 +84,7 @@ class StudentProcess:
             return self._load_failed
         request = {"call": function, "arguments": arguments}
         reply = self._ask(request, self._limits.seconds_a_call)
-        return reply if isinstance(reply, Outcome) else _outcome(reply)
+        return reply if isinstance(reply, Outcome) else outcome_of(reply)
 
     def _start(self) -> None:
         """Start a child in a new folder and load the submission into it."""
@@ -134,7 +112,7 @@ class StudentProcess:
         else:
             errors = reply.get("loaded")
             lines = errors if isinstance(errors, list) else []
-            self.load_errors = [_one_line(line) for line in lines if isinstance(line, str)]
+            self.load_errors = [one_line(line) for line in lines if isinstance(line, str)]
 
     def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | Outcome:
         """Return the child's reply, or what kept it from replying."""
@@ -230,91 +208,3 @@ def _object_in(line: bytes) -> dict[str, Any] | None:
     except (ValueError, RecursionError, MemoryError):
         return None
     return value if isinstance(value, dict) else None
-
-
-def _outcome(reply: dict[str, Any]) -> Outcome:
-    """Return what a reply says, if it says it in the form agreed on."""
-    kind, text = reply.get("kind"), reply.get("text", "")
-    try:
-        if kind in KINDS_FROM_CHILD and isinstance(text, str):
-            return Outcome(kind, child.plain(reply.get("value")), _one_line(text))
-    except (ValueError, OverflowError):
-        pass
-    return Outcome("crashed", text="the answer could not be read")
-
-
-def _one_line(text: str) -> str:
-    """Return a student's words so that they can stand in a report and forge none of it."""
-    shown = text[:LONGEST_TEXT]
-    return "".join(character if character.isprintable() else " " for character in shown)
-
-
-def call_here(
-    functions: dict[str, Any], function: str, arguments: Arguments, seconds: float = 3.0
-) -> Outcome:
-    """Call a function in this process, as a notebook does with its reader's own code."""
-    try:
-        with kept_apart(), silence(), time_limit(seconds):
-            reply = child.call(function, list(arguments), functions)
-    except TimeLimitError:
-        return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
-    return _outcome(reply)
-
-
-@contextlib.contextmanager
-def kept_apart() -> Iterator[None]:
-    """Keep the code below apart from the checks, as far as that goes within one process.
-
-    Imports of lesson_code fail there, since an answer has to stand on its own. What it changes
-    in the modules that the checks are made of is put back.
-    """
-    own = {name: m for name, m in sys.modules.items() if name.partition(".")[0] == "lesson_code"}
-    used = [(vars(module), dict(vars(module))) for module in (builtins, json, math, np)]
-    sys.modules.update(dict.fromkeys(own, cast("ModuleType", None)))
-    try:
-        yield
-    finally:
-        for names, before in used:
-            names.update(before)
-        sys.modules.update(own)
-
-
-@contextlib.contextmanager
-def silence() -> Iterator[None]:
-    """Drop what is printed below, so that a check cell shows the marks and nothing else."""
-    with (
-        Path(os.devnull).open("w", encoding="utf-8") as sink,
-        contextlib.redirect_stdout(sink),
-        contextlib.redirect_stderr(sink),
-    ):
-        yield
-
-
-class TimeLimitError(BaseException):
-    """Raised inside a call that has taken too long; not an Exception, which it might catch."""
-
-
-@contextlib.contextmanager
-def time_limit(seconds: float) -> Iterator[None]:
-    """Raise TimeLimitError in the code below, once it has run for so long.
-
-    Only the main thread of a process on a system with timers can be interrupted so; elsewhere
-    there is no limit.
-    """
-    if (
-        not hasattr(signal, "setitimer")
-        or threading.current_thread() is not threading.main_thread()
-    ):
-        yield
-        return
-
-    def stop(*_: Any) -> None:
-        raise TimeLimitError
-
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)

@@ -20,10 +20,13 @@ from lesson_code.notebook_tools.nbval_run import Watcher, run_notebooks
 
 CHECK_CALL = re.compile(r"""check_task\(\s*["']([\w.]+)["']""")
 
+CELL_SECONDS = 20
+"""A check cuts off each call of an answer after 3 s, and stops at the first that hangs."""
+
 BEFORE = """\
 from contextlib import ExitStack
 
-from lesson_code.grading.isolation import kept_apart
+from lesson_code.grading.in_process import kept_apart
 
 answers_alone = ExitStack()
 answers_alone.enter_context(kept_apart())
@@ -99,7 +102,7 @@ def grade_under_nbval(
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "merged.ipynb"
         path.write_text(json.dumps(merged), encoding="utf-8")
-        results = run_notebooks([path], lax=True, watcher=watcher)
+        results = run_notebooks([path], lax=True, cell_seconds=CELL_SECONDS, watcher=watcher)
     passed = {result.cell for result in results if result.passed}
     functions = {task.id: task.function for task in exercise.tasks}
     return [

@@ -13,7 +13,7 @@ import numpy as np
 
 from lesson_code.grading.child import arguments_from, plain
 from lesson_code.grading.compare import agrees, told_apart, written
-from lesson_code.grading.isolation import Outcome
+from lesson_code.grading.outcome import Outcome
 from lesson_code.grading.task import Arguments, Criterion, Task, WrongModel
 
 Call: TypeAlias = Callable[[str, Arguments], Outcome]

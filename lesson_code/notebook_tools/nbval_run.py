@@ -70,7 +70,11 @@ class _Plugin:
 
 
 def run_notebooks(
-    paths: Sequence[Path], *, lax: bool = False, watcher: Watcher | None = None
+    paths: Sequence[Path],
+    *,
+    lax: bool = False,
+    cell_seconds: int = CELL_SECONDS,
+    watcher: Watcher | None = None,
 ) -> list[CellResult]:
     """Return the result of every code cell of some notebooks.
 
@@ -80,6 +84,8 @@ def run_notebooks(
         Executed notebooks.
     lax : bool
         Compare only the outputs of cells that are tagged ``nbval-check-output``.
+    cell_seconds : int
+        A cell that runs longer fails, and so do those after it.
     watcher : Watcher, optional
         Is told what goes on.
 
@@ -100,7 +106,7 @@ def run_notebooks(
         if not path.is_file():
             raise FileNotFoundError(f"{path}: there is no such notebook")
     plugin = _Plugin(watcher or Watcher())
-    code, written = _run_pytest([*_arguments(paths, lax), *map(str, paths)], plugin)
+    code, written = _run_pytest([*_arguments(paths, lax, cell_seconds), *map(str, paths)], plugin)
     if plugin.collect_errors:
         raise RuntimeError("\n".join(plugin.collect_errors))
     if code == pytest.ExitCode.INTERRUPTED:
@@ -110,7 +116,7 @@ def run_notebooks(
     return plugin.results
 
 
-def _arguments(paths: Sequence[Path], lax: bool) -> list[str]:
+def _arguments(paths: Sequence[Path], lax: bool, cell_seconds: int) -> list[str]:
     """Return pytest's options: the configuration of a project around is left alone."""
     return [
         "-c",
@@ -125,7 +131,7 @@ def _arguments(paths: Sequence[Path], lax: bool) -> list[str]:
         "--capture=no",
         "--nbval-lax" if lax else "--nbval",
         "--nbval-current-env",
-        f"--nbval-cell-timeout={CELL_SECONDS}",
+        f"--nbval-cell-timeout={cell_seconds}",
     ]
 
 

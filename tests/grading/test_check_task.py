@@ -10,7 +10,7 @@ import pytest
 from lesson_code.grading import check_task as check_task_in_notebooks
 from lesson_code.grading.check_task import check_task, lines_of
 from lesson_code.grading.exercises import EXERCISES, task_by_id
-from lesson_code.grading.isolation import call_here
+from lesson_code.grading.in_process import call_here
 from lesson_code.grading.task import Task
 from lesson_code.grading.verdict import judge
 
