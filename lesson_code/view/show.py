@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import io
 
 from IPython.display import display
@@ -15,8 +16,15 @@ def png_of(figure: Figure) -> bytes:
     return buffer.getvalue()
 
 
+UNSEEN = "position:absolute; width:1px; height:1px; overflow:hidden; clip-path:inset(50%)"
+"""Takes a text out of sight, but not away from a screen reader."""
+
+
 def show(figure: Figure, alt: str) -> None:
-    """Display a figure below the cell.
+    """Display a figure below the cell, and its text where a screen reader finds it.
+
+    JupyterLab gives the pictures of outputs no alternative text of their own; other viewers
+    take it from the picture's metadata.
 
     Parameters
     ----------
@@ -37,3 +45,5 @@ def show(figure: Figure, alt: str) -> None:
         metadata={"image/png": {"alt": alt}},
         raw=True,
     )
+    hidden = f'<p style="{UNSEEN}">Figure: {html.escape(alt)}</p>'
+    display({"text/html": hidden, "text/plain": f"Figure: {alt}"}, raw=True)  # type: ignore[no-untyped-call]

@@ -30,15 +30,25 @@ def test_show_displays_the_picture_once_with_its_text_in_both_places(displayed: 
     """The alt text stands in the picture's metadata, and in the plain text of terminals."""
     figure = a_line()
     show(figure, "A line that rises.")
-    [(bundle, options)] = displayed
+    (bundle, options), _ = displayed
     assert bundle == {"image/png": png_of(figure), "text/plain": "Figure: A line that rises."}
     assert options == {"metadata": {"image/png": {"alt": "A line that rises."}}, "raw": True}
 
 
+def test_show_says_the_text_out_of_sight_for_screen_readers(displayed: Any) -> None:
+    """Below the picture stands its text, escaped and out of sight."""
+    show(a_line(), "A line with x < y.")
+    _, (bundle, options) = displayed
+    assert bundle["text/html"].endswith(">Figure: A line with x &lt; y.</p>")
+    assert "clip-path" in bundle["text/html"]
+    assert bundle["text/plain"] == "Figure: A line with x < y."
+    assert options == {"raw": True}
+
+
 def test_show_returns_nothing(displayed: Any) -> None:
-    """The last line of a cell may be `show(...)`: nothing is displayed twice."""
+    """The last line of a cell may be `show(...)`: no picture is displayed twice."""
     assert show(a_line(), "A line.") is None  # type: ignore[func-returns-value]
-    assert len(displayed) == 1
+    assert sum("image/png" in bundle for bundle, _ in displayed) == 1
 
 
 @pytest.mark.parametrize("alt", ["", "  ", "\n"])
