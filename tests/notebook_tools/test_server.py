@@ -86,6 +86,7 @@ def test_usual_port_is_used_when_it_is_free(monkeypatch: pytest.MonkeyPatch, tak
     assert server._free_port([other, 0]) == other
 
 
+@NEEDS_JUPYTERLAB
 def test_taken_port_that_was_asked_for_is_refused(taken: int, tmp_path: Path) -> None:
     """Somebody else's server on that port is not taken for ours."""
     with pytest.raises(ServerError, match=f"port {taken} cannot be used"):
