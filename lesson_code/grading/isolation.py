@@ -54,9 +54,9 @@ class StudentProcess:
     After a call that hangs or kills the child, the next call gets a new child.
     """
 
-    def __init__(self, units: tuple[Unit, ...], limits: Limits = Limits()) -> None:
+    def __init__(self, units: tuple[Unit, ...], limits: Limits | None = None) -> None:
         self._units = units
-        self._limits = limits
+        self._limits = limits or Limits()
         self._process: subprocess.Popen[bytes] | None = None
         self._folder: tempfile.TemporaryDirectory[str] | None = None
         self._reader: threading.Thread | None = None

@@ -87,7 +87,7 @@ def grade(
     submission = read_submission(path)
     chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
     drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
-    with StudentProcess(submission.units, limits or Limits()) as student:
+    with StudentProcess(submission.units, limits) as student:
         verdicts = tuple(judge(task, student.call, drawn) for task in chosen.tasks)
         notes = (*submission.unreadable, *student.load_errors)
     return Report(submission, chosen, verdicts, notes, drawn, isolation_in_force())

@@ -34,7 +34,7 @@ class Watcher:
     finished: Callable[[CellResult], None] = lambda _result: None
 
 
-@dataclass
+@dataclass(eq=False)  # pytest keeps its plugins in a set
 class _Plugin:
     """Listens to pytest and passes on what concerns notebooks' cells."""
 
