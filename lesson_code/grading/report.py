@@ -122,8 +122,9 @@ def _names(criteria: tuple[CriterionVerdict, ...], *, full: bool) -> str:
 
 
 def _to_mend(verdict: Verdict) -> Group:
-    """Return what is wrong in a task's answer, each thing once, and the hint."""
-    lines: list[Any] = [Text(verdict.line)]
+    """Return what was asked, what is wrong in the answer, each thing once, and the hint."""
+    asked = Text(verdict.task.objective, style="italic")
+    lines: list[Any] = [Text(verdict.line), Padding(asked, (0, 0, 0, 2))]
     messages = dict.fromkeys(c.message for c in verdict.criteria if c.message)
     lines += [Padding(Text(message), (0, 0, 0, 2)) for message in messages]
     if verdict.recognised is not None:

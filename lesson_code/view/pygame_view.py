@@ -17,6 +17,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeAlias
 
+from lesson_code.view import palette
+
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 try:
     import pygame
@@ -50,14 +52,13 @@ Colour: TypeAlias = tuple[int, int, int]
 Place: TypeAlias = tuple[float, float]
 """x to the right and y down, px."""
 
-# Okabe and Ito, Color Universal Design (2008): told apart with any kind of colour blindness.
-ORANGE: Colour = (230, 159, 0)
-SKY: Colour = (86, 180, 233)
-GREEN: Colour = (0, 158, 115)
-YELLOW: Colour = (240, 228, 66)
-BLUE: Colour = (0, 114, 178)
-VERMILLION: Colour = (213, 94, 0)
-PURPLE: Colour = (204, 121, 167)
+ORANGE: Colour = palette.rgb(palette.ORANGE)
+SKY: Colour = palette.rgb(palette.SKY)
+GREEN: Colour = palette.rgb(palette.GREEN)
+YELLOW: Colour = palette.rgb(palette.YELLOW)
+BLUE: Colour = palette.rgb(palette.BLUE)
+VERMILION: Colour = palette.rgb(palette.VERMILION)
+PURPLE: Colour = palette.rgb(palette.PURPLE)
 
 INK: Colour = (240, 240, 236)
 FADED_INK: Colour = (176, 184, 188)

@@ -1,8 +1,4 @@
-"""Colours, line styles and sizes that all figures share.
-
-The colours are those of Okabe and Ito (2008), told apart by the colour-blind too. Colour is
-never the only cue: a second one (a label, a line style, a marker) always stands beside it.
-"""
+"""Colours and sizes that all figures share."""
 
 from __future__ import annotations
 
@@ -11,20 +7,28 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-BLUE = "#0072B2"
-ORANGE = "#E69F00"
-GREEN = "#009E73"
-VERMILION = "#D55E00"
-PURPLE = "#CC79A7"
-SKY = "#56B4E9"
+from lesson_code.view.palette import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
+
+__all__ = [
+    "BLUE",
+    "FIRST",
+    "GREEN",
+    "GREY",
+    "INK",
+    "ORANGE",
+    "PURPLE",
+    "SECOND",
+    "SKY",
+    "VERMILION",
+    "figure",
+    "plain",
+]
+
 GREY = "#6E6E6E"
 INK = "#222222"
 
 FIRST, SECOND = BLUE, VERMILION
 """The two bodies of a pair."""
-
-RIGHT, WRONG, REFERENCE = BLUE, VERMILION, GREEN
-"""Our answer, a wrong model's, and another engine's."""
 
 
 def figure(columns: int = 1, *, width: float = 7.0, height: float = 3.4) -> tuple[Figure, Any]:

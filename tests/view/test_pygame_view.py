@@ -20,7 +20,7 @@ from lesson_code.view.pygame_view import (
     ORANGE,
     PURPLE,
     SKY,
-    VERMILLION,
+    VERMILION,
     YELLOW,
     Window,
     blend,
@@ -163,7 +163,7 @@ def test_one_installed_is_silent(monkeypatch: pytest.MonkeyPatch, found: dict[st
 
 def test_palette_is_okabe_and_itos() -> None:
     """The colours are the seven of the Color Universal Design palette."""
-    palette = (ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILLION, PURPLE)
+    palette = (ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILION, PURPLE)
     written = [bytes(colour).hex() for colour in palette]
     assert written == ["e69f00", "56b4e9", "009e73", "f0e442", "0072b2", "d55e00", "cc79a7"]
 
