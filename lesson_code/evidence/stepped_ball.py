@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.formulas.validation import (
     Rule,
     non_negative,
@@ -22,9 +22,6 @@ Bounce: TypeAlias = Callable[[Any, Any, float], Any]
 
 UP = np.array([0.0, 1.0])
 UP.setflags(write=False)  # the rules under test are handed this very array
-
-ROUNDING_OF_STEPS = 1e-9
-"""Of a step: a duration of 30 steps may come out of the division as 29.999999999999996."""
 
 
 def drop_in_steps(
@@ -85,7 +82,7 @@ def drop_in_steps(
     """
     y, e = _one(positive, "height", height), _one(unit_interval, "restitution", restitution)
     g, dt = _one(positive, "gravity", gravity), _one(positive, "dt", dt)
-    steps = math.floor(_one(non_negative, "duration", duration) / dt + ROUNDING_OF_STEPS)
+    steps = whole_parts(_one(non_negative, "duration", duration), dt)
     times, heights = dt * np.arange(steps + 1.0), np.empty(steps + 1)
     heights[0] = y
     velocity = np.zeros(2)

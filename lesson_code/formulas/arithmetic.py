@@ -1,4 +1,4 @@
-"""The few operations that equations share: dot and cross product, perpendicular, clamp.
+"""The few operations that are shared: dot and cross product, perpendicular, clamp, whole parts.
 
 A vector's two components come first, so that ``a[0]`` is every x and ``a[1]`` every y:
 the same lines serve one vector of shape (2,) and a batch of shape (2, ...).
@@ -6,6 +6,7 @@ the same lines serve one vector of shape (2,) and a batch of shape (2, ...).
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -49,3 +50,16 @@ def clamp(value: Number, low: Number, high: Number) -> Any:
     if isinstance(value, np.ndarray) or isinstance(high, np.ndarray):
         return np.clip(value, low, high)
     return low if value < low else high if value > high else value
+
+
+ROUNDING_OF_PARTS = 1e-9
+"""Of a part: 30 parts may come out of a division as 29.999999999999996, and are 30 all the same."""
+
+
+def whole_parts(total: float, part: float) -> int:
+    """Return how many whole parts fit into a total: the steps in a duration, say.
+
+    >>> whole_parts(1.0, 1 / 60), whole_parts(0.11, 1 / 60)
+    (60, 6)
+    """
+    return math.floor(total / part + ROUNDING_OF_PARTS)

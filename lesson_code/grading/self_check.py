@@ -21,8 +21,9 @@ from lesson_code.grading.exercises import EXERCISES, Exercise
 from lesson_code.grading.in_process import call_here
 from lesson_code.grading.report import grade
 from lesson_code.grading.submission import read_submission
-from lesson_code.grading.task import Alternative, Task, WrongModel, marked
+from lesson_code.grading.task import Alternative, KnownAnswer, Task, WrongModel, marked
 from lesson_code.grading.verdict import Verdict, judge
+from lesson_code.notebook_tools.student_copy import SOLUTION_ONLY
 
 FEWEST_WRONG_MODELS = 3
 SEEDS = range(5)
@@ -117,7 +118,7 @@ def _notebook_faults(path: Path) -> Iterator[str]:
     for number, cell in enumerate(json.loads(path.read_text(encoding="utf-8"))["cells"], start=1):
         if cell.get("outputs"):
             yield f"{path.name}: cell {number} has outputs"
-        if "solution" in cell["metadata"].get("tags", []):
+        if SOLUTION_ONLY in cell["metadata"].get("tags", []):
             yield f"{path.name}: cell {number} belongs to the solution"
 
 
@@ -149,7 +150,7 @@ def _task_faults(task: Task) -> Iterator[str]:
                 yield f"task {task.title}: alternative {unusual.name} gets {verdict.line}"
 
 
-def _verdicts(task: Task, mark: WrongModel | Alternative) -> Iterator[Verdict]:
+def _verdicts(task: Task, mark: KnownAnswer) -> Iterator[Verdict]:
     """Yield what a known answer earns with several seeds."""
     call = partial(call_here, {task.function: mark.function})
     return (judge(task, call, seed) for seed in SEEDS)
@@ -159,7 +160,7 @@ def _orphans() -> Iterator[str]:
     """Yield which wrong models and alternatives no task lists."""
     tasks = [task for exercise in EXERCISES for task in exercise.tasks]
     listed = [mark for task in tasks for mark in (*task.wrong_models, *task.alternatives)]
-    marks: list[WrongModel | Alternative] = [
+    marks: list[KnownAnswer] = [
         *(mark for module in _modules(wrong_models) for mark in marked(vars(module), WrongModel)),
         *(mark for module in _modules(alternatives) for mark in marked(vars(module), Alternative)),
     ]

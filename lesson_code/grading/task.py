@@ -24,43 +24,37 @@ of the tasks; the wrong models differ by more than 1e-3. Anything between separa
 
 
 @dataclass(frozen=True)
-class WrongModel:
-    """A plausible wrong formula, the misconception behind it, and a hint that asks a question."""
+class KnownAnswer:
+    """A function that is known to answer a task, rightly or wrongly; called, it answers."""
 
     task: str
     function: Function
-    hint: str
 
     @property
     def name(self) -> str:
-        """The formula's name."""
+        """The function's name, which says in what way it is wrong or unusual."""
         return self.function.__name__
+
+    def __call__(self, *args: Any) -> Any:
+        """Return the answer."""
+        return self.function(*args)
+
+
+@dataclass(frozen=True)
+class WrongModel(KnownAnswer):
+    """A plausible wrong formula, the misconception behind it, and a hint that asks a question."""
+
+    hint: str
 
     @property
     def misconception(self) -> str:
         """What somebody believes who computes it so, in a sentence."""
         return inspect.getdoc(self.function) or ""
 
-    def __call__(self, *args: Any) -> Any:
-        """Return the wrong answer."""
-        return self.function(*args)
-
 
 @dataclass(frozen=True)
-class Alternative:
+class Alternative(KnownAnswer):
     """A right answer written in an unusual way; the checks must give it full marks."""
-
-    task: str
-    function: Function
-
-    @property
-    def name(self) -> str:
-        """The function's name, which says in what way it is unusual."""
-        return self.function.__name__
-
-    def __call__(self, *args: Any) -> Any:
-        """Return the right answer."""
-        return self.function(*args)
 
 
 def wrong_model(task: str, hint: str) -> Callable[[Function], WrongModel]:
@@ -81,7 +75,7 @@ def marked(module: dict[str, Any], kind: type[M]) -> tuple[M, ...]:
     return tuple(value for value in module.values() if isinstance(value, kind))
 
 
-def source_as_answer(model: WrongModel | Alternative, function_name: str) -> str:
+def source_as_answer(model: KnownAnswer, function_name: str) -> str:
     """Return the model's source as a student would hand it in: undecorated, renamed, untyped."""
     tree = ast.parse(textwrap.dedent(inspect.getsource(model.function)))
     definition = tree.body[0]

@@ -122,7 +122,7 @@ def _message(task: Task, criterion: Criterion, trial: Trial) -> str:
         return "not written yet"
     if outcome.kind == "missing":
         return outcome.text
-    called = f"Called {task.function}{_call_written(trial.arguments)}."
+    called = f"Called {task.function}{written(trial.arguments)}."
     if outcome.kind == "raised":
         return f"{called} It stopped with {outcome.text}."
     if outcome.kind == "unusable":
@@ -146,11 +146,6 @@ def _why(task: Task, trial: Trial) -> str:
             return task.explain(trial.arguments, trial.outcome.value)
     except (TypeError, ValueError, IndexError):
         return ""
-
-
-def _call_written(arguments: Arguments) -> str:
-    """Return arguments as a call shows them, with the comma-less form of one argument."""
-    return f"({', '.join(written(argument) for argument in arguments)})"
 
 
 def _part(part: Callable[[Any], Any], answer: Any) -> Any:

@@ -22,15 +22,12 @@ from typing import Any
 import numpy as np
 
 from lesson_code.formulas import bounce
-from lesson_code.formulas.arithmetic import dot
+from lesson_code.formulas.arithmetic import dot, whole_parts
 from lesson_code.formulas.validation import Vector, non_negative, one_vector, unit_vector
 from lesson_code.geometry.closest_point import circle_against_segment
 
 TIME_STEP = 1 / 60
 """s: one frame of the window. Steps of another length give another rounding, so it is fixed."""
-
-ROUNDING = 1e-9
-"""Part of a step that sums of floats may lack: 60 frames of 1/60 s must count as 60 steps."""
 
 SAFETY = 0.9
 """Keeps the ball's centre off the bumper's middle line, where no normal is defined."""
@@ -278,7 +275,7 @@ def advance(
     """
     p, v = one_vector("position", position), one_vector("velocity", velocity)
     elapsed = _amount("elapsed", elapsed)
-    steps = math.floor(elapsed / TIME_STEP + ROUNDING)
+    steps = whole_parts(elapsed, TIME_STEP)
     hits: list[str] = []
     for _ in range(steps):
         p, v, new_hits = step(p, v, TIME_STEP)

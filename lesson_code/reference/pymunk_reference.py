@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 import pymunk
 
+from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.formulas.validation import (
     Vector,
     finite,
@@ -42,9 +43,6 @@ LONGEST_MOVE = 1e-6
 
 OVERLAP = 1e-2
 """m: for bodies of radius 1 m, far more than they move in a step, far less than pymunk's slop."""
-
-ROUNDING_OF_STEPS = 1e-9
-"""Of a step: a duration of 30 steps may come out of the division as 29.999999999999996."""
 
 BALL, WALL = 1, 2
 """Collision types: a handler for (BALL, WALL) is told the ball first, whatever was added first."""
@@ -224,7 +222,7 @@ def drop_onto_floor(
     """
     positive("height", height), unit_interval("restitution", restitution)
     positive("dt", dt), positive("gravity", gravity)
-    steps = math.floor(non_negative("duration", duration) / dt + ROUNDING_OF_STEPS)
+    steps = whole_parts(non_negative("duration", duration), dt)
     space = pymunk.Space()
     space.gravity = (0.0, -gravity)
     longest_move = (math.sqrt(2 * gravity * height) + gravity * dt) * dt
