@@ -6,9 +6,13 @@ the wings above it in this list (a test holds it to that):
 formulas
     the lesson's equations: pure functions of numbers
 geometry
-    where shapes touch
+    shapes, and where they touch
+engine
+    a scene, advanced step by step
 reference
     answers that are not ours: closed forms, and pymunk
+simulation
+    ``simulate()``: one door to every solver
 evidence
     claims compared with what was measured
 view
@@ -24,5 +28,25 @@ grading
 cli
     the ``workbook`` command
 """
+
+from lesson_code.engine.callbacks import Callbacks
+from lesson_code.engine.combination import Combination
+from lesson_code.engine.run import Run
+from lesson_code.engine.scene import Body, Material, Scene
+from lesson_code.geometry.shapes import Circle, Polygon, Segment
+from lesson_code.simulation import simulate
+
+__all__ = [
+    "Body",
+    "Callbacks",
+    "Circle",
+    "Combination",
+    "Material",
+    "Polygon",
+    "Run",
+    "Scene",
+    "Segment",
+    "simulate",
+]
 
 __version__ = "0.1.0"

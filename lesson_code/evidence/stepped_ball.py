@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.formulas.validation import (
+    one_number,
     Rule,
     non_negative,
     one_vector,
@@ -80,9 +81,9 @@ def drop_in_steps(
     >>> heights.round(9)
     array([1.2, 1.1, 0.9, 0.6, 0.2, 0. , 0. ])
     """
-    y, e = _one(positive, "height", height), _one(unit_interval, "restitution", restitution)
-    g, dt = _one(positive, "gravity", gravity), _one(positive, "dt", dt)
-    steps = whole_parts(_one(non_negative, "duration", duration), dt)
+    y, e = one_number("height", height, positive), one_number("restitution", restitution, unit_interval)
+    g, dt = one_number("gravity", gravity, positive), one_number("dt", dt, positive)
+    steps = whole_parts(one_number("duration", duration, non_negative), dt)
     times, heights = dt * np.arange(steps + 1.0), np.empty(steps + 1)
     heights[0] = y
     velocity = np.zeros(2)
@@ -94,10 +95,3 @@ def drop_in_steps(
             y = 0.0 if push_out else y
         heights[step] = y
     return times, heights
-
-
-def _one(rule: Rule, name: str, value: Any) -> float:
-    """Return `value`, a single number that satisfies a rule."""
-    if np.ndim(value):
-        raise TypeError(f"{name} must be one number, got an array of shape {np.shape(value)}")
-    return float(rule(name, value))

@@ -35,6 +35,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 UNIT_LENGTH_TOLERANCE = 1e-9
 """How far a normal's length may be from 1: far above rounding (1e-16), far below a mistake."""
 
+FLATNESS = 1e-12
+"""A polygon fills more than this part of the square around it, or its corners are on one line:
+far above what rounding makes of a line (1e-16), far below any plate."""
+
 
 def finite(name: str, value: Any) -> Any:
     """Return `value`, a real number or an array of them, none of them nan or infinite."""
@@ -44,6 +48,11 @@ def finite(name: str, value: Any) -> Any:
 def mass(name: str, value: Any) -> Any:
     """Return `value`, a mass in kg: greater than zero; ``math.inf`` means immovable."""
     return _require(name, value, lambda m: m > 0, "> 0 kg")
+
+
+def moment_of_inertia(name: str, value: Any) -> Any:
+    """Return `value`, in kg m^2: greater than zero; ``math.inf`` means it never turns."""
+    return _require(name, value, lambda i: i > 0, "> 0 kg m^2")
 
 
 def positive(name: str, value: Any) -> Any:
@@ -81,6 +90,18 @@ def one_vector(name: str, value: Any) -> Any:
     return array
 
 
+def one_number(name: str, value: Any, rule: Rule = finite) -> float:
+    """Return `value` as a float that satisfies `rule`, or raise an error that names it.
+
+    >>> one_number("dt", 2, positive)
+    2.0
+    """
+    checked = rule(name, value)
+    if np.ndim(checked):
+        raise ValueError(f"{name} must be one number, got shape {np.shape(checked)}")
+    return float(checked)
+
+
 def unit_vector(name: str, value: Any) -> Any:
     """Return `value` as a float array of shape (..., 2), every vector of length 1."""
     array = vector(name, value)
@@ -92,6 +113,23 @@ def unit_vector(name: str, value: Any) -> Any:
         f"a unit vector (length 1 within {UNIT_LENGTH_TOLERANCE:g})",
         got="length ",
     )
+    return array
+
+
+def polygon_vertices(name: str, value: Any) -> Any:
+    """Return `value` as a float array of shape (N, 2), N >= 3: corners that enclose an area.
+
+    >>> polygon_vertices("vertices", [(0, 0), (2, 0), (0, 1)]).shape
+    (3, 2)
+    """
+    array = np.asarray(finite(name, value), dtype=float)
+    if array.ndim != 2 or array.shape[0] < 3 or array.shape[1] != 2:
+        raise ValueError(f"{name} must have shape (N, 2), N >= 3, got shape {array.shape}")
+    x, y = (array - array[0]).T
+    area = abs(np.dot(x[:-1], y[1:]) - np.dot(y[:-1], x[1:])) / 2
+    square = max(np.ptp(x), np.ptp(y)) ** 2
+    if not area > FLATNESS * square:
+        raise ValueError(f"{name} must have an area > 0 m^2, not lie on a line, got {area:g}")
     return array
 
 

@@ -3,6 +3,9 @@
 A wall is a capsule: all points within `half_thickness` of the segment from `start` to `end`, so
 that it has two sides and two round ends. A half thickness of 0 makes it a line.
 
+These are the doors for single questions; what stands behind them are lines of `edges` and
+`circle_contact`, which the engine runs too.
+
 ========  ==========================================================  =====
 symbol    meaning                                                     unit
 ========  ==========================================================  =====
@@ -21,14 +24,17 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.formulas.arithmetic import clamp, dot, perpendicular
 from lesson_code.formulas.validation import (
     Number,
     Vector,
     non_negative,
+    one_number,
     one_vector,
     positive,
 )
+from lesson_code.geometry.circle_contact import collide_outline_circle
+from lesson_code.geometry.edges import closest_on_edge, direction
+from lesson_code.geometry.rows import Corner, ManifoldRow, Placed, place
 
 
 def closest_point_on_segment(point: Vector, start: Vector, end: Vector) -> Any:
@@ -64,12 +70,10 @@ def closest_point_on_segment(point: Vector, start: Vector, end: Vector) -> Any:
     >>> closest_point_on_segment(point=(7, 5), start=(0, 0), end=(4, 0))
     array([4., 0.])
     """
-    p = one_vector("point", point)
-    a, b = segment_ends(start, end)
-    length = np.hypot(*(b - a))
-    u = _direction(b - a)
-    s = clamp(dot(p - a, u), 0.0, length)
-    return b if s == length else a + s * u
+    px, py = one_vector("point", point).tolist()
+    (ax, ay), (bx, by) = (point.tolist() for point in segment_ends(start, end))
+    _, ux, uy = direction(bx - ax, by - ay, 1.0, 0.0)
+    return np.array(closest_on_edge(px, py, ax, ay, bx, by, ux, uy))
 
 
 def circle_against_segment(
@@ -118,15 +122,15 @@ def circle_against_segment(
     >>> normal, float(penetration)
     (array([ 0., -1.]), 0.5)
     """
-    p = one_vector("centre", centre)
+    px, py = one_vector("centre", centre).tolist()
     a, b = segment_ends(start, end)
-    reach = positive("radius", radius) + non_negative("half_thickness", half_thickness)
-    offset = p - closest_point_on_segment(p, a, b)
-    penetration = float(reach - np.hypot(*offset))
-    if not penetration > 0:
-        return None
-    normal = _direction(offset) if offset.any() else perpendicular(_direction(b - a))
-    return normal, penetration
+    ball = Placed(px, py, radius=one_number("radius", radius, positive))
+    thickness = one_number("half_thickness", half_thickness, non_negative)
+    corners: list[Corner] = []
+    wall = place([tuple(b.tolist()), tuple(a.tolist())], thickness, (0.0, 0.0, 0.0), corners)
+    m = ManifoldRow()
+    collide_outline_circle(corners, wall, ball, m)
+    return (np.array([m.nx, m.ny]), m.penetration0) if m.count else None
 
 
 def segment_ends(start: Vector, end: Vector) -> tuple[Any, Any]:
@@ -141,9 +145,3 @@ def segment_ends(start: Vector, end: Vector) -> tuple[Any, Any]:
             f"start and end must differ: a segment has a length > 0 m, got {a.tolist()} twice"
         )
     return a, b
-
-
-def _direction(v: Vector) -> Any:
-    """Return v / |v|, scaled first so that tiny and huge vectors keep their direction."""
-    scaled = v / np.abs(v).max()
-    return scaled / np.hypot(*scaled)

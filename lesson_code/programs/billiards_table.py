@@ -23,7 +23,7 @@ import numpy as np
 
 from lesson_code.formulas import bounce
 from lesson_code.formulas.arithmetic import dot, whole_parts
-from lesson_code.formulas.validation import Vector, non_negative, one_vector, unit_vector
+from lesson_code.formulas.validation import Vector, non_negative, one_number, one_vector, unit_vector
 from lesson_code.geometry.closest_point import circle_against_segment
 
 TIME_STEP = 1 / 60
@@ -194,7 +194,7 @@ def resolve(position: Vector, velocity: Vector, normal: Vector, depth: float) ->
     """
     p, v = one_vector("position", position), one_vector("velocity", velocity)
     n = one_vector("normal", unit_vector("normal", normal))
-    return p + _amount("depth", depth) * n, bounce(v, n, TABLE.restitution)
+    return p + one_number("depth", depth, non_negative) * n, bounce(v, n, TABLE.restitution)
 
 
 def step(position: Vector, velocity: Vector, dt: float = TIME_STEP) -> tuple[Any, Any, list[str]]:
@@ -228,7 +228,7 @@ def step(position: Vector, velocity: Vector, dt: float = TIME_STEP) -> tuple[Any
     (array([ 12., 200.]), array([570.,   0.]), ['left'])
     """
     p, v = one_vector("position", position), one_vector("velocity", velocity)
-    p = p + v * _amount("dt", dt)
+    p = p + v * one_number("dt", dt, non_negative)
     hits = []
     for contacts in (_bumper_contacts, wall_contacts):
         for name, normal, depth in contacts(p):
@@ -274,7 +274,7 @@ def advance(
     (array([306.,  80.]), [], 0.01)
     """
     p, v = one_vector("position", position), one_vector("velocity", velocity)
-    elapsed = _amount("elapsed", elapsed)
+    elapsed = one_number("elapsed", elapsed, non_negative)
     steps = whole_parts(elapsed, TIME_STEP)
     hits: list[str] = []
     for _ in range(steps):
@@ -287,11 +287,3 @@ def _bumper_contacts(position: Vector) -> list[tuple[str, Any, float]]:
     """Return the bumper's contact in the form of :func:`wall_contacts`."""
     contact = bumper_contact(position)
     return [] if contact is None else [("bumper", *contact)]
-
-
-def _amount(name: str, value: Any) -> float:
-    """Return `value`, one number >= 0, or raise a ValueError that names it."""
-    checked = non_negative(name, value)
-    if np.ndim(checked):
-        raise ValueError(f"{name} must be one number, got shape {np.shape(checked)}")
-    return float(checked)

@@ -29,11 +29,20 @@ BY_HAND = {
     "reduced_mass": ({"m1": 1, "m2": 3}, 0.75),
     "energy_lost_1d": ({"m1": 1, "v1": 2, "m2": 3, "v2": -2, "restitution": 0.5}, 4.5),
     "restitution_1d": ({"v1": 3, "v2": -1, "v1_after": -1, "v2_after": 1}, 0.5),
-    "normal_impulse": ({"vn": -4, "m_eff": 2, "restitution": 0.5}, 12),
-    "friction_impulse": (
-        {"vt": 2, "m_eff_t": 1, "friction": 0.25, "normal_impulse": 3},
-        -0.75,
+    "effective_mass": (
+        {"inv_m_a": 1, "inv_m_b": 1, "inv_i_a": 0.5, "inv_i_b": 0.25, "ra_x_n": -2, "rb_x_n": 4},
+        0.125,
     ),
+    "normal_impulse": ({"vn": -4, "m_eff": 2, "restitution": 0.5, "accumulated": 1}, 13),
+    "friction_impulse": (
+        {"vt": 2, "m_eff_t": 1, "friction": 0.25, "normal_impulse": 6, "accumulated": 1},
+        -1,
+    ),
+    "contact_velocity": ({"velocity": (3, 1), "angular_velocity": 2, "offset": (1, -1)}, (5, 3)),
+    "disc_inertia": ({"mass": 4, "radius": 0.5}, 0.5),
+    "polygon_area": ({"vertices": ((0, 0), (3, 0), (0, 6))}, 9),
+    "polygon_centroid": ({"vertices": ((0, 0), (3, 0), (0, 6))}, (1, 2)),
+    "polygon_inertia": ({"mass": 4, "vertices": ((0, 0), (3, 0), (0, 6))}, 10),
     "reflect": ({"incident": (3, -4), "normal": (0, 1)}, (3, 4)),
     "bounce": (
         {"velocity": (3, -4), "normal": (0, 1), "restitution": 0.5, "friction": 0.25},
@@ -63,8 +72,19 @@ BY_HAND = {
     ),
 }
 
-SUMMED = {"momentum", "kinetic_energy", "angular_momentum"}
-"""These add up bodies, so their shapes are their own: test_conservation.py has them."""
+SUMMED = {
+    "momentum",
+    "kinetic_energy",
+    "angular_momentum",
+    "polygon_area",
+    "polygon_centroid",
+    "polygon_inertia",
+}
+"""These add up bodies or corners, so their shapes are their own: test_conservation.py and
+test_rigid_body.py have them."""
+
+VECTORS = {"incident", "velocity"}
+"""A formula with one of these gives a vector; with none of them, a tuple is two numbers."""
 
 NAN, INF, HUGE = math.nan, math.inf, 10**400
 
@@ -138,17 +158,38 @@ UNIT_VECTOR = [
     ((1.5e308, 1.5e308), "a unit vector", "length inf"),
     (((1.0, 0.0), (0.0, 2.0)), "a unit vector", "length 2.0 at index (1,)"),
 ]
+POLYGON = [
+    (((0, 0), (NAN, 0), (0, 1)), "finite", "nan at index (1, 0)"),
+    (((0, 0), (1, 0), (0, INF)), "finite", "inf at index (2, 1)"),
+    (((0, 0), (1, 0), (0, HUGE)), "finite", "a number over 1e308"),
+    (3.0, "shape (N, 2), N >= 3", "shape ()"),
+    ((), "shape (N, 2), N >= 3", "shape (0,)"),
+    (((0, 0), (1, 0)), "shape (N, 2), N >= 3", "shape (2, 2)"),
+    (((0, 0, 0), (1, 0, 0), (0, 1, 0)), "shape (N, 2), N >= 3", "shape (3, 3)"),
+    ((((0, 0), (1, 0), (0, 1)),) * 2, "shape (N, 2), N >= 3", "shape (2, 3, 2)"),
+    (((1, 1), (1, 1), (1, 1)), "an area > 0 m^2, not lie on a line", "0"),
+    (((0, 0), (1, 3), (2, 6)), "an area > 0 m^2, not lie on a line", "0"),
+    (((0.1, 0.3), (0.2, 0.6), (0.7, 2.1)), "an area > 0 m^2", ""),  # on a line, but for rounding
+    (((0, 0), (1, 1), (1, 0), (0, 1)), "an area > 0 m^2", "0"),  # crossed: +1/4 and -1/4 m^2
+]
 
 RULES = {
-    **dict.fromkeys(("m1", "m2", "masses"), MASS),
+    **dict.fromkeys(("m1", "m2", "mass", "masses"), MASS),
     **dict.fromkeys(("v1", "v2", "v1_after", "v2_after", "vn", "vt"), FINITE),
-    "angular_velocities": FINITE,
-    **dict.fromkeys(("m_eff", "m_eff_t"), POSITIVE),
+    **dict.fromkeys(("angular_velocity", "angular_velocities"), FINITE),
+    **dict.fromkeys(("ra_x_n", "rb_x_n"), FINITE),
+    **dict.fromkeys(("m_eff", "m_eff_t", "radius"), POSITIVE),
     **dict.fromkeys(("friction", "normal_impulse", "inertias"), NON_NEGATIVE),
+    **dict.fromkeys(("inv_m_a", "inv_m_b", "inv_i_a", "inv_i_b"), NON_NEGATIVE),
     "restitution": UNIT_INTERVAL,
-    **dict.fromkeys(("incident", "velocity", "velocities", "positions", "about"), VECTOR),
+    **dict.fromkeys(("incident", "velocity", "velocities", "offset"), VECTOR),
+    **dict.fromkeys(("positions", "about"), VECTOR),
     "normal": UNIT_VECTOR,
+    "vertices": POLYGON,
+    ("normal_impulse", "accumulated"): NON_NEGATIVE,
+    ("friction_impulse", "accumulated"): FINITE,
 }
+"""By argument, or by formula and argument where two formulas differ."""
 
 NOT_NUMBERS = ["fast", b"1", None, 1j, (1, "2"), (1, None), (1j, 2), {}, object]
 RAGGED = ((1, 2), (3,))
@@ -178,7 +219,7 @@ ARGUMENTS = [(name, argument) for name, (row, _) in BY_HAND.items() for argument
 BAD_VALUES = [
     pytest.param(name, argument, *bad, id=f"{name}-{argument}={str(bad[0])[:20]}-{i}")
     for name, argument in ARGUMENTS
-    for i, bad in enumerate(RULES[argument])
+    for i, bad in enumerate(RULES.get((name, argument)) or RULES[argument])
 ]
 
 
@@ -298,7 +339,7 @@ def test_formula_of_sequences_gives_one_answer_for_each_place(name, kind) -> Non
     row, expected = BY_HAND[name]
     result = getattr(formulas, name)(**{key: kind([value] * 3) for key, value in row.items()})
     result = np.stack(result) if isinstance(expected, tuple) else np.asarray(result)
-    pair = isinstance(expected, tuple) and not {"incident", "velocity"} & set(row)
+    pair = isinstance(expected, tuple) and not VECTORS & set(row)
     assert_result(result, np.stack([expected] * 3, axis=-1 if pair else 0))
 
 
@@ -306,7 +347,7 @@ def test_formula_of_sequences_gives_one_answer_for_each_place(name, kind) -> Non
 def test_formula_broadcasts_every_argument_against_the_others(name) -> None:
     """One argument of shape (3, 1), the others (4,): a table of shape (3, 4)."""
     row, expected = BY_HAND[name]
-    pair = isinstance(expected, tuple) and not {"incident", "velocity"} & set(row)
+    pair = isinstance(expected, tuple) and not VECTORS & set(row)
     for tall in row:
         table = {key: [value] * 4 for key, value in row.items()}
         table[tall] = [[row[tall]]] * 3

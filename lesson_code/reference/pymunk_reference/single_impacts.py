@@ -1,7 +1,4 @@
-"""Reference: what pymunk's solver makes of the lesson's collisions.
-
-This is the only module that imports pymunk. pymunk ends the whole process when a coefficient
-is out of range and lets nan pass in silence, so every argument is checked before it is called.
+"""One impact, set up so that pymunk's answer is the analytic one.
 
 How to ask pymunk for the answer to one impact: let the bodies overlap, switch gravity off and
 make one step. In that step pymunk first moves the bodies and then resolves the contact at the

@@ -1,0 +1,45 @@
+"""The numbers that the engine's stages share: value, unit, reason, what breaks without them."""
+
+from __future__ import annotations
+
+SLOP = 0.005
+"""Of the smaller body's width: overlap that is left alone, so that resting contacts stay contacts.
+
+At 0 a resting contact opens and closes in turn and jitters; at 0.1 bodies stand visibly in each
+other. Relative to the bodies, because 5 mm is nothing for a wall and everything for a grain.
+"""
+
+PUSH_SHARE = 0.2
+"""Of the overlap beyond the slop: how much is undone in one step.
+
+At 1 a pile pushes itself apart, because each contact corrects the whole fault for itself; at
+0.01 a stack under load sinks faster than it is lifted. 0.2 is the usual value (box2d-lite).
+"""
+
+FEWEST_FOR_GRID = 24
+"""Bodies: below this comparing all pairs is as fast as keeping a grid."""
+
+LARGEST_IN_GRID = 4.0
+"""Times the median size: a body larger than this would make the cells too wide for the others."""
+
+CELL_MARGIN = 1.01
+"""Times the largest body in the grid: how wide a cell is. Rounding must not make bodies that fill
+a cell exactly reach beyond the next one, or most of a heap of equal discs would count as large.
+"""
+
+SLOTS_PER_BODY = 2
+"""Slots of the grid for each body: half of them empty, so that few cells share one."""
+
+PAIRS_PER_BODY, PAIRS_ANYWAY = 50, 10_000
+"""More candidate pairs than 50 N + 10,000 are refused: discs that do not overlap have 3 N.
+
+Only bodies heaped into one another make more; 10,000 in one place would make 50 million, and
+fill the memory before the first step.
+"""
+
+LEAST_DETERMINANT = 1e-3
+"""Of two contact points, 1 - k12^2 / (k11 k22): below this they are too close to tell apart.
+
+At 0 they are one point, and how they share the load is undefined; the equations for two lose as
+many digits as this has zeros. 1e-3 is Box2D's choice.
+"""

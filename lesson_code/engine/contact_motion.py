@@ -1,0 +1,88 @@
+"""The two bodies of a contact: how fast its points part, how hard they are to part, a push.
+
+Every contact solver is made of these. Along a unit direction u, with lever arms r_a and r_b:
+
+    velocity   (v_b + w_b x r_b - v_a - w_a x r_a) . u
+    mass       1 / (1/m_a + 1/m_b + (r_a x u)^2 / I_a + (r_b x u)^2 / I_b)
+    impulse j  -j u on a at r_a,  +j u on b at r_b
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+from lesson_code.engine.rows import BodyRow, ContactRow
+from lesson_code.formulas import contact, rigid_body
+from lesson_code.formulas.arithmetic import cross, dot
+from lesson_code.formulas.validation import equation
+
+Pair: TypeAlias = tuple[float, float]
+
+contact_velocity = equation(rigid_body.contact_velocity)
+effective_mass = equation(contact.effective_mass)
+
+
+def normal_of(c: ContactRow) -> Pair:
+    """Return the contact's unit normal, from a to b."""
+    return c.nx, c.ny
+
+
+def tangent_of(c: ContactRow) -> Pair:
+    """Return the contact's unit tangent: the normal turned by +90 degrees."""
+    return -c.ny, c.nx
+
+
+def velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
+    """Return the relative velocity of the contact points along u, m/s; > 0 along n: parting."""
+    on_a = contact_velocity((a.vx, a.vy), a.w, (c.ax, c.ay))
+    on_b = contact_velocity((b.vx, b.vy), b.w, (c.bx, c.by))
+    along: float = dot((on_b[0] - on_a[0], on_b[1] - on_a[1]), u)
+    return along
+
+
+def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
+    """Return the same for the velocities of the position correction, m/s."""
+    on_a = contact_velocity((a.push_vx, a.push_vy), a.push_w, (c.ax, c.ay))
+    on_b = contact_velocity((b.push_vx, b.push_vy), b.push_w, (c.bx, c.by))
+    along: float = dot((on_b[0] - on_a[0], on_b[1] - on_a[1]), u)
+    return along
+
+
+def missing_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
+    """Return how far the normal velocity is from its target, m/s; negative: too slow apart."""
+    return velocity_along(c, a, b, normal_of(c)) - c.target_vn
+
+
+def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
+    """Return the same for the position correction: what the bodies' own velocity does counts."""
+    own = max(velocity_along(c, a, b, normal_of(c)), 0.0)
+    return push_velocity_along(c, a, b, normal_of(c)) + own - c.push_speed
+
+
+def mass_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
+    """Return the effective mass of the contact along u, kg."""
+    ra_x_u, rb_x_u = cross((c.ax, c.ay), u), cross((c.bx, c.by), u)
+    mass: float = effective_mass(a.inv_m, b.inv_m, a.inv_i, b.inv_i, ra_x_u, rb_x_u)
+    return mass
+
+
+def apply_impulse(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair, j: float) -> None:
+    """Change the velocities of both bodies by an impulse j along u, N s."""
+    jx, jy = j * u[0], j * u[1]
+    a.vx -= jx * a.inv_m
+    a.vy -= jy * a.inv_m
+    a.w -= cross((c.ax, c.ay), (jx, jy)) * a.inv_i
+    b.vx += jx * b.inv_m
+    b.vy += jy * b.inv_m
+    b.w += cross((c.bx, c.by), (jx, jy)) * b.inv_i
+
+
+def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair, j: float) -> None:
+    """Change the velocities of the position correction by an impulse j along u, N s."""
+    jx, jy = j * u[0], j * u[1]
+    a.push_vx -= jx * a.inv_m
+    a.push_vy -= jy * a.inv_m
+    a.push_w -= cross((c.ax, c.ay), (jx, jy)) * a.inv_i
+    b.push_vx += jx * b.inv_m
+    b.push_vy += jy * b.inv_m
+    b.push_w += cross((c.bx, c.by), (jx, jy)) * b.inv_i

@@ -1,0 +1,138 @@
+"""Sequential impulses: visit contact after contact, and correct each until all agree.
+
+======================  =====================================================================
+stage                   what it does
+======================  =====================================================================
+``prepare``             effective masses, the bounce to reach, the overlap to undo
+``warm_start``          begin with the impulses of the last step, which are nearly right
+``solve``               one sweep: normal impulse, friction, push, for each contact in turn
+``store``               remember the impulses for the next step
+======================  =====================================================================
+
+Two points of one manifold share their bodies, and what is given to one moves the other. Their
+normal impulses are found together, exactly (``two_points``).
+
+The totals are clamped, not the corrections: a later visit may take back what an earlier one
+gave too much, as long as the total still pushes (jn >= 0) and friction stays within mu jn.
+
+The push that undoes an overlap has velocities of its own (split impulse). They move the bodies
+once and are forgotten, so that no overlap ever turns into speed.
+
+References
+----------
+Catto, Iterative Dynamics with Temporal Coherence (2005); Catto, Fast and Simple Physics using
+Sequential Impulses (2006), for the split impulse too.
+"""
+
+from __future__ import annotations
+
+from lesson_code.engine.constants import PUSH_SHARE, SLOP
+from lesson_code.engine.contact_motion import (
+    apply_impulse,
+    apply_push,
+    mass_along,
+    missing_push,
+    missing_velocity,
+    normal_of,
+    tangent_of,
+    velocity_along,
+)
+from lesson_code.engine.rows import BodyRow, ContactRow, MemoryRow, World
+from lesson_code.engine.two_points import couple, solve_normals, solve_pushes
+from lesson_code.formulas import contact
+from lesson_code.formulas.validation import equation
+
+normal_impulse = equation(contact.normal_impulse)
+friction_impulse = equation(contact.friction_impulse)
+
+
+def prepare(world: World) -> None:
+    """Compute what stays the same during the sweeps, at the velocities before gravity acts."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        c.normal_mass = mass_along(c, a, b, normal_of(c))
+        c.tangent_mass = mass_along(c, a, b, tangent_of(c))
+        # Also where they part already: else a third body that presses them together adds energy.
+        c.target_vn = -c.restitution * velocity_along(c, a, b, normal_of(c))
+        slop = SLOP * min(a.extent, b.extent)
+        c.push_speed = PUSH_SHARE * max(c.penetration - slop, 0.0) / world.state.dt
+        c.is_block = False
+        if k > 0 and world.contacts[k - 1].a == c.a and world.contacts[k - 1].b == c.b:
+            couple(world.contacts[k - 1], c, a, b)
+
+
+def warm_start(world: World) -> None:
+    """Give each contact the impulse that it needed in the last step."""
+    recall(world)
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        apply_impulse(c, a, b, normal_of(c), c.normal_impulse)
+        apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
+
+
+def recall(world: World) -> None:
+    """Find each contact's impulses of the last step; contacts and memory are sorted alike."""
+    count, first = world.state.memory_count, 0
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        while first < count and comes_before(world.memory[first], c):
+            first += 1
+        n = first
+        while n < count and world.memory[n].a == c.a and world.memory[n].b == c.b:
+            if world.memory[n].feature == c.feature:
+                c.normal_impulse = world.memory[n].normal_impulse
+                c.tangent_impulse = world.memory[n].tangent_impulse
+            n += 1
+
+
+def comes_before(old: MemoryRow, c: ContactRow) -> bool:
+    """Return whether a remembered contact's pair comes before a contact's in the order."""
+    return old.a < c.a or (old.a == c.a and old.b < c.b)
+
+
+def solve(world: World) -> None:
+    """Make one sweep over all contacts, in their order."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        if c.is_block:
+            d = world.contacts[k + 1]
+            solve_normals(c, d, a, b)
+            solve_pushes(c, d, a, b)
+        elif not (k > 0 and world.contacts[k - 1].is_block):
+            solve_normal(c, a, b)
+            solve_push(c, a, b)
+        solve_friction(c, a, b)
+
+
+def solve_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Bring the normal velocity to its target, by an impulse that in total only pushes."""
+    total = normal_impulse(missing_velocity(c, a, b), c.normal_mass, 0.0, c.normal_impulse)
+    apply_impulse(c, a, b, normal_of(c), total - c.normal_impulse)
+    c.normal_impulse = total
+
+
+def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Stop the sliding, as far as Coulomb's limit mu jn allows."""
+    vt = velocity_along(c, a, b, tangent_of(c))
+    total = friction_impulse(vt, c.tangent_mass, c.friction, c.normal_impulse, c.tangent_impulse)
+    apply_impulse(c, a, b, tangent_of(c), total - c.tangent_impulse)
+    c.tangent_impulse = total
+
+
+def solve_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Move the bodies apart, as far as their own velocity will not do it already."""
+    total = normal_impulse(missing_push(c, a, b), c.normal_mass, 0.0, c.push_impulse)
+    apply_push(c, a, b, normal_of(c), total - c.push_impulse)
+    c.push_impulse = total
+
+
+def store(world: World) -> None:
+    """Remember the impulses of this step for the next."""
+    for k in range(world.state.contact_count):
+        c, m = world.contacts[k], world.memory[k]
+        m.a, m.b, m.feature = c.a, c.b, c.feature
+        m.normal_impulse, m.tangent_impulse = c.normal_impulse, c.tangent_impulse
+    world.state.memory_count = world.state.contact_count

@@ -1,0 +1,48 @@
+"""Narrow phase: the contact points of every candidate pair, written into the contact table."""
+
+from __future__ import annotations
+
+from lesson_code.engine.combination import combined
+from lesson_code.engine.rows import ContactRow, World
+from lesson_code.geometry.manifold import collide_rows
+from lesson_code.geometry.rows import ManifoldRow
+
+
+def find_contacts(world: World) -> None:
+    """Write the contacts of all candidate pairs, in the order of the pairs.
+
+    The table must have room for two contacts a pair.
+    """
+    state, m = world.state, world.manifold
+    count = 0
+    for k in range(state.pair_count):
+        pair = world.pairs[k]
+        a, b = world.bodies[pair.a], world.bodies[pair.b]
+        collide_rows(world.corners, a, b, m)
+        if m.count == 0:
+            continue
+        restitution = combined(state.restitution_rule, a.restitution, b.restitution)
+        friction = combined(state.friction_rule, a.friction, b.friction)
+        for point in range(m.count):
+            contact = world.contacts[count]
+            contact.a, contact.b = pair.a, pair.b
+            contact.restitution, contact.friction = restitution, friction
+            place(contact, m, point)
+            count += 1
+    state.contact_count = count
+
+
+def place(contact: ContactRow, m: ManifoldRow, point: int) -> None:
+    """Write the geometry of one point of a manifold; the impulses begin at 0."""
+    contact.nx, contact.ny = m.nx, m.ny
+    if point == 0:
+        contact.ax, contact.ay = m.ax0, m.ay0
+        contact.bx, contact.by = m.bx0, m.by0
+        contact.penetration, contact.feature = m.penetration0, m.feature0
+    else:
+        contact.ax, contact.ay = m.ax1, m.ay1
+        contact.bx, contact.by = m.bx1, m.by1
+        contact.penetration, contact.feature = m.penetration1, m.feature1
+    contact.normal_impulse = 0.0
+    contact.tangent_impulse = 0.0
+    contact.push_impulse = 0.0

@@ -1,0 +1,152 @@
+"""Recording: any solver that advances in equal steps, turned into a Run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lesson_code.engine.plan import Plan
+from lesson_code.engine.run import ImpulseEvents, Run
+from lesson_code.engine.scene import Scene
+from lesson_code.formulas.arithmetic import whole_parts
+from lesson_code.formulas.validation import non_negative
+
+Sample: TypeAlias = Literal["end"] | Any
+"""None: every step. "end": the first and the last state. Otherwise times, shape (F,), s."""
+
+Event: TypeAlias = tuple[float, int, int, float, float, float, float, float, float, float]
+"""time, body a, body b, point x and y, normal x and y, normal and tangent impulse, penetration."""
+
+EVENT_NUMBERS = 10
+
+STATE_NUMBERS = 6
+"""Numbers in a body's state: x, y, angle, vx, vy, w."""
+
+
+class Stepper(Protocol):
+    """A solver at work on a scene: it advances by equal steps and can be asked for its state."""
+
+    dt: float
+
+    def step(self) -> None:
+        """Advance by dt."""
+
+    def states(self) -> list[tuple[float, float, float, float, float, float]]:
+        """Return x, y, angle, vx, vy, w of every body."""
+
+    def events(self) -> list[Event]:
+        """Return the impulses of all steps so far."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A time at which the state is wanted: so many whole steps, and a rest of time, s."""
+
+    time: float
+    steps: int
+    rest: float
+
+
+def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan: Plan) -> Run:
+    """Let a solver run for a while, and return what it did.
+
+    All steps have the same length. A state between two steps is that of the earlier one, moved
+    on at its velocity: that is what the solver's next step would do.
+    """
+    moments = _moments(duration, stepper.dt, sample)
+    frames = np.zeros((len(moments), len(scene.bodies), STATE_NUMBERS))
+    done = 0
+    for frame, moment in sorted(enumerate(moments), key=lambda item: item[1].time):
+        for _ in range(moment.steps - done):
+            stepper.step()
+        done = max(done, moment.steps)
+        states = stepper.states()
+        if states:
+            frames[frame] = states
+        frames[frame, :, 0:3] += moment.rest * frames[frame, :, 3:6]
+    for _ in range(whole_parts(duration, stepper.dt) - done):
+        stepper.step()
+    _require_finite(frames, moments)
+    return Run(
+        scene=scene,
+        times=_frozen(np.array([moment.time for moment in moments])),
+        positions=_frozen(frames[:, :, 0:2]),
+        velocities=_frozen(frames[:, :, 3:5]),
+        angles=_frozen(frames[:, :, 2]),
+        angular_velocities=_frozen(frames[:, :, 5]),
+        contacts=_events(stepper.events()),
+        plan=plan,
+    )
+
+
+def _moments(duration: float, dt: float, sample: Sample) -> list[Moment]:
+    """Return the times at which the state is wanted."""
+    return [_moment(time, dt) for time in _times(duration, dt, sample)]
+
+
+def _moment(time: float, dt: float) -> Moment:
+    """Return a time as whole steps and a rest; a rest that is only rounding is none."""
+    steps = whole_parts(time, dt)
+    return Moment(time, steps, max(time - steps * dt, 0.0))
+
+
+def _times(duration: float, dt: float, sample: Sample) -> Iterator[float]:
+    """Yield the times at which the state is wanted, s."""
+    if sample is None:
+        steps = whole_parts(duration, dt)
+        yield from (min(step * dt, duration) for step in range(steps + 1))
+        if not math.isclose(steps * dt, duration, rel_tol=1e-9, abs_tol=1e-9 * dt):
+            yield duration
+    elif isinstance(sample, str):
+        if sample != "end":
+            raise ValueError(f'sample must be None, "end" or an array of times, got {sample!r}')
+        yield from (0.0, duration)
+    else:
+        yield from _given_times(duration, sample)
+
+
+def _given_times(duration: float, sample: Any) -> list[float]:
+    """Return times that a user wants, or refuse those the run does not reach."""
+    times = np.asarray(non_negative("sample", sample), dtype=float)
+    if times.ndim != 1:
+        raise ValueError(f"sample must have shape (F,), got shape {times.shape}")
+    if (times > duration).any():
+        raise ValueError(f"sample must be <= duration = {duration} s, got {times.max()}")
+    given: list[float] = times.tolist()
+    return given
+
+
+def _require_finite(frames: NDArray[np.float64], moments: list[Moment]) -> None:
+    """Refuse a run in which a body has left the range of floating point."""
+    if not np.isfinite(frames).all():
+        frame, body, _ = (int(index) for index in np.argwhere(~np.isfinite(frames))[0])
+        raise FloatingPointError(
+            f"body {body} has left the range of floating point at {moments[frame].time} s"
+        )
+
+
+def _events(events: list[Event]) -> ImpulseEvents:
+    """Return the impulses as arrays."""
+    table = np.array(events, dtype=float).reshape(-1, EVENT_NUMBERS)
+    return ImpulseEvents(
+        time=_frozen(table[:, 0]),
+        body_a=_frozen(table[:, 1].astype(np.int64)),
+        body_b=_frozen(table[:, 2].astype(np.int64)),
+        point=_frozen(table[:, 3:5]),
+        normal=_frozen(table[:, 5:7]),
+        normal_impulse=_frozen(table[:, 7]),
+        tangent_impulse=_frozen(table[:, 8]),
+        penetration=_frozen(table[:, 9]),
+    )
+
+
+def _frozen(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array that nobody can change by accident."""
+    copy = np.ascontiguousarray(array)
+    copy.setflags(write=False)
+    return copy

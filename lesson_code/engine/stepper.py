@@ -1,0 +1,91 @@
+"""The engine at work on one scene: its tables, its stages, and a record of its impulses."""
+
+from __future__ import annotations
+
+from lesson_code.engine import contact_solver, naive_solver
+from lesson_code.engine.combination import Combination
+from lesson_code.engine.recording import Event
+from lesson_code.engine.scene import Scene
+from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.touches import TouchListener, contact_point
+from lesson_code.engine.world import ContactSolver, step
+
+SOLVERS = {
+    "sequential": ContactSolver(
+        contact_solver.prepare,
+        contact_solver.warm_start,
+        contact_solver.solve,
+        contact_solver.store,
+    ),
+    "naive": ContactSolver(
+        naive_solver.prepare, naive_solver.warm_start, naive_solver.solve, naive_solver.store
+    ),
+}
+"""The engine's contact solvers, by name."""
+
+
+class EngineStepper:
+    """A scene that the engine advances by steps of `dt`, each in `substeps` equal parts.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is simulated.
+    solver : str
+        "sequential" or "naive".
+    dt : float
+        s, > 0.
+    iterations : int
+        Sweeps over the contacts in each sub-step.
+    substeps : int
+        Parts of a step.
+    combine : Combination
+        How a pair's coefficients come from its bodies'.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        solver: str,
+        dt: float,
+        iterations: int,
+        substeps: int,
+        combine: Combination,
+    ) -> None:
+        self.dt = dt
+        self.broad_phase = broad_phase_for(scene)
+        self.world = world_of(scene, dt / substeps, iterations, combine)
+        self._substeps = substeps
+        self._solver = SOLVERS[solver]
+        self._listener = TouchListener(scene.callbacks) if scene.callbacks.wanted else None
+        self._events: list[Event] = []
+        self._substeps_done = 0
+
+    def step(self) -> None:
+        """Advance by dt."""
+        for _ in range(self._substeps):
+            step(self.world, BROAD_PHASES[self.broad_phase], self._solver, self._listener)
+            self._substeps_done += 1
+            self._note_events()
+
+    def states(self) -> list[tuple[float, float, float, float, float, float]]:
+        """Return x, y, angle, vx, vy, w of every body."""
+        return [(b.x, b.y, b.angle, b.vx, b.vy, b.w) for b in self.world.bodies]
+
+    def events(self) -> list[Event]:
+        """Return the impulses of all steps so far."""
+        return self._events
+
+    def _note_events(self) -> None:
+        """Write down the contacts that have received an impulse."""
+        time = self._substeps_done * self.world.state.dt
+        for c in self.world.contacts[: self.world.state.contact_count]:
+            if c.normal_impulse != 0.0:
+                x, y = contact_point(self.world, c)
+                self._events.append(
+                    (
+                        *(time, c.a, c.b, x, y, c.nx, c.ny),
+                        *(c.normal_impulse, c.tangent_impulse, c.penetration),
+                    )
+                )

@@ -1,0 +1,94 @@
+"""From a scene to the tables of the engine."""
+
+from __future__ import annotations
+
+import math
+import statistics
+
+from lesson_code.engine.broad_phase import all_pairs, sweep_and_prune, uniform_grid
+from lesson_code.engine.combination import RULES, UNSPECIFIED, Combination
+from lesson_code.engine.constants import (
+    CELL_MARGIN,
+    FEWEST_FOR_GRID,
+    LARGEST_IN_GRID,
+    SLOTS_PER_BODY,
+)
+from lesson_code.engine.rows import BodyRow, IndexRow, State, World
+from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.world import BroadPhase, place
+from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
+
+BROAD_PHASES: dict[str, BroadPhase] = {
+    "all_pairs": all_pairs,
+    "sweep_and_prune": sweep_and_prune,
+    "uniform_grid": uniform_grid,
+}
+"""The ways to find candidate pairs, by name."""
+
+
+def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> World:
+    """Return the tables of a scene, its bodies where they begin."""
+    corners: list[Corner] = []
+    bodies = [_row(body, corners) for body in scene.bodies]
+    state = State(
+        dt=dt,
+        gravity_x=scene.gravity[0],
+        gravity_y=scene.gravity[1],
+        damping=scene.damping,
+        iterations=iterations,
+        restitution_rule=RULES[combine.restitution],
+        friction_rule=RULES[combine.friction],
+        cell_size=_cell_size(scene),
+    )
+    world = World(
+        state=state,
+        bodies=bodies,
+        corners=corners,
+        pairs=[],
+        sorted_pairs=[],
+        order=[IndexRow(index) for index in range(len(bodies))],
+        slots=[IndexRow() for _ in range(SLOTS_PER_BODY * len(bodies) + 1)],
+        contacts=[],
+        memory=[],
+        manifold=ManifoldRow(),
+    )
+    for body in bodies:
+        place(world, body)
+    return world
+
+
+def broad_phase_for(scene: Scene) -> str:
+    """Return the name of the broad phase that suits a scene: the grid, unless it is small."""
+    return "all_pairs" if len(scene.bodies) < FEWEST_FOR_GRID else "uniform_grid"
+
+
+def _row(body: Body, corners: list[Corner]) -> BodyRow:
+    """Return a body's row, and add its outline to the corners."""
+    first = len(corners)
+    corners += corner_rows(body.shape.outline)
+    material = body.material
+    return BodyRow(
+        x=body.position[0],
+        y=body.position[1],
+        radius=body.shape.rounding,
+        first_corner=first,
+        corner_count=len(body.shape.outline),
+        angle=body.angle,
+        vx=body.velocity[0],
+        vy=body.velocity[1],
+        w=body.angular_velocity,
+        inv_m=0.0 if body.mass is None else 1 / body.mass,
+        inv_i=0.0 if body.inertia is None else 1 / body.inertia,
+        restitution=UNSPECIFIED if material.restitution is None else material.restitution,
+        friction=UNSPECIFIED if material.friction is None else material.friction,
+        extent=math.inf if body.is_static else body.shape.extent,
+    )
+
+
+def _cell_size(scene: Scene) -> float:
+    """Return the width of a grid cell, m: the largest body's, the few much larger ones left out."""
+    sizes = [2 * body.shape.bounding_radius for body in scene.bodies]
+    if not sizes:
+        return 1.0
+    limit = LARGEST_IN_GRID * statistics.median_low(sizes)
+    return CELL_MARGIN * max(size for size in sizes if size <= limit)

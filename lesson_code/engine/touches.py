@@ -1,0 +1,89 @@
+"""Post-processing: tells a scene's callbacks of its contacts, pair by pair."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import groupby
+from typing import TypeAlias
+
+from lesson_code.engine.callbacks import Callback, Callbacks, Touch
+from lesson_code.engine.rows import ContactRow, World
+
+Pair: TypeAlias = tuple[int, int]
+
+
+class TouchListener:
+    """Follows which pairs touch, and calls a scene's callbacks in the order of the contacts."""
+
+    def __init__(self, callbacks: Callbacks) -> None:
+        self._callbacks = callbacks
+        self._steps = 0
+        self._touching: dict[Pair, Touch] = {}
+        self._parted: list[Touch] = []
+
+    def before_impulses(self, world: World) -> None:
+        """Call `begin` and `pre_solve`, and do to the contacts what they have set."""
+        self._steps += 1
+        before, self._touching = self._touching, {}
+        kept: list[ContactRow] = []
+        ignored: list[ContactRow] = []
+        for pair, contacts in _by_pair(world):
+            touch = _touch(world, contacts, time=self._steps * world.state.dt)
+            self._touching[pair] = touch
+            if pair not in before:
+                _call(self._callbacks.begin, touch)
+            _call(self._callbacks.pre_solve, touch)
+            for contact in contacts:
+                contact.restitution = touch.restitution
+                contact.friction = touch.friction
+            (ignored if touch.ignored else kept).extend(contacts)
+        world.contacts[: world.state.contact_count] = kept + ignored
+        world.state.contact_count = len(kept)
+        self._parted = [touch for pair, touch in before.items() if pair not in self._touching]
+
+    def after_impulses(self, world: World) -> None:
+        """Call `post_solve` for each pair that touches, then `separate` for those that parted."""
+        for pair, contacts in _by_pair(world):
+            touch = self._touching[pair]
+            touch.normal_impulse = sum(contact.normal_impulse for contact in contacts)
+            touch.tangent_impulse = sum(contact.tangent_impulse for contact in contacts)
+            _call(self._callbacks.post_solve, touch)
+        for touch in self._parted:
+            _call(self._callbacks.separate, touch)
+
+
+def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:
+    """Yield each pair with its contacts, which stand side by side in the table."""
+    in_use = world.contacts[: world.state.contact_count]
+    for pair, contacts in groupby(in_use, key=lambda contact: (contact.a, contact.b)):
+        yield pair, list(contacts)
+
+
+def _touch(world: World, contacts: list[ContactRow], time: float) -> Touch:
+    """Return what a callback is told of one pair's contacts."""
+    first = contacts[0]
+    return Touch(
+        time=time,
+        body_a=first.a,
+        body_b=first.b,
+        normal=(first.nx, first.ny),
+        points=tuple(contact_point(world, contact) for contact in contacts),
+        penetration=max(contact.penetration for contact in contacts),
+        restitution=first.restitution,
+        friction=first.friction,
+    )
+
+
+def contact_point(world: World, contact: ContactRow) -> tuple[float, float]:
+    """Return the point midway between the two surfaces, m."""
+    a, b = world.bodies[contact.a], world.bodies[contact.b]
+    return (
+        (a.x + contact.ax + b.x + contact.bx) / 2,
+        (a.y + contact.ay + b.y + contact.by) / 2,
+    )
+
+
+def _call(callback: Callback | None, touch: Touch) -> None:
+    """Call a callback, if there is one."""
+    if callback is not None:
+        callback(touch)

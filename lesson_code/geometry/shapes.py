@@ -1,0 +1,275 @@
+"""What bodies are made of: circles, convex polygons and segments.
+
+A shape is seen from its body: its points are offsets from the body's position, before the body is
+turned. It is checked here, is complete from the start and never changes.
+
+==================  ========================================================  =====
+property            meaning                                                   unit
+==================  ========================================================  =====
+area                of the shape; 0 for a segment without thickness           m^2
+centroid            where the centre of mass of a plate of this shape lies    m
+inertia_per_mass    moment of inertia about the centroid, for 1 kg            m^2
+extent              smallest width: a door this wide lets it through          m
+bounding_radius     distance from the body's position to the farthest point   m
+outline             the corners, counter-clockwise; none for a circle         m
+rounding            how far the shape reaches beyond its outline              m
+==================  ========================================================  =====
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar, TypeAlias
+
+from lesson_code.formulas.rigid_body import (
+    disc_inertia,
+    polygon_area,
+    polygon_centroid,
+    polygon_inertia,
+)
+from lesson_code.formulas.validation import Vector, non_negative, one_number, positive
+from lesson_code.geometry.closest_point import segment_ends
+from lesson_code.geometry.edges import outward_normal
+from lesson_code.geometry.outline import Point, convex_outline
+
+CENTRED = 1e-14
+"""Of the largest coordinate: a centroid this near the origin is the origin, but for rounding."""
+
+
+@dataclass(frozen=True)
+class Circle:
+    """A disc with its centre at the body's position.
+
+    Parameters
+    ----------
+    radius : float
+        m, > 0.
+
+    Raises
+    ------
+    ValueError
+        The radius is not > 0, or not finite.
+
+    Examples
+    --------
+    >>> Circle(0.5).inertia_per_mass
+    0.125
+    """
+
+    radius: float
+    centroid: ClassVar[Point] = (0.0, 0.0)
+    outline: ClassVar[tuple[Point, ...]] = ()
+
+    def __post_init__(self) -> None:
+        """Check the radius."""
+        object.__setattr__(self, "radius", one_number("radius", self.radius, positive))
+
+    @property
+    def rounding(self) -> float:
+        """The radius: all of a circle lies beyond its centre."""
+        return self.radius
+
+    @property
+    def area(self) -> float:
+        """Area, m^2: pi r^2."""
+        return math.pi * self.radius * self.radius
+
+    @property
+    def inertia_per_mass(self) -> float:
+        """Moment of inertia of 1 kg about the centre, m^2: r^2 / 2."""
+        return float(disc_inertia(1.0, self.radius))
+
+    @property
+    def extent(self) -> float:
+        """Smallest width, m: the diameter."""
+        return 2 * self.radius
+
+    @property
+    def bounding_radius(self) -> float:
+        """Distance from the body's position to the farthest point, m."""
+        return self.radius
+
+
+@dataclass(frozen=True)
+class Polygon:
+    """A convex polygon, moved so that its centroid is the body's position.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (N, 2)
+        Corners in order, either way round, m; N >= 3. Their origin does not matter. They are
+        kept as a tuple of (x, y), seen from the centroid and counter-clockwise, beginning with
+        the first; a vertex on the straight line between its neighbours is left out.
+
+    Raises
+    ------
+    ValueError
+        The shape is not (N, 2), a coordinate is not finite, all lie on one line, a vertex repeats
+        its neighbour, or the outline is not convex or crosses itself.
+
+    Examples
+    --------
+    >>> Polygon([(0, 0), (0, 3), (3, 0)]).vertices
+    ((-1.0, -1.0), (2.0, -1.0), (-1.0, 2.0))
+    """
+
+    vertices: Vector
+    centroid: ClassVar[Point] = (0.0, 0.0)
+    rounding: ClassVar[float] = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the vertices, and see them from their centroid."""
+        object.__setattr__(self, "vertices", _centred(convex_outline("vertices", self.vertices)))
+
+    @classmethod
+    def box(cls, width: float, height: float) -> Polygon:
+        """Return a rectangle with its sides along the body's axes.
+
+        >>> Polygon.box(4, 2).vertices
+        ((-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0))
+        """
+        x, y = one_number("width", width, positive) / 2, one_number("height", height, positive) / 2
+        return cls(((-x, -y), (x, -y), (x, y), (-x, y)))
+
+    @classmethod
+    def regular(cls, sides: int, radius: float) -> Polygon:
+        """Return a polygon of equal sides, its first corner at (radius, 0).
+
+        >>> len(Polygon.regular(sides=6, radius=1).vertices)
+        6
+        """
+        count = int(one_number("sides", sides))
+        if count != sides or count < 3:
+            raise ValueError(f"sides must be a whole number >= 3, got {sides}")
+        r = one_number("radius", radius, positive)
+        angles = [2 * math.pi * k / count for k in range(count)]
+        return cls([(r * math.cos(angle), r * math.sin(angle)) for angle in angles])
+
+    @property
+    def outline(self) -> tuple[Point, ...]:
+        """The corners, counter-clockwise, m."""
+        return tuple(self.vertices)
+
+    @cached_property
+    def area(self) -> float:
+        """Area, m^2."""
+        return polygon_area(self.vertices)
+
+    @cached_property
+    def inertia_per_mass(self) -> float:
+        """Moment of inertia of 1 kg about the centroid, m^2."""
+        return float(polygon_inertia(1.0, self.vertices))
+
+    @cached_property
+    def extent(self) -> float:
+        """Smallest width, m. Between parallel lines a polygon is narrowest with an edge on one."""
+        ends = self.outline[1:] + self.outline[:1]
+        normals = (outward_normal(*a, *b) for a, b in zip(self.outline, ends, strict=True))
+        return min(self._width(*normal) for normal in normals)
+
+    @cached_property
+    def bounding_radius(self) -> float:
+        """Distance from the body's position to the farthest point, m."""
+        return max(math.hypot(x, y) for x, y in self.outline)
+
+    def _width(self, nx: float, ny: float) -> float:
+        """Return the width of the polygon along a direction."""
+        along = [x * nx + y * ny for x, y in self.outline]
+        return max(along) - min(along)
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A straight wall or rod with two sides and two round ends.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (2,)
+        Ends of the middle line, m, seen from the body's position; they must differ. They stay as
+        they are given: a floor may be drawn in the world's own coordinates.
+    radius : float
+        Half of the thickness, m, >= 0: the shape is everything within `radius` of the line.
+
+    Raises
+    ------
+    ValueError
+        A coordinate is not finite, the ends coincide, or the radius is negative.
+
+    Examples
+    --------
+    >>> Segment((-3, 0), (3, 0)).inertia_per_mass
+    3.0
+    """
+
+    start: Vector
+    end: Vector
+    radius: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check both ends and the radius."""
+        start, end = segment_ends(self.start, self.end)
+        object.__setattr__(self, "start", tuple(start.tolist()))
+        object.__setattr__(self, "end", tuple(end.tolist()))
+        object.__setattr__(self, "radius", one_number("radius", self.radius, non_negative))
+
+    @property
+    def outline(self) -> tuple[Point, ...]:
+        """The two ends, m: back along the left side first, then there along the right."""
+        return (self.end, self.start)
+
+    @property
+    def rounding(self) -> float:
+        """Half of the thickness, m."""
+        return self.radius
+
+    @property
+    def length(self) -> float:
+        """Distance between the ends, m."""
+        return math.dist(self.start, self.end)
+
+    @property
+    def area(self) -> float:
+        """Area, m^2: a rectangle and two half discs."""
+        return 2 * self.radius * self.length + math.pi * self.radius * self.radius
+
+    @property
+    def centroid(self) -> Point:
+        """The middle, m, seen from the body's position."""
+        (ax, ay), (bx, by) = self.start, self.end
+        return ((ax + bx) / 2, (ay + by) / 2)
+
+    @property
+    def inertia_per_mass(self) -> float:
+        """Moment of inertia of 1 kg about the middle, m^2: L^2 / 12 for a thin rod.
+
+        The mass is spread over the rectangle between the ends, L^2/12 + r^2/3, and over the two
+        half discs, r^2/2 + L^2/4 + 4 r L / (3 pi), in the ratio of their areas, 2 L : pi r.
+        """
+        length, r = self.length, self.radius
+        rectangle, discs = 2 * length, math.pi * r
+        of_rectangle = length * length / 12 + r * r / 3
+        of_discs = r * r / 2 + length * length / 4 + 4 * r * length / (3 * math.pi)
+        return float((rectangle * of_rectangle + discs * of_discs) / (rectangle + discs))
+
+    @property
+    def extent(self) -> float:
+        """Smallest width, m: the thickness, or the length where there is no thickness."""
+        return 2 * self.radius or self.length
+
+    @property
+    def bounding_radius(self) -> float:
+        """Distance from the body's position to the farthest point, m."""
+        return max(math.hypot(*self.start), math.hypot(*self.end)) + self.radius
+
+
+Shape: TypeAlias = Circle | Polygon | Segment
+
+
+def _centred(corners: list[Point]) -> tuple[Point, ...]:
+    """Return corners seen from their centroid; those that are already stay as they are."""
+    x, y = (float(c) for c in polygon_centroid(corners))
+    if math.hypot(x, y) <= CENTRED * max(math.hypot(*corner) for corner in corners):
+        x = y = 0.0
+    return tuple((cx - x, cy - y) for cx, cy in corners)

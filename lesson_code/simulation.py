@@ -1,0 +1,117 @@
+"""simulate(): one door to every solver, ours and pymunk's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lesson_code.engine.combination import Combination, combination
+from lesson_code.engine.plan import Plan
+from lesson_code.engine.recording import Sample, Stepper, record
+from lesson_code.engine.run import Run
+from lesson_code.engine.scene import Scene
+from lesson_code.engine.stepper import SOLVERS, EngineStepper
+from lesson_code.formulas.validation import non_negative, one_number, positive
+from lesson_code.reference.pymunk_reference import PymunkStepper
+
+NAMES = ("auto", *SOLVERS, "pymunk")
+"""The solvers that a scene can be given to."""
+
+
+def simulate(
+    scene: Scene,
+    duration: float,
+    *,
+    solver: str = "auto",
+    dt: float = 1 / 60,
+    iterations: int = 10,
+    substeps: int = 1,
+    combine: str | Combination = "workbook",
+    sample: Sample = None,
+) -> Run:
+    """Let a scene run for a while, and return what happened.
+
+    Parameters
+    ----------
+    scene : Scene
+        Bodies, gravity, damping, callbacks.
+    duration : float
+        s, >= 0.
+    solver : str
+        "sequential": sequential impulses, the solver of chapters 04 to 06.
+        "naive": the first attempt, faults included.
+        "pymunk": the same scene, stepped by pymunk.
+        "auto": the one that suits the scene; at present always "sequential".
+    dt : float
+        The time step, s, > 0. All steps have this length.
+    iterations : int
+        Sweeps over the contacts in each step, >= 1. The naive solver makes one.
+    substeps : int
+        Equal parts that a step is made in, >= 1, each with its own contacts and sweeps.
+    combine : str or Combination
+        How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
+        the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
+    sample : None, "end" or array_like, shape (F,)
+        Which states to record: those after every step and the last; only the first and the
+        last; or those at given times, s.
+
+    Returns
+    -------
+    Run
+        The states, the impulses, and what follows from them.
+
+    Raises
+    ------
+    ValueError
+        An argument is out of range, or the bodies are heaped into one another without end.
+    TypeError
+        An argument is of another kind.
+    FloatingPointError
+        A body has left the range of floating point.
+
+    Examples
+    --------
+    Two equal discs meet head on, and swap their velocities.
+
+    >>> from lesson_code import Body, Circle, Material, Scene
+    >>> ball = Material(restitution=1.0)
+    >>> scene = Scene([
+    ...     Body(Circle(0.5), mass=1.0, position=(-1, 0), velocity=(2, 0), material=ball),
+    ...     Body(Circle(0.5), mass=1.0, position=(1, 0), material=ball),
+    ... ])
+    >>> run = simulate(scene, duration=1.0)
+    >>> run.velocities[-1].tolist()
+    [[0.0, 0.0], [2.0, 0.0]]
+    """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"scene must be a Scene, got {scene!r}")
+    if solver not in NAMES:
+        raise ValueError(f"solver must be one of {', '.join(NAMES)}, got {solver!r}")
+    duration = one_number("duration", duration, non_negative)
+    chosen = "sequential" if solver == "auto" else solver
+    sweeps = _count("iterations", iterations)
+    settings: dict[str, Any] = {
+        "dt": one_number("dt", dt, positive),
+        "iterations": 1 if chosen == "naive" else sweeps,
+        "substeps": _count("substeps", substeps),
+        "combine": combination(combine),
+    }
+    stepper: Stepper
+    if chosen == "pymunk":
+        stepper = PymunkStepper(scene, **settings)
+    else:
+        stepper = EngineStepper(scene, solver=chosen, **settings)
+    return record(stepper, scene, duration, sample, _plan(solver, chosen))
+
+
+def _count(name: str, value: int) -> int:
+    """Return a number of times, or refuse what is none."""
+    number = one_number(name, value, positive)
+    if not number.is_integer():
+        raise ValueError(f"{name} must be a whole number, got {value!r}")
+    return int(number)
+
+
+def _plan(asked: str, chosen: str) -> Plan:
+    """Return how a scene is simulated."""
+    reason = "asked for" if asked == chosen else "it solves every scene"
+    return Plan(chosen, reason)

@@ -1,0 +1,100 @@
+"""pymunk's narrow phase as an independent judge of overlap, direction and depth."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lesson_code.geometry import Circle, Polygon, collide, mtv
+from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
+
+SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]
+
+DEPTH_TOLERANCE = 1e-12
+"""m: shapes of some metres; two ways of computing one number differ by rounding, about 1e-15."""
+
+NORMAL_TOLERANCE = 1e-9
+"""pymunk's normal is a difference of points that may lie 1e-6 m apart, or nearer."""
+
+TIE = 1e-6
+"""m: where the centre is this near the line that halves a corner, two edges are as good."""
+
+PAIRS = 3_000
+
+
+def random_polygon(rng: np.random.Generator, reach: float) -> Any:
+    """Corners on an ellipse at random angles, tilted and moved: a convex polygon."""
+    turns = np.sort(rng.uniform(0, 2 * np.pi, rng.integers(3, 9)))
+    while np.diff(turns, append=turns[0] + 2 * np.pi).min() < 0.05:
+        turns = np.sort(rng.uniform(0, 2 * np.pi, len(turns)))
+    x, y = np.cos(turns), rng.uniform(0.3, 1) * np.sin(turns)
+    tilt = rng.uniform(0, np.pi)
+    cos, sin = np.cos(tilt), np.sin(tilt)
+    return np.column_stack((cos * x - sin * y, sin * x + cos * y)) + rng.uniform(-reach, reach, 2)
+
+
+@pytest.mark.parametrize(
+    ("x", "normal", "depth"),
+    [(3.5, (1, 0), 0.5), (-1.5, (-1, 0), 0.5), (2.5, (1, 0), 1.5), (0.25, (-1, 0), 2.25)],
+    ids=["right", "left", "inside, right", "inside, left"],
+)
+def test_polygon_overlap_hand_worked(x: float, normal: tuple[int, int], depth: float) -> None:
+    """A square of 2 m by 1 m, at the side of a large one and wholly inside it."""
+    found = polygon_overlap(SQUARE, [(x, 2), (x + 2, 2), (x + 2, 2.01), (x, 2.01)])
+    if x < 4 and x + 2 > 4 or x < 0:
+        assert found is not None
+        assert found[0].tolist() == list(normal)
+        assert found[1] == depth
+    else:  # from inside, up or down is the shorter way out of 4 m
+        assert found is not None
+        assert found[1] == pytest.approx(min(depth, 2.0, 2.01), abs=DEPTH_TOLERANCE)
+
+
+def test_overlap_touching_is_none() -> None:
+    """pymunk sees a contact of depth 0; the workbook sees no overlap."""
+    assert polygon_overlap(SQUARE, [(4, 0), (6, 0), (6, 2)]) is None
+    assert circle_overlap(SQUARE, (5.0, 2.0), 1.0) is None
+
+
+def test_overlap_apart_is_none() -> None:
+    """Shapes whose boxes overlap but that are apart, and shapes far apart."""
+    assert polygon_overlap([(0, 0), (4, 0), (0, 4)], [(4, 4), (2.5, 4), (4, 2.5)]) is None
+    assert circle_overlap(SQUARE, (4.8, 4.8), 1.0) is None
+    assert circle_overlap(SQUARE, (99, 0), 1.0) is None
+
+
+def test_mtv_agrees_with_pymunk_on_random_pairs() -> None:
+    """Whether two polygons overlap, and how deep: separating axes and pymunk say the same."""
+    rng = np.random.default_rng(seed=6)
+    overlapping = 0
+    for _ in range(PAIRS):
+        a, b = random_polygon(rng, 0.0), random_polygon(rng, 1.5)
+        ours, theirs = mtv(a, b), polygon_overlap(a, b)
+        assert (ours is None) == (theirs is None)
+        if ours is not None and theirs is not None:
+            overlapping += 1
+            assert ours[1] == pytest.approx(theirs[1], abs=DEPTH_TOLERANCE)
+    assert PAIRS / 3 < overlapping < PAIRS * 9 / 10
+
+
+def test_circle_against_polygon_agrees_with_pymunk_on_random_pairs() -> None:
+    """Outside, on an edge, at a vertex and inside: the same normal and the same depth."""
+    rng = np.random.default_rng(seed=7)
+    inside = outside = 0
+    for _ in range(PAIRS):
+        shape = Polygon(random_polygon(rng, 0.0))
+        centre, radius = rng.uniform(-1.3, 1.3, 2), rng.uniform(0.05, 0.6)
+        manifold = collide(shape, (0, 0, 0), Circle(radius), (*centre, 0))
+        theirs = circle_overlap(shape.vertices, centre, radius)
+        assert (manifold is None) == (theirs is None)
+        if manifold is not None and theirs is not None:
+            depth = manifold.penetrations[0]
+            inside += depth > radius
+            outside += depth < radius
+            assert depth == pytest.approx(theirs[1], abs=DEPTH_TOLERANCE)
+            moved = centre + depth * manifold.normal
+            pushed = circle_overlap(shape.vertices, moved, radius)
+            assert pushed is None or pushed[1] <= DEPTH_TOLERANCE
+    assert min(inside, outside) > PAIRS / 10
