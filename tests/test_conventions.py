@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.formulas import (
     bounce,
     collide_1d,
@@ -93,3 +94,77 @@ def test_bad_input_names_argument_rule_and_value() -> None:
         collide_1d(-1, 0, 1, 0, 0.5)
     with pytest.raises(TypeError, match="m1"):
         collide_1d("heavy", 0, 1, 0, 0.5)
+
+
+def head_on(first: Material, second: Material, combine: str = "workbook") -> float:
+    """Return separation over approach of two equal discs that meet at 1 m/s."""
+    scene = Scene(
+        [
+            Body(Circle(1), mass=1.0, velocity=(1, 0), position=(-1.01, 0), material=first),
+            Body(Circle(1), mass=1.0, position=(1, 0), material=second),
+        ]
+    )
+    before, after = simulate(scene, 0.5, combine=combine).velocities[[0, -1], :, 0]
+    return float((after[1] - after[0]) / (before[0] - before[1]))
+
+
+def test_pairs_restitution_is_the_smaller_unless_another_rule_is_named() -> None:
+    """0.5 and 0.8: the smaller; pymunk's product; Box2D's larger."""
+    one, other = Material(restitution=0.5), Material(restitution=0.8)
+    assert head_on(one, other) == pytest.approx(0.5)
+    assert head_on(one, other, combine="pymunk") == pytest.approx(0.4)
+    assert head_on(one, other, combine="box2d") == pytest.approx(0.8)
+
+
+def test_coefficient_left_open_is_the_other_bodys_or_none() -> None:
+    """A material that says nothing leaves it to the other; two that say nothing make 0."""
+    assert head_on(Material(), Material(restitution=0.5)) == pytest.approx(0.5)
+    assert head_on(Material(), Material()) == pytest.approx(0.0)
+
+
+def test_pairs_friction_is_the_geometric_mean() -> None:
+    """0.2 and 0.8 make 0.4: that share of the weight slows a sliding box."""
+    box = Body(
+        Polygon.box(1, 1),
+        position=(0, 0.5),
+        velocity=(9, 0),
+        mass=1.0,
+        material=Material(0.0, 0.2),
+    )
+    floor = Body(Segment((-50, 0), (50, 0)), material=Material(0.0, 0.8))
+    run = simulate(Scene([box, floor], gravity=(0, -10)), 1.0)
+    assert run.velocities[-1, 0, 0] == pytest.approx(9 - 0.4 * 10)
+
+
+def test_impulse_acts_on_b_along_the_normal_and_on_a_against_it() -> None:
+    """The normal goes from a to b; b gains j n, a loses it; j is never negative."""
+    left = Body(Circle(1), mass=1.0, velocity=(1, 0), position=(-1.01, 0))
+    right = Body(Circle(1), mass=1.0, position=(1, 0))
+    run = simulate(Scene([left, right]), 0.5)
+    gained = run.velocities[-1] - run.velocities[0]
+    j = run.contacts.normal_impulse.sum()
+    assert run.contacts.normal[0].tolist() == [1.0, 0.0]
+    assert (run.contacts.normal_impulse >= 0).all()
+    assert gained.tolist() == [[-j, 0.0], [j, 0.0]]
+
+
+def test_body_without_a_mass_is_static_and_keeps_its_velocity() -> None:
+    """Nothing pushes it; a velocity that it was given stays."""
+    wall = Body(Segment((0, -5), (0, 5)), velocity=(2, 0))
+    ball = Body(Circle(1), position=(2, 0), mass=1.0)
+    run = simulate(Scene([wall, ball], gravity=(0, -10)), 1.0)
+    assert run.velocities[-1, 0].tolist() == [2.0, 0.0]
+
+
+def test_polygon_stands_with_its_centroid_at_its_position() -> None:
+    """Where the vertices were written down does not matter."""
+    here, there = Polygon([(0, 0), (3, 0), (0, 3)]), Polygon([(10, 7), (13, 7), (10, 10)])
+    assert np.array(here.vertices) == pytest.approx(np.array(there.vertices))
+    assert np.mean(here.vertices, axis=0) == pytest.approx([0, 0])
+
+
+def test_coincident_centres_have_the_normal_along_x() -> None:
+    """Two discs in one place are pushed apart along (1, 0), the second to the right."""
+    run = simulate(Scene([Body(Circle(1), mass=1.0), Body(Circle(1), mass=1.0)]), 1.0)
+    assert run.positions[-1, 0, 0] < 0 < run.positions[-1, 1, 0]
+    assert run.positions[-1, :, 1].tolist() == [0.0, 0.0]

@@ -5,7 +5,8 @@ stage                   what it does
 ======================  =====================================================================
 ``prepare``             effective masses, the bounce to reach, the overlap to undo
 ``warm_start``          begin with the impulses of the last step, which are nearly right
-``solve``               one sweep: normal impulse, friction, push, for each contact in turn
+``solve``               one sweep: normal impulse, then friction, for each contact in turn
+``correct``             one sweep of pushes that undo the overlaps
 ``store``               remember the impulses for the next step
 ======================  =====================================================================
 
@@ -98,13 +99,26 @@ def solve(world: World) -> None:
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
         if c.is_block:
-            d = world.contacts[k + 1]
-            solve_normals(c, d, a, b)
-            solve_pushes(c, d, a, b)
-        elif not (k > 0 and world.contacts[k - 1].is_block):
+            solve_normals(c, world.contacts[k + 1], a, b)
+        elif not is_second_of_block(world, k):
             solve_normal(c, a, b)
-            solve_push(c, a, b)
         solve_friction(c, a, b)
+
+
+def correct(world: World) -> None:
+    """Make one sweep of pushes over all contacts, in their order."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        if c.is_block:
+            solve_pushes(c, world.contacts[k + 1], a, b)
+        elif not is_second_of_block(world, k):
+            solve_push(c, a, b)
+
+
+def is_second_of_block(world: World, k: int) -> bool:
+    """Return whether a contact has been solved together with the one before it."""
+    return k > 0 and world.contacts[k - 1].is_block
 
 
 def solve_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

@@ -15,10 +15,15 @@ SOLVERS = {
         contact_solver.prepare,
         contact_solver.warm_start,
         contact_solver.solve,
+        contact_solver.correct,
         contact_solver.store,
     ),
     "naive": ContactSolver(
-        naive_solver.prepare, naive_solver.warm_start, naive_solver.solve, naive_solver.store
+        naive_solver.prepare,
+        naive_solver.warm_start,
+        naive_solver.solve,
+        naive_solver.correct,
+        naive_solver.store,
     ),
 }
 """The engine's contact solvers, by name."""

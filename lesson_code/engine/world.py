@@ -2,8 +2,8 @@
 
     detection         1 move the bodies      2 broad phase      3 narrow phase
     resolution        4 prepare              5 accelerate       6 warm start
-                      7 sweeps               8 store
-    post-processing   9 callbacks
+                      7 impulses             8 correction       9 store
+    post-processing  10 callbacks
 
 Positions come first: at the end of a step the velocities belong to the contacts at the positions
 that the bodies have there. The bounce is computed from the velocity before gravity has acted in
@@ -35,6 +35,7 @@ class ContactSolver(NamedTuple):
     prepare: Stage
     warm_start: Stage
     solve: Stage
+    correct: Stage
     store: Stage
 
 
@@ -63,9 +64,12 @@ def step(
     solver.warm_start(world)  # 6
     for _ in range(world.state.iterations):
         solver.solve(world)  # 7
-    solver.store(world)  # 8
+    if has_overlap_to_undo(world):
+        for _ in range(world.state.iterations):
+            solver.correct(world)  # 8
+    solver.store(world)  # 9
     if listener is not None:
-        listener.after_impulses(world)  # 9
+        listener.after_impulses(world)  # 10
 
 
 def move(world: World) -> None:
@@ -128,3 +132,11 @@ def accelerate(world: World) -> None:
             body.vx = body.vx * remaining + state.gravity_x * state.dt
             body.vy = body.vy * remaining + state.gravity_y * state.dt
             body.w = body.w * remaining
+
+
+def has_overlap_to_undo(world: World) -> bool:
+    """Return whether any contact overlaps by more than the slop."""
+    for k in range(world.state.contact_count):  # noqa: SIM110 - a loop is what a compiler takes
+        if world.contacts[k].push_speed > 0.0:
+            return True
+    return False

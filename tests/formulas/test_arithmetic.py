@@ -24,7 +24,7 @@ vectors = st.tuples(numbers, numbers).map(np.array)
     ],
 )
 def test_products_worked_by_hand_are_found(a, b, dot_product, cross_product) -> None:
-    """a_x b_x + a_y b_y and a_x b_y - a_y b_x (lesson.md, conventions)."""
+    """a_x b_x + a_y b_y and a_x b_y - a_y b_x."""
     assert dot(a, b) == dot_product
     assert cross(a, b) == cross_product
 

@@ -56,7 +56,7 @@ def test_angular_momentum_about_another_point_worked_by_hand_is_found() -> None:
 
 
 def test_angular_momentum_is_positive_counter_clockwise() -> None:
-    """On the right and going up is counter-clockwise, with y up (lesson.md, conventions)."""
+    """On the right and going up is counter-clockwise, with y up."""
     assert angular_momentum(1, (1, 0), (0, 1)) == 1
     assert angular_momentum(1, (1, 0), (0, -1)) == -1
 

@@ -11,7 +11,7 @@ TRIGONOMETRY = 1e-12
 """Of a speed: directions come from sin and cos of a few radians, each right to 1e-15."""
 
 TANGENT = 1e-12
-"""Of a speed: what a bounce without friction may change the tangent part (lesson.md, B 26)."""
+"""Of a speed: what a bounce without friction may change the tangent part."""
 
 GRAZING = 1e-6
 """Of a speed: a normal part below it may change sign by rounding, and with it the gate."""
@@ -92,7 +92,7 @@ def test_mirror_image_of_the_mirror_image_is_the_original(velocity, angle) -> No
 
 @given(velocities, angles)
 def test_mirror_image_with_the_normal_reversed_is_the_same_bit_for_bit(velocity, angle) -> None:
-    """R(I, N) = R(I, -N): the sign of N is squared away (lesson.md, right in the source)."""
+    """R(I, N) = R(I, -N): the sign of N is squared away."""
     normal = direction(angle)
     np.testing.assert_array_equal(reflect(velocity, normal), reflect(velocity, -normal))
 
@@ -106,7 +106,7 @@ def test_mirror_image_of_a_rotated_scene_is_rotated(velocity, angle, turn) -> No
 
 @given(velocities)
 def test_mirror_image_at_a_level_floor_changes_the_sign_of_vy_exactly(velocity) -> None:
-    """``vy *= -1`` is the special case of R for a level floor (lesson.md, right in the source)."""
+    """``vy *= -1`` is the special case of R for a level floor."""
     x, y = velocity
     np.testing.assert_array_equal(reflect(velocity, (0, 1)), (x, -y))
 

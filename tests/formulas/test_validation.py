@@ -313,7 +313,7 @@ def test_normal_within_a_billionth_of_unit_length_is_accepted(name, excess) -> N
 
 
 def test_normal_is_unit_within_the_tolerance_the_lesson_fixes() -> None:
-    """1e-9, on both sides (lesson.md, conventions)."""
+    """1e-9, on both sides."""
     assert UNIT_LENGTH_TOLERANCE == 1e-9
     for length in (1 + 1.1e-9, 1 - 1.1e-9):
         with pytest.raises(ValueError, match=r"^n must be a unit vector"):

@@ -285,7 +285,7 @@ def test_impact_by_newtons_rule_can_gain_energy_with_friction() -> None:
 
 
 def test_impact_of_random_bodies_gains_energy_now_and_then() -> None:
-    """Of 4,000 pairs with e = 1 and mu up to 1 that meet, 286 leave with up to 1.242 times as much.
+    """Of 4,000 pairs with e = 1 and mu up to 1 that meet, 263 leave with up to 1.203 times as much.
 
     Kinetic energy is therefore no check of a solver that uses Newton's rule with friction.
     """
@@ -303,7 +303,7 @@ def test_impact_of_random_bodies_gains_energy_now_and_then() -> None:
         if before(c)[0] < 0:
             ratios.append(energy_ratio(c))
     gained = sum(ratio > 1 + EXACT * LARGEST for ratio in ratios)
-    assert (gained, round(max(ratios), 3)) == (286, 1.242)
+    assert (gained, round(max(ratios), 3)) == (263, 1.203)
 
 
 def test_impact_that_does_not_approach_changes_nothing() -> None:

@@ -1,4 +1,4 @@
-"""pymunk's narrow phase, asked about two shapes: do they overlap, which way, and how deep?
+"""Two shapes shown to pymunk's narrow phase: do they overlap, which way and how deep.
 
 pymunk finds contacts with GJK and EPA, not with separating axes, so that its answer is an
 independent one. It counts shapes that touch as in contact, with a depth of 0; here they do not
@@ -46,14 +46,13 @@ def polygon_overlap(vertices_a: Vector, vertices_b: Vector) -> tuple[Any, float]
     >>> normal + 0.0, depth
     (array([1., 0.]), 1.0)
     """
-    a = pymunk.Poly(_fixed(), convex_outline("vertices_a", vertices_a))
-    b = pymunk.Poly(_fixed(), convex_outline("vertices_b", vertices_b))
-    return _deepest(a, b)
+    space = pymunk.Space()
+    a = pymunk.Poly(space.static_body, convex_outline("vertices_a", vertices_a))
+    b = pymunk.Poly(space.static_body, convex_outline("vertices_b", vertices_b))
+    return _deepest(space, a, b)
 
 
-def circle_overlap(
-    vertices: Vector, centre: Vector, radius: float
-) -> tuple[Any, float] | None:
+def circle_overlap(vertices: Vector, centre: Vector, radius: float) -> tuple[Any, float] | None:
     """Return the normal, from polygon to circle, and the depth that pymunk finds.
 
     Parameters
@@ -87,23 +86,20 @@ def circle_overlap(
     (array([0., 1.]), 0.75)
     """
     x, y = one_vector("centre", centre).tolist()
-    polygon = pymunk.Poly(_fixed(), convex_outline("vertices", vertices))
-    circle = pymunk.Circle(_fixed(), one_number("radius", radius, positive), (x, y))
-    return _deepest(polygon, circle)
-
-
-def _fixed() -> pymunk.Body:
-    """Return a body that stands at the origin."""
-    return pymunk.Body(body_type=pymunk.Body.STATIC)
-
-
-def _deepest(a: pymunk.Shape, b: pymunk.Shape) -> tuple[Any, float] | None:
-    """Return the normal from a to b and the depth of the deepest contact, or None."""
+    r = one_number("radius", radius, positive)
     space = pymunk.Space()
-    space.add(a.body, a)
+    polygon = pymunk.Poly(space.static_body, convex_outline("vertices", vertices))
+    circle = pymunk.Circle(space.static_body, r, (x, y))
+    return _deepest(space, polygon, circle)
+
+
+def _deepest(space: pymunk.Space, a: pymunk.Shape, b: pymunk.Shape) -> tuple[Any, float] | None:
+    """Return the normal from a to b and the depth of the deepest contact, or None."""
+    space.add(a)
     b.cache_bb()
     if not space.shape_query(b):  # shapes_collide fails on shapes that are apart
         return None
     contacts = a.shapes_collide(b)
-    depth = -min(point.distance for point in contacts.points)
+    # Not `distance`: where pymunk exchanges the shapes (polygon and circle), its sign is wrong.
+    depth = max((p.point_a - p.point_b).dot(contacts.normal) for p in contacts.points)
     return (np.array(contacts.normal), depth) if depth > 0 else None

@@ -22,8 +22,8 @@ from typing import Any
 
 import pymunk
 
-from lesson_code.engine.combination import UNSPECIFIED, Combination, combined
 from lesson_code.engine.combination import RULES as COMBINATION_RULES
+from lesson_code.engine.combination import UNSPECIFIED, Combination, combined
 from lesson_code.engine.recording import Event
 from lesson_code.engine.scene import Body, Material, Scene
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
@@ -49,6 +49,8 @@ class PymunkStepper:
     ----------
     visited : list of (int, int)
         The pairs that touched in the last sub-step, in the order in which pymunk visited them.
+    corrects_coefficients : bool
+        Whether each contact is given its coefficients by a callback, which costs time.
     """
 
     def __init__(
@@ -96,7 +98,8 @@ class PymunkStepper:
             (shape,) = body.shapes
             shape.elasticity = _or_one(material.restitution)
             shape.friction = _or_one(material.friction)
-        if any(self._pair(a, b) != _product(a, b) for a, b in pairs):
+        self.corrects_coefficients = any(self._pair(a, b) != _product(a, b) for a, b in pairs)
+        if self.corrects_coefficients:
             self.space.on_collision(None, None, pre_solve=self._correct)
 
     def _pair(self, a: Material, b: Material) -> tuple[float, float]:
