@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from html import unescape
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -22,6 +23,10 @@ MOST_WORDS_IN_A_PARAGRAPH = 119
 SHORTEST_ALT_TEXT = 30
 """Characters: less than this cannot say what is in a figure."""
 
+LARGEST_ANIMATION = 300_000
+"""Characters: what thirty bodies need for five seconds, with room to spare."""
+
+ANIMATION = re.compile(r'<figure data-animation="[^"]*"[^>]*><img alt="([^"]*)"')
 ADDRESS = re.compile(r"\bat 0x[0-9a-f]{4,}|<[\w.]+ object at")
 ABSOLUTE_PATH = re.compile(
     r"(?<![\w:/.])/(?:home|root|tmp|usr|var|work|opt|Users|private|mnt|etc)\b/?|\b[A-Z]:\\"
@@ -208,6 +213,18 @@ def test_every_picture_has_an_alt_text_and_says_it_in_words_too(path: Path) -> N
             alt = output.metadata.get("image/png", {}).get("alt", "")
             assert len(alt) >= SHORTEST_ALT_TEXT, f"code cell {number}"
             assert alt in output.data["text/plain"], f"code cell {number}"
+
+
+@notebooks
+def test_every_animation_has_an_alt_text_and_says_it_in_words_too(path: Path) -> None:
+    """What holds for pictures holds for those that move; they are also small enough to keep."""
+    for number, output in outputs(path):
+        page = output.get("data", {}).get("text/html", "")
+        for text in ANIMATION.findall(page):
+            alt = unescape(text)
+            assert len(alt) >= SHORTEST_ALT_TEXT, f"code cell {number}"
+            assert alt in output.data["text/plain"], f"code cell {number}"
+            assert len(page) <= LARGEST_ANIMATION, f"code cell {number}"
 
 
 @chapters

@@ -37,9 +37,11 @@ Only bodies heaped into one another make more; 10,000 in one place would make 50
 fill the memory before the first step.
 """
 
-LEAST_DETERMINANT = 1e-3
+LEAST_DETERMINANT = 1e-9
 """Of two contact points, 1 - k12^2 / (k11 k22): below this they are too close to tell apart.
 
 At 0 they are one point, and how they share the load is undefined; the equations for two lose as
-many digits as this has zeros. 1e-3 is Box2D's choice.
+many digits as this has zeros. Box2D, with the 7 digits of single precision, takes 1e-3; with 16,
+points 1 cm apart on a body of 1 m would then be solved in turn, and the answer would hang on
+which comes first.
 """

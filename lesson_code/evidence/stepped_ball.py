@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.formulas.validation import (
-    one_number,
-    Rule,
     non_negative,
+    one_number,
     one_vector,
     positive,
     unit_interval,
@@ -81,7 +80,8 @@ def drop_in_steps(
     >>> heights.round(9)
     array([1.2, 1.1, 0.9, 0.6, 0.2, 0. , 0. ])
     """
-    y, e = one_number("height", height, positive), one_number("restitution", restitution, unit_interval)
+    y = one_number("height", height, positive)
+    e = one_number("restitution", restitution, unit_interval)
     g, dt = one_number("gravity", gravity, positive), one_number("dt", dt, positive)
     steps = whole_parts(one_number("duration", duration, non_negative), dt)
     times, heights = dt * np.arange(steps + 1.0), np.empty(steps + 1)

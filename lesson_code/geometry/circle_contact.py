@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from lesson_code.geometry.edges import direction
 from lesson_code.geometry.rows import Corner, ManifoldRow, PlacedBody, following
-from lesson_code.geometry.sat import least_overlap
+from lesson_code.geometry.sat import TIE, least_overlap, lengths_involved
 
 
 def collide_circles(a: PlacedBody, b: PlacedBody, m: ManifoldRow) -> None:
@@ -53,7 +53,7 @@ def collide_outline_circle(
         ax, ay = px + face.nx * shift, py + face.ny * shift
         fill_single(m, face.nx, face.ny, ax, ay, b.radius, overlap + reach)
     else:
-        push_from_corner(m, a, face if from_start < 0.0 else end, b)
+        push_from_corner(m, a, face, face if from_start < 0.0 else end, b)
 
 
 def is_on_line(px: float, py: float, start: Corner, end: Corner) -> bool:
@@ -61,10 +61,17 @@ def is_on_line(px: float, py: float, start: Corner, end: Corner) -> bool:
     return (px - start.x) * (end.y - start.y) == (py - start.y) * (end.x - start.x)
 
 
-def push_from_corner(m: ManifoldRow, a: PlacedBody, corner: Corner, b: PlacedBody) -> None:
-    """Fill the manifold of a corner of A, rounded by A's radius, and a circle B."""
+def push_from_corner(
+    m: ManifoldRow, a: PlacedBody, face: Corner, corner: Corner, b: PlacedBody
+) -> None:
+    """Fill the manifold of a corner of A, rounded by A's radius, and a circle B.
+
+    A centre at the corner, but for rounding, has no sure direction; it takes the face's normal.
+    """
     away_x, away_y = b.x - a.x - corner.x, b.y - a.y - corner.y
-    distance, nx, ny = direction(away_x, away_y, corner.nx, corner.ny)
+    distance, nx, ny = direction(away_x, away_y, face.nx, face.ny)
+    if distance <= TIE * lengths_involved(a, b, face, corner):
+        nx, ny = face.nx, face.ny
     penetration = a.radius + b.radius - distance
     if penetration > 0.0:
         ax, ay = corner.x + nx * a.radius, corner.y + ny * a.radius

@@ -81,14 +81,10 @@ def _corners(points: list[Point]) -> list[int]:
     """Return the indices of the vertices that are not on the line between their neighbours."""
     tolerance = STRAIGHT * max(max(abs(x), abs(y)) for x, y in points)
     kept = list(range(len(points)))
-    k = 0
-    while k < len(kept) and len(kept) > 3:
+    for k in reversed(range(len(points))):
         before, after = points[kept[k - 1]], points[kept[(k + 1) % len(kept)]]
-        if _distance(points[kept[k]], before, after) <= tolerance:
+        if len(kept) > 3 and _distance(points[k], before, after) <= tolerance:
             del kept[k]
-            k = max(k - 1, 0)  # the one before it has a new neighbour
-        else:
-            k += 1
     return kept
 
 

@@ -7,7 +7,15 @@ from pathlib import Path
 
 from lesson_code.grading.submission import Submission
 from lesson_code.grading.task import Task
-from lesson_code.grading.tasks import billiards, one_dimension, reflection, restitution
+from lesson_code.grading.tasks import (
+    billiards,
+    circles,
+    one_dimension,
+    reflection,
+    restitution,
+    separating_axes,
+    spin_and_friction,
+)
 
 
 @dataclass(frozen=True)
@@ -42,6 +50,9 @@ EXERCISES = (
     Exercise("01_one_dimension", "One dimension", one_dimension.TASKS),
     Exercise("02_restitution", "Restitution", restitution.TASKS),
     Exercise("03_reflection", "Reflection", reflection.TASKS),
+    Exercise("04_circles", "Circles", circles.TASKS),
+    Exercise("05_spin_and_friction", "Spin and friction", spin_and_friction.TASKS),
+    Exercise("06_sat_and_manifolds", "SAT and manifolds", separating_axes.TASKS),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 

@@ -15,6 +15,9 @@ Arguments: TypeAlias = tuple[Any, ...]
 
 Function: TypeAlias = Callable[..., Any]
 
+Part: TypeAlias = Callable[[Any], Any]
+"""Picks what a criterion looks at out of an answer, or brings it to one form."""
+
 ANSWER_TOLERANCE = 1e-9
 """Largest difference from the expected number, relative above 1 and absolute below it.
 
@@ -93,13 +96,14 @@ class Criterion:
     """One thing that an answer must get right, with points of its own.
 
     `cases` draws the arguments of some calls from a random stream. `part` picks what is looked
-    at, out of the answer, where that is less than all of it.
+    at, out of the answer, where that is less than all of it; or it brings answers that are
+    equally right, such as axes in any order, to one form.
     """
 
     name: str
     cases: Callable[[Random], Iterable[Arguments]]
     points: int = 1
-    part: Callable[[Any], Any] | None = None
+    part: Part | None = None
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import numpy as np
 from lesson_code.grading.child import arguments_from, plain
 from lesson_code.grading.compare import agrees, told_apart, written
 from lesson_code.grading.outcome import Outcome
-from lesson_code.grading.task import Arguments, Criterion, Task, WrongModel
+from lesson_code.grading.task import Arguments, Criterion, Part, Task, WrongModel
 
 Call: TypeAlias = Callable[[str, Arguments], Outcome]
 """Calls a student's function by name: in this process, or across the wall."""
@@ -28,7 +28,7 @@ class Trial:
     expected: Any
     outcome: Outcome
 
-    def agrees(self, part: Callable[[Any], Any] | None) -> bool:
+    def agrees(self, part: Part | None) -> bool:
         """Return whether the answer is right, in the part that is looked at."""
         if self.outcome.kind != "returned":
             return False
@@ -85,11 +85,10 @@ def judge(task: Task, call: Call, seed: int) -> Verdict:
         Draws the inputs; the same seed draws the same ones again.
     """
     tried = [(criterion, _try(task, criterion, call, seed)) for criterion in task.criteria]
-    trials = [trial for _, some in tried for trial in some]
     return Verdict(
         task,
         tuple(_mark(task, criterion, some) for criterion, some in tried),
-        _recognised(task, trials),
+        _recognised(task, tried),
         seed,
     )
 
@@ -148,7 +147,7 @@ def _why(task: Task, trial: Trial) -> str:
         return ""
 
 
-def _part(part: Callable[[Any], Any], answer: Any) -> Any:
+def _part(part: Part, answer: Any) -> Any:
     """Return the part of an answer that is looked at; of an answer of another form, None."""
     try:
         return plain(part(answer))
@@ -156,21 +155,38 @@ def _part(part: Callable[[Any], Any], answer: Any) -> Any:
         return None
 
 
-def _recognised(task: Task, trials: list[Trial]) -> WrongModel | None:
-    """Return the wrong model that gives just what the student's function gave, if one does."""
-    returned = [trial for trial in trials if trial.outcome.kind == "returned"]
-    if not returned or all(trial.agrees(None) for trial in returned):
+def _recognised(task: Task, tried: list[tuple[Criterion, list[Trial]]]) -> WrongModel | None:
+    """Return the wrong model that gives just what the student's function gave, if one does.
+
+    As for the marks, only that part of an answer counts which its criterion looks at.
+    """
+    returned = [
+        (criterion.part, trial)
+        for criterion, trials in tried
+        for trial in trials
+        if trial.outcome.kind == "returned"
+    ]
+    if all(trial.agrees(part) for part, trial in returned):
         return None
     for model in task.wrong_models:
-        if all(agrees(trial.outcome.value, _wrong_answer(model, trial)) for trial in returned):
+        if all(
+            agrees(_looked_at(part, trial), _wrong_answer(model, part, trial))
+            for part, trial in returned
+        ):
             return model
     return None
 
 
-def _wrong_answer(model: WrongModel, trial: Trial) -> Any:
+def _looked_at(part: Part | None, trial: Trial) -> Any:
+    """Return what a criterion looks at of the answer that came."""
+    return trial.outcome.value if part is None else _part(part, trial.outcome.value)
+
+
+def _wrong_answer(model: WrongModel, part: Part | None, trial: Trial) -> Any:
     """Return what a wrong model makes of a trial's arguments, or words where it fails."""
     try:
         with np.errstate(all="ignore"):
-            return plain(model(*arguments_from(trial.arguments)))
+            answer = plain(model(*arguments_from(trial.arguments)))
+            return answer if part is None else plain(part(answer))
     except Exception as error:  # a wrong model may fail in any way
         return f"failed: {error}"

@@ -23,7 +23,13 @@ import numpy as np
 
 from lesson_code.formulas import bounce
 from lesson_code.formulas.arithmetic import dot, whole_parts
-from lesson_code.formulas.validation import Vector, non_negative, one_number, one_vector, unit_vector
+from lesson_code.formulas.validation import (
+    Vector,
+    non_negative,
+    one_number,
+    one_vector,
+    unit_vector,
+)
 from lesson_code.geometry.closest_point import circle_against_segment
 
 TIME_STEP = 1 / 60

@@ -53,16 +53,36 @@ def explore(draw: Callable[..., Figure], alt: str, **sliders: Slider) -> None:
     """
     if not sliders:
         raise ValueError("explore needs at least one slider, got none")
+    start = png_of(draw(**{name: slider.start for name, slider in sliders.items()}))
+    show_panel(_panel(draw, alt, sliders, start), start, alt, "Run the cell to move the sliders.")
+
+
+def show_panel(panel: Any, start: bytes, alt: str, invitation: str) -> None:
+    """Display a widget, and a still picture for a reader without a kernel.
+
+    Parameters
+    ----------
+    panel : ipywidgets.Widget
+        What is shown where a kernel runs.
+    start : bytes
+        A PNG of how it looks at the start.
+    alt : str
+        What can be seen in it.
+    invitation : str
+        A sentence for the reader of the text: how it comes to life.
+
+    Raises
+    ------
+    ValueError
+        `alt` is empty.
+    """
     if not alt.strip():
         raise ValueError("alt must say what the figure shows, got nothing")
-    start = png_of(draw(**{name: slider.start for name, slider in sliders.items()}))
-    panel = _panel(draw, alt, sliders, start)
-    bundle = panel._repr_mimebundle_()
     display(  # type: ignore[no-untyped-call]
         {
-            **bundle,
+            **panel._repr_mimebundle_(),
             "image/png": start,
-            "text/plain": f"Figure: {alt} (Run the cell to move the sliders.)",
+            "text/plain": f"Figure: {alt} ({invitation})",
         },
         metadata={"image/png": {"alt": alt}},
         raw=True,
@@ -72,7 +92,7 @@ def explore(draw: Callable[..., Figure], alt: str, **sliders: Slider) -> None:
 def _panel(draw: Callable[..., Figure], alt: str, sliders: dict[str, Slider], start: bytes) -> Any:
     """Return the sliders with the picture below them."""
     picture = ipywidgets.HTML(_image(start, alt))
-    controls = {name: _control(slider) for name, slider in sliders.items()}
+    controls = {name: float_slider(slider) for name, slider in sliders.items()}
 
     def redraw(_: Any) -> None:
         values = {name: control.value for name, control in controls.items()}
@@ -83,7 +103,7 @@ def _panel(draw: Callable[..., Figure], alt: str, sliders: dict[str, Slider], st
     return ipywidgets.VBox([*controls.values(), picture])
 
 
-def _control(slider: Slider) -> Any:
+def float_slider(slider: Slider) -> Any:
     """Return the widget of a slider: reachable by keyboard, its label never cut."""
     return ipywidgets.FloatSlider(
         value=slider.start,

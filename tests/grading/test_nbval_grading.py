@@ -194,7 +194,7 @@ def test_merge_of_a_program_is_refused(root: Path, write: Write) -> None:
     """An exercise without a notebook cannot be graded by nbval, and says so."""
     submission = read_submission(write("billiards.py", "x = 1"))
     with pytest.raises(SubmissionError, match="billiards is a program: grade it without nbval"):
-        merge(submission, EXERCISES[3], root)
+        merge(submission, EXERCISES[-1], root)
 
 
 def test_two_commands_by_hand_grade_a_submission(tmp_path: Path) -> None:

@@ -199,7 +199,7 @@ def test_faults_of_a_student_program_are_found(
     path = copied / PROGRAM
     text = path.read_text().replace("    1. Separate", "    position = position+depth*normal")
     path.write_text(text)
-    assert found(EXERCISES[3]) == [
+    assert found(EXERCISES[-1]) == [
         "billiards.py: holds what the solution of resolve has: position = position + depth * normal"
     ]
 

@@ -31,6 +31,11 @@ def mirrored_y(normal_part_times: int) -> F:
     return -4 - normal_part_times * (3 * nx - 4 * ny) * ny
 
 
+def rolling(k: F) -> F:
+    """Return at which speed a body rolls that slid at 6 m/s; its inertia is k m r^2."""
+    return 6 / (1 + k)
+
+
 E = F(4, 5)
 
 # For each numeric question: the answer, and the wrong values in the order of the bank, each by
@@ -98,6 +103,51 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             math.sqrt(3**2 + 5**2 * E),
         ],
     ),
+    "04-depth": (
+        F(2) + F(7, 2) - math.isqrt(3**2 + 4**2),
+        [
+            math.isqrt(3**2 + 4**2) - (F(2) + F(7, 2)),
+            F(math.isqrt(3**2 + 4**2)),
+            F(2) + F(7, 2),
+            (F(2) + F(7, 2)) ** 2 - (3**2 + 4**2),
+            F(2) + F(7, 2) - (3 + 4),
+        ],
+    ),
+    "04-impulse": (
+        F(3, 4) * F(3, 2) * 4,
+        [
+            F(3, 4) * 2 * F(3, 2) * 4,
+            F(3, 4) * 2 * 4,
+            F(3, 4) * 4,
+            (1 + 3) * F(3, 2) * 4,
+            (F(1, 1) + F(1, 3)) * F(3, 2) * 4,
+            F(3, 4) * F(1, 2) * 4,
+        ],
+    ),
+    "04-split": (
+        F(4, 10) * F(3, 1 + 3),
+        [F(4, 10) / 2, F(4, 10) * F(1, 1 + 3), F(4, 10), F(4, 10) / 3],
+    ),
+    "05-contact-velocity": (
+        3 - F(-4) * F(-1, 2),
+        [3 - F(-4) * F(1, 2), F(3), -F(-4) * F(-1, 2), F(3 - 4)],
+    ),
+    "05-clamp": (
+        -min(F(1, 2) * 4, F(3 * 2)),
+        [F(-3 * 2), F(1, 2) * 4, F(3 * 2), -min(F(4), F(3 * 2)), -F(1, 2), F(-3)],
+    ),
+    "05-roll": (
+        rolling(F(1, 2)),
+        [rolling(F(1)), rolling(F(2, 5)), math.sqrt(6**2 / (1 + F(1, 2))), F(6), F(0)],
+    ),
+    "06-overlap": (
+        F(min(40 - 22, 32 - 0)),
+        [F(min(40, 32) - max(0, 22)), F(max(40 - 22, 32 - 0)), F(40 - 32), F(22 - 0), F(40 - 0)],
+    ),
+    "06-inside": (
+        F(1, 2) + F(1, 5),
+        [F(1, 2) - F(1, 5), F(1, 5), F(1, 2), F(1, 2) + 2 * F(1, 5)],
+    ),
 }
 
 
@@ -154,8 +204,12 @@ def test_equal_masses_only_the_exchange_keeps_momentum_and_energy_and_changes_so
         ("03-normal-part", "The normal component of I: a vector"),
         ("03-gate", "v·N < 0"),
         ("03-either-normal", "N stands twice"),
+        ("04-separating", "Move them apart by 0.1 m; leave their velocities alone"),
         ("01-wall", "Ball \N{MINUS SIGN}5 m/s, wall 0 m/s"),
         ("02-zeno", "Infinitely often, and it rests after a finite time"),
+        ("05-off-centre", "At the middle"),
+        ("05-extra-vertex", "Nothing: the body is the same"),
+        ("05-what-is-kept", "The total momentum and the total angular momentum"),
     ],
 )
 def test_right_option_says(key: str, right: str) -> None:

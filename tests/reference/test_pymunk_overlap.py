@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 
+from lesson_code.evidence.polygons import random_polygon
 from lesson_code.geometry import Circle, Polygon, collide, mtv
 from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
 
@@ -16,17 +15,6 @@ DEPTH_TOLERANCE = 1e-12
 """m: shapes of some metres; two ways of computing one number differ by rounding, about 1e-15."""
 
 PAIRS = 3_000
-
-
-def random_polygon(rng: np.random.Generator, reach: float) -> Any:
-    """Corners on an ellipse at random angles, tilted and moved: a convex polygon."""
-    turns = np.sort(rng.uniform(0, 2 * np.pi, rng.integers(3, 9)))
-    while np.diff(turns, append=turns[0] + 2 * np.pi).min() < 0.05:
-        turns = np.sort(rng.uniform(0, 2 * np.pi, len(turns)))
-    x, y = np.cos(turns), rng.uniform(0.3, 1) * np.sin(turns)
-    tilt = rng.uniform(0, np.pi)
-    cos, sin = np.cos(tilt), np.sin(tilt)
-    return np.column_stack((cos * x - sin * y, sin * x + cos * y)) + rng.uniform(-reach, reach, 2)
 
 
 @pytest.mark.parametrize(
@@ -61,7 +49,7 @@ def test_mtv_agrees_with_pymunk_on_random_pairs() -> None:
     rng = np.random.default_rng(seed=6)
     overlapping = 0
     for _ in range(PAIRS):
-        a, b = random_polygon(rng, 0.0), random_polygon(rng, 1.5)
+        a, b = random_polygon(rng), random_polygon(rng, 1.5)
         ours, theirs = mtv(a, b), polygon_overlap(a, b)
         assert (ours is None) == (theirs is None)
         if ours is not None and theirs is not None:
@@ -75,7 +63,7 @@ def test_circle_against_polygon_agrees_with_pymunk_on_random_pairs() -> None:
     rng = np.random.default_rng(seed=7)
     inside = outside = 0
     for _ in range(PAIRS):
-        shape = Polygon(random_polygon(rng, 0.0))
+        shape = Polygon(random_polygon(rng))
         centre, radius = rng.uniform(-1.3, 1.3, 2), rng.uniform(0.05, 0.6)
         manifold = collide(shape, (0, 0, 0), Circle(radius), (*centre, 0))
         theirs = circle_overlap(shape.vertices, centre, radius)

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import combinations
+from typing import Any
 
+import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
+
+from lesson_code import Run, Scene
+from lesson_code.engine.plan import Plan
+from lesson_code.engine.run import ImpulseEvents
 
 TOUCH = 1.0
 """px by which the boxes of two texts may run into each other: no letter fills its box."""
@@ -62,3 +68,47 @@ def assert_texts_are_clear(
 def inside(box: Bbox, page: Bbox) -> bool:
     """Return whether a box lies on a page."""
     return bool(page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1)
+
+
+def run_made_by_hand(
+    scene: Scene,
+    times: Any,
+    positions: Any,
+    *,
+    angles: Any = None,
+    velocities: Any = None,
+    spins: Any = None,
+    contacts: Any = (),
+) -> Run:
+    """Return a run that nobody simulated.
+
+    A contact is (time, body a, body b, point, normal, normal impulse, tangent impulse).
+    """
+    shape = (len(times), len(scene.bodies))
+    table = [(t, a, b, *point, *normal, jn, jt) for t, a, b, point, normal, jn, jt in contacts]
+    time, a, b, px, py, nx, ny, jn, jt = np.array(table, dtype=float).reshape(-1, 9).T
+    return Run(
+        scene=scene,
+        times=np.array(times, dtype=float),
+        positions=np.array(positions, dtype=float).reshape(*shape, 2),
+        velocities=np.zeros((*shape, 2)) if velocities is None else np.array(velocities, float),
+        angles=np.zeros(shape) if angles is None else np.array(angles, dtype=float),
+        angular_velocities=np.zeros(shape) if spins is None else np.array(spins, dtype=float),
+        contacts=ImpulseEvents(
+            time=time,
+            body_a=a.astype(np.int64),
+            body_b=b.astype(np.int64),
+            point=np.stack((px, py), axis=-1),
+            normal=np.stack((nx, ny), axis=-1),
+            normal_impulse=jn,
+            tangent_impulse=jt,
+            penetration=np.full(len(time), 0.01),
+        ),
+        plan=Plan("by hand", "a test"),
+    )
+
+
+@pytest.fixture
+def run_of() -> Callable[..., Run]:
+    """Return what makes a run from the states and impulses that a test names."""
+    return run_made_by_hand

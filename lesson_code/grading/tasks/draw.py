@@ -66,3 +66,76 @@ def _velocity(along_normal: float, along_tangent: float, normal: Vector) -> Vect
     """Return the vector with the given parts along a normal and its tangent."""
     n_x, n_y = normal
     return along_normal * n_x - along_tangent * n_y, along_normal * n_y + along_tangent * n_x
+
+
+def position(stream: Random) -> Vector:
+    """Return a position, m."""
+    return round(stream.uniform(-5, 5), 2), round(stream.uniform(-5, 5), 2)
+
+
+def depth(stream: Random) -> float:
+    """Return a depth of overlap, m."""
+    return round(stream.uniform(0.1, 0.5), 2)
+
+
+def unequal_radii(stream: Random) -> tuple[float, float]:
+    """Return two radii, m, one at least 1.5 times the other; together more than 2 m."""
+    small = round(stream.uniform(0.9, 1.5), 2)
+    large = round(small * stream.uniform(1.5, 2.5), 2)
+    return (small, large) if stream.random() < 0.5 else (large, small)
+
+
+def at_distance(start: Vector, distance: float, direction: Vector) -> Vector:
+    """Return the point so far from `start` in a unit direction, m, to two decimals."""
+    return round(start[0] + distance * direction[0], 2), round(
+        start[1] + distance * direction[1], 2
+    )
+
+
+def approaching_pair(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+    """Return velocities of two bodies, m/s, both moving; they approach along `normal`, 1 to 2."""
+    first = _velocity(speed(stream), _sliding(stream), normal)
+    return first, _sum(first, velocity_into(stream, normal))
+
+
+def separating_pair(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+    """Return velocities of two bodies, m/s, both moving, that already part along `normal`."""
+    first = _velocity(speed(stream), _sliding(stream), normal)
+    return first, _sum(first, velocity_away(stream, normal))
+
+
+def _sum(a: Vector, b: Vector) -> Vector:
+    """Return the sum of two vectors."""
+    return a[0] + b[0], a[1] + b[1]
+
+
+def angular_velocity(stream: Random) -> float:
+    """Return an angular velocity, rad/s, either way round."""
+    return stream.choice((-1, 1)) * round(stream.uniform(1.0, 8.0), 2)
+
+
+def lever(stream: Random) -> Vector:
+    """Return the way from a centre to a contact, m, far from the axes and the diagonals."""
+    x, y = round(stream.uniform(0.2, 0.6), 2), round(stream.uniform(0.7, 1.5), 2)
+    return stream.choice((-1, 1)) * x, stream.choice((-1, 1)) * y
+
+
+def convex_polygon(
+    stream: Random, count: int, centre: Vector = (0.0, 0.0), size: float = 1.0, width: float = 0.5
+) -> tuple[Vector, ...]:
+    """Return the vertices, m, of a convex polygon with no two edges alike, counter-clockwise.
+
+    They lie on a tilted ellipse about `centre` that is `size` long and `width` times as wide,
+    at uneven angles, and begin anywhere on it.
+    """
+    gaps = [stream.uniform(1.0, 2.2) for _ in range(count)]
+    first, tilt = stream.uniform(0, 2 * math.pi), stream.uniform(0, math.pi)
+    turns = [first + 2 * math.pi * sum(gaps[:place]) / sum(gaps) for place in range(count)]
+    on_ellipse = [(size * math.cos(turn), size * width * math.sin(turn)) for turn in turns]
+    return tuple(_placed(point, tilt, centre) for point in on_ellipse)
+
+
+def _placed(point: Vector, tilt: float, centre: Vector) -> Vector:
+    """Return a point turned about the origin by `tilt` and then moved by `centre`."""
+    (x, y), cos, sin = point, math.cos(tilt), math.sin(tilt)
+    return round(centre[0] + x * cos - y * sin, 2), round(centre[1] + x * sin + y * cos, 2)

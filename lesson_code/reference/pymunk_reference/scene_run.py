@@ -22,10 +22,13 @@ from typing import Any
 
 import pymunk
 
+from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.combination import RULES as COMBINATION_RULES
 from lesson_code.engine.combination import UNSPECIFIED, Combination, combined
 from lesson_code.engine.recording import Event
 from lesson_code.engine.scene import Body, Material, Scene
+from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.world import find_pairs
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 
@@ -45,6 +48,11 @@ class PymunkStepper:
     combine : Combination
         How a pair's coefficients come from its bodies'.
 
+    Raises
+    ------
+    ValueError
+        The bodies are heaped into one another.
+
     Attributes
     ----------
     visited : list of (int, int)
@@ -56,6 +64,7 @@ class PymunkStepper:
     def __init__(
         self, scene: Scene, *, dt: float, iterations: int, substeps: int, combine: Combination
     ) -> None:
+        _refuse_heap(scene)
         self.dt = dt
         self._substeps = substeps
         self._substeps_done = 0
@@ -143,6 +152,13 @@ class PymunkStepper:
                 -min(p.distance for p in points),
             )
         )
+
+
+def _refuse_heap(scene: Scene) -> None:
+    """Refuse bodies heaped into one another: pymunk would go on until the memory is full."""
+    world = world_of(scene, dt=1.0, iterations=0, combine=Combination())
+    bound(world)
+    find_pairs(world, BROAD_PHASES[broad_phase_for(scene)])
 
 
 def _add(space: pymunk.Space, body: Body) -> pymunk.Body:

@@ -1,0 +1,299 @@
+"""The broad phase: three ways to the same candidate pairs, against every box with every box."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+
+from lesson_code import Body, Circle, Combination, Polygon, Scene, Segment
+from lesson_code.engine import broad_phase
+from lesson_code.engine.broad_phase import bound, most_pairs, put_pair, sort_pairs
+from lesson_code.engine.room import make_room
+from lesson_code.engine.rows import PairRow, World
+from lesson_code.engine.tables import BROAD_PHASES, world_of
+from lesson_code.engine.world import find_pairs, move
+
+ROUNDING = 1e-14
+"""m, of boxes of some metres: a turned corner is right to 1e-16 of its distance."""
+
+WAYS = sorted(BROAD_PHASES)
+
+seeds = st.integers(0, 10**9)
+scenes_by_seed = settings(max_examples=60, phases=[Phase.explicit, Phase.generate])
+
+PLACES = {
+    "scattered": lambda rng, n: rng.uniform(-6, 6, (n, 2)),
+    "dense": lambda rng, n: rng.uniform(-1.5, 1.5, (n, 2)),
+    "coincident": lambda rng, n: np.zeros((n, 2)) + rng.integers(-1, 2, 2),
+    "on a lattice": lambda rng, n: rng.integers(-4, 5, (n, 2)) * 0.6,
+    "on a line": lambda rng, n: np.column_stack([rng.uniform(-9, 9, n), np.full(n, -3.0)]),
+    "far away": lambda rng, n: 1e9 + rng.uniform(-6, 6, (n, 2)),
+    "far away and negative": lambda rng, n: -1e9 + rng.uniform(-6, 6, (n, 2)),
+    "very far away": lambda rng, n: 1e16 + rng.uniform(-60, 60, (n, 2)),
+}
+SIZES = {
+    "equal": lambda _: 0.3,
+    "mixed": lambda rng: float(np.exp(rng.uniform(-3, 1))),
+    "nearly equal": lambda rng: rng.uniform(0.25, 0.35),
+}
+
+
+def some_shape(rng: np.random.Generator, size: float) -> Any:
+    """Return a circle, polygon or rod of a size."""
+    kind = rng.integers(4)
+    if kind == 0:
+        return Polygon.box(2 * size, size)
+    if kind == 1:
+        return Segment((-size, 0), (size, 0), radius=size / 10)
+    return Circle(size)
+
+
+def some_scene(seed: int, places: str, sizes: str) -> Scene:
+    """Return up to 40 turned bodies, a third of them static, and sometimes a huge floor."""
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(1, 41))
+    bodies = [
+        Body(
+            some_shape(rng, SIZES[sizes](rng)),
+            position=place,
+            angle=rng.uniform(-3, 3),
+            velocity=rng.uniform(-9, 9, 2),
+            angular_velocity=rng.uniform(-9, 9),
+            mass=None if rng.random() < 0.3 else 1.0,
+        )
+        for place in PLACES[places](rng, count)
+    ]
+    if rng.random() < 0.5:
+        floor = Body(Segment((-500, -1), (500, -1)), position=bodies[0].position)
+        bodies.insert(int(rng.integers(len(bodies) + 1)), floor)
+    return Scene(bodies)
+
+
+def world_from(scene: Scene) -> World:
+    """Return the tables of a scene, its boxes drawn, without room for any pair."""
+    world = world_of(scene, dt=0.01, iterations=1, combine=Combination())
+    bound(world)
+    return world
+
+
+def found(world: World, way: str) -> list[tuple[int, int]]:
+    """Return the pairs that a way finds."""
+    find_pairs(world, BROAD_PHASES[way])
+    return [(pair.a, pair.b) for pair in world.pairs[: world.state.pair_count]]
+
+
+def all_found(world: World) -> dict[str, list[tuple[int, int]]]:
+    """Return the pairs that each way finds."""
+    return {way: found(world, way) for way in WAYS}
+
+
+def brute_force(world: World) -> list[tuple[int, int]]:
+    """Return every pair of boxes that share a point, and of which one body has a mass."""
+    low = np.array([(b.min_x, b.min_y) for b in world.bodies])
+    high = np.array([(b.max_x, b.max_y) for b in world.bodies])
+    free = np.array([b.inv_m > 0 for b in world.bodies])
+    share = (low[:, np.newaxis] <= high) & (high[:, np.newaxis] >= low)
+    wanted = share.all(axis=-1) & (free[:, np.newaxis] | free)
+    return [(int(a), int(b)) for a, b in np.argwhere(np.triu(wanted, k=1))]
+
+
+# The boxes
+
+
+@scenes_by_seed
+@given(seed=seeds)
+def test_box_of_a_turned_shape_just_holds_it(seed: int) -> None:
+    """Each side touches the shape: the farthest corner of the outline, and the rounding."""
+    scene = some_scene(seed, "scattered", "mixed")
+    for row, body in zip(world_from(scene).bodies, scene.bodies, strict=True):
+        c, s = math.cos(body.angle), math.sin(body.angle)
+        corners = np.array(body.shape.outline or [(0.0, 0.0)]) @ [[c, s], [-s, c]]
+        low = body.position + corners.min(axis=0) - body.shape.rounding
+        high = body.position + corners.max(axis=0) + body.shape.rounding
+        size = np.abs([low, high]).max()
+        np.testing.assert_allclose((row.min_x, row.min_y), low, atol=ROUNDING * size)
+        np.testing.assert_allclose((row.max_x, row.max_y), high, atol=ROUNDING * size)
+
+
+# The pairs
+
+
+@pytest.mark.parametrize("sizes", SIZES)
+@pytest.mark.parametrize("places", PLACES)
+@settings(max_examples=15, phases=[Phase.explicit, Phase.generate])
+@given(seed=seeds)
+def test_pairs_of_any_scene_are_those_of_brute_force(places: str, sizes: str, seed: int) -> None:
+    """The same pairs in the same order from each way: a < b, sorted by a, then by b."""
+    world = world_from(some_scene(seed, places, sizes))
+    assert all_found(world) == dict.fromkeys(WAYS, brute_force(world))
+
+
+@settings(max_examples=20, phases=[Phase.explicit, Phase.generate])
+@given(seed=seeds)
+def test_pairs_of_bodies_that_move_are_those_of_brute_force(seed: int) -> None:
+    """Step after step: the sweep goes on from the order of the last one."""
+    world = world_from(some_scene(seed, "scattered", "mixed"))
+    for _ in range(5):
+        assert all_found(world) == dict.fromkeys(WAYS, brute_force(world))
+        move(world)
+        bound(world)
+
+
+@pytest.mark.parametrize("radius", [0.1, 0.3, 0.35, 0.5, 0.7])
+def test_pairs_of_boxes_that_only_just_touch_are_found_by_all(radius: float) -> None:
+    """Discs side by side, and an ulp less or more: what is beside a cell must not be lost."""
+    for k in range(-20, 20):
+        x = 2 * radius * k
+        for right in (x + 2 * radius, math.nextafter(x + 2 * radius, math.inf)):
+            bodies = [Body(Circle(radius), mass=1, position=(p, p)) for p in (x, right)]
+            world = world_from(Scene(bodies))
+            assert all_found(world) == dict.fromkeys(WAYS, brute_force(world))
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_pair_of_two_static_bodies_is_none(way: str) -> None:
+    """Walls that cross are no contact; a body between them has one with each."""
+    walls = [Body(Circle(0.5)), Body(Circle(0.5), velocity=(1, 0)), Body(Circle(0.5), mass=1)]
+    assert found(world_from(Scene(walls)), way) == [(0, 2), (1, 2)]
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_pairs_of_no_bodies_are_none(way: str) -> None:
+    """An empty scene has no boxes to compare."""
+    assert found(world_from(Scene()), way) == []
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_pairs_of_a_floor_and_many_balls_are_one_each(way: str) -> None:
+    """A floor as long as all the balls together fits into no cell of theirs."""
+    balls = [Body(Circle(0.3), mass=1, position=(k, 0.2)) for k in range(50)]
+    floor = Body(Segment((-10, 0), (60, 0)))
+    assert found(world_from(Scene([*balls, floor])), way) == [(k, 50) for k in range(50)]
+
+
+# Room
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("room", [0, 1, 10])
+def test_count_of_pairs_without_room_for_them_is_right(way: str, room: int) -> None:
+    """A way says how many there are, writes what it can and no more: so room can be made."""
+    scene = some_scene(4, "dense", "mixed")
+    pairs = brute_force(world_from(scene))
+    world = world_from(scene)
+    world.pairs.extend(PairRow() for _ in range(room))
+    assert BROAD_PHASES[way](world) == len(pairs) > 10
+    assert len(world.pairs) == room
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_pairs_beyond_the_room_make_it_grow(way: str) -> None:
+    """Afterwards the tables hold all pairs and two contacts for each, and the count is noted."""
+    scene = some_scene(4, "dense", "mixed")
+    world = world_from(scene)
+    find_pairs(world, BROAD_PHASES[way])
+    pairs = brute_force(world)
+    assert world.state.pair_count == len(pairs)
+    assert [(p.a, p.b) for p in world.pairs[: len(pairs)]] == pairs
+    assert len(world.pairs) == len(world.sorted_pairs) == 2 * len(pairs)
+    assert len(world.contacts) == len(world.memory) == 4 * len(pairs)
+
+
+def test_room_that_there_is_stays() -> None:
+    """Making room again for fewer pairs throws nothing away, and its rows are the same rows."""
+    world = world_from(Scene([Body(Circle(1), mass=1)]))
+    make_room(world, 10)
+    before = [id(row) for row in world.pairs]
+    make_room(world, 3)
+    assert [id(row) for row in world.pairs] == before
+    make_room(world, 11)
+    assert len(world.pairs) == 22
+    assert [id(row) for row in world.pairs[:20]] == before
+    assert len({id(row) for row in world.contacts}) == len(world.contacts) == 44
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_pairs_of_a_heap_in_one_place_are_refused(way: str) -> None:
+    """400 bodies in one place have 79,800 pairs: more than the 50 x 400 + 10,000 allowed."""
+    world = world_from(Scene([Body(Circle(0.5), mass=1) for _ in range(400)]))
+    assert most_pairs(400) == 30_000
+    with pytest.raises(ValueError, match=r"bodies must not be heaped .*: 400 of them overlap in"):
+        find_pairs(world, BROAD_PHASES[way])
+    assert world.pairs == []
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_pairs_of_a_moderate_heap_are_found(way: str) -> None:
+    """100 bodies in one place are unusual and allowed: 4,950 pairs."""
+    world = world_from(Scene([Body(Circle(0.5), mass=1) for _ in range(100)]))
+    find_pairs(world, BROAD_PHASES[way])
+    assert world.state.pair_count == 4950
+
+
+# Order
+
+
+@scenes_by_seed
+@given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 9)), max_size=30))
+def test_sorted_pairs_are_those_that_python_sorts(pairs: list[tuple[int, int]]) -> None:
+    """Two counting sorts make one sort by a, then by b; none is lost, none twice."""
+    world = world_from(Scene([Body(Circle(1), mass=1)] * 10))
+    make_room(world, 15)
+    count = 0
+    for a, b in pairs:
+        count = put_pair(world.pairs, count, a, b)
+    assert sort_pairs(world, count) == len(pairs)
+    assert [(pair.a, pair.b) for pair in world.pairs[:count]] == sorted(pairs)
+
+
+# Work
+
+
+def comparisons(monkeypatch: pytest.MonkeyPatch, scene: Scene, way: str) -> int:
+    """Return how many boxes a way compares with another."""
+    world = world_from(scene)
+    found(world, way)  # from now on the sweep's order is right
+    asked: list[int] = []
+    may_touch = broad_phase.may_touch
+    with monkeypatch.context() as patch:
+        patch.setattr(broad_phase, "may_touch", lambda a, b: asked.append(1) or may_touch(a, b))
+        found(world, way)
+    return len(asked)
+
+
+def discs(count: int, radius: float) -> Scene:
+    """Return discs scattered over a square, one for each square metre on average."""
+    rng = np.random.default_rng(1)
+    places = rng.uniform(0, math.sqrt(count), (count, 2))
+    return Scene([Body(Circle(radius), mass=1, position=place) for place in places])
+
+
+@pytest.mark.parametrize("radius", [0.3, 0.35, 0.5])
+def test_work_of_the_grid_grows_with_the_number_of_equal_discs(
+    monkeypatch: pytest.MonkeyPatch, radius: float
+) -> None:
+    """Nine cells of a diameter's width hold 9 (1.01 d)^2 others, and half of them come later.
+
+    That is 1.7 a body for a radius of 0.3 m and 4.6 for 0.5 m, for 400 bodies or 1600. All pairs
+    of 1600 would be 800 a body.
+    """
+    for count in (400, 1600):
+        asked = comparisons(monkeypatch, discs(count, radius), "uniform_grid")
+        assert asked / count == pytest.approx(4.5 * (1.01 * 2 * radius) ** 2, rel=0.1)
+
+
+def test_work_of_the_sweep_is_what_overlaps_in_x(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Discs in a row: each is compared with its neighbour alone."""
+    row = Scene([Body(Circle(0.5), mass=1, position=(0.9 * k, 0)) for k in range(100)])
+    assert comparisons(monkeypatch, row, "sweep_and_prune") == 99
+
+
+def test_work_of_the_grid_for_walls_alone_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """10,000 static bodies in one place cost no comparison: nothing there can be pushed."""
+    walls = Scene([Body(Circle(0.5)) for _ in range(10_000)])
+    assert comparisons(monkeypatch, walls, "uniform_grid") == 0
