@@ -11,7 +11,6 @@ from lesson_code.engine.run import Run
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.formulas.validation import non_negative, one_number, positive
-from lesson_code.reference.pymunk_reference import PymunkStepper
 
 NAMES = ("auto", *SOLVERS, "pymunk")
 """The solvers that a scene can be given to."""
@@ -95,12 +94,17 @@ def simulate(
         "substeps": _count("substeps", substeps),
         "combine": combination(combine),
     }
-    stepper: Stepper
-    if chosen == "pymunk":
-        stepper = PymunkStepper(scene, **settings)
-    else:
-        stepper = EngineStepper(scene, solver=chosen, **settings)
+    stepper = _stepper(chosen, scene, settings)
     return record(stepper, scene, duration, sample, _plan(solver, chosen))
+
+
+def _stepper(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
+    """Return a solver at work on a scene; pymunk is loaded only when it is asked for."""
+    if solver == "pymunk":
+        from lesson_code.reference.pymunk_reference import PymunkStepper
+
+        return PymunkStepper(scene, **settings)
+    return EngineStepper(scene, solver=solver, **settings)
 
 
 def _count(name: str, value: int) -> int:

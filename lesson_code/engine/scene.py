@@ -209,9 +209,8 @@ def _inertia(value: float | None, body_mass: float | None, shape: Shape) -> floa
         return None
     if isinstance(shape, Segment):
         _require_centred(shape)
-    if value is None:
-        return body_mass * shape.inertia_per_mass
-    return one_number("inertia", value, validation.moment_of_inertia)
+    inertia = body_mass * shape.inertia_per_mass if value is None else value
+    return one_number("inertia", inertia, validation.moment_of_inertia)
 
 
 def _require_centred(segment: Segment) -> None:

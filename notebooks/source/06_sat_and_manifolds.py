@@ -23,6 +23,8 @@
 # **You need** notebooks 00 to 05. **Time:** about 75 minutes to read, a few seconds to run.
 
 # %%
+from dataclasses import replace
+
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
@@ -319,6 +321,20 @@ animate(
 # The naive solver of chapter 04 pushes from centre to centre. The ball gains a velocity along the
 # plank that nothing can give it, and the plank does not turn. Momentum is kept all the same. So
 # are energy and angular momentum. None of them tells; the *direction* does.
+#
+# Another short cut takes every polygon for a wall: the ball bounces, and the plank never notices.
+# **Predict** which law tells now.
+
+# %%
+wall = Scene([replace(plank, mass=None, inertia=None), scene.bodies[1]])
+for name, with_plank in (("the plank is free", scene), ("the plank is a wall", wall)):
+    run = simulate(with_plank, 0.5, sample="end")
+    momentum = 1.0 * run.velocities[:, :, 1].sum(axis=1)  # 1 kg each
+    print(f"{name:19}: momentum {momentum[0]:+.2f} -> {momentum[1]:+.2f} kg m/s")
+
+# %% [markdown]
+# The wall gives the ball twice its momentum back. A wall may do that, for it is held by the whole
+# earth; a free plank of 1 kg may not.
 #
 # ## 9 A circle meets the closest point
 #

@@ -110,6 +110,7 @@ def test_body_of_arrays_holds_plain_floats() -> None:
         ({"mass": 1, "inertia": 0}, r"inertia must be > 0 kg m\^2, got 0"),
         ({"mass": 1, "inertia": -2}, r"inertia must be > 0 kg m\^2, got -2"),
         ({"mass": 1, "inertia": math.nan}, r"inertia must be > 0 kg m\^2, got nan"),
+        ({"mass": 5e-324}, r"inertia must be > 0 kg m\^2, got 0.0"),  # too small for a number
         ({"inertia": 2.0}, "inertia must be left out of a body without a mass, got 2.0"),
         ({"mass": math.inf, "inertia": 2.0}, "inertia must be left out of a body without a mass"),
         ({"position": (math.nan, 0)}, "position must be finite, got nan"),

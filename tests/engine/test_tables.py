@@ -46,7 +46,7 @@ def test_row_of_a_body_that_never_turns_has_an_inverse_inertia_of_zero() -> None
 
 
 def test_outlines_of_all_bodies_stand_one_after_the_other_turned() -> None:
-    """A circle has none; a rod's thickness is its radius; a quarter turn of a box swaps its sides."""
+    """A circle has none; a rod is a rounded line; a quarter turn swaps the sides of a box."""
     rod = Body(Segment((-1, 0), (1, 0), radius=0.1))
     world = tables(Body(Circle(1)), rod, Body(Polygon.box(2, 4), angle=math.pi / 2))
     ranges = [(row.first_corner, row.corner_count, row.radius) for row in world.bodies]
