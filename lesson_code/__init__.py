@@ -29,12 +29,16 @@ cli
     the ``workbook`` command
 """
 
-from lesson_code.engine.callbacks import Callbacks
-from lesson_code.engine.combination import Combination
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.geometry.shapes import Circle, Polygon, Segment
-from lesson_code.simulation import simulate
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from lesson_code.engine.callbacks import Callbacks
+    from lesson_code.engine.combination import Combination
+    from lesson_code.engine.run import Run
+    from lesson_code.engine.scene import Body, Material, Scene
+    from lesson_code.geometry.shapes import Circle, Polygon, Segment
+    from lesson_code.simulation import simulate
 
 __all__ = [
     "Body",
@@ -50,3 +54,23 @@ __all__ = [
 ]
 
 __version__ = "0.1.0"
+
+_WHERE = {
+    "Body": "engine.scene",
+    "Callbacks": "engine.callbacks",
+    "Circle": "geometry.shapes",
+    "Combination": "engine.combination",
+    "Material": "engine.scene",
+    "Polygon": "geometry.shapes",
+    "Run": "engine.run",
+    "Scene": "engine.scene",
+    "Segment": "geometry.shapes",
+    "simulate": "simulation",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Load a public name when it is asked for: `workbook --help` must not wait for NumPy."""
+    if name not in _WHERE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_WHERE[name]}"), name)

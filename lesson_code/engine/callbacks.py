@@ -29,7 +29,7 @@ class Touch:
     penetration : float
         Of the deepest point, m, > 0.
     restitution, friction : float
-        The pair's; before the impulses a callback may set them for this step.
+        The pair's, >= 0; before the impulses a callback may set them for this step.
     ignored : bool
         Before the impulses a callback may set it: no impulse is applied in this step.
     normal_impulse, tangent_impulse : float
@@ -60,11 +60,12 @@ class Callbacks:
     Attributes
     ----------
     begin : callable, optional
-        In the first step of a touch, before its impulses.
+        In the first step of a touch, before its impulses. What it sets is for that step;
+        `pre_solve` is asked in each.
     pre_solve : callable, optional
         In each step of a touch, before its impulses.
     post_solve : callable, optional
-        In each step of a touch, after its impulses.
+        In each step of a touch that is not ignored, after its impulses.
     separate : callable, optional
         In the first step without the touch. It is told the touch as it was last.
 

@@ -16,23 +16,23 @@ from lesson_code.formulas import contact, rigid_body
 from lesson_code.formulas.arithmetic import cross, dot
 from lesson_code.formulas.validation import equation
 
-Pair: TypeAlias = tuple[float, float]
+XY: TypeAlias = tuple[float, float]
 
 contact_velocity = equation(rigid_body.contact_velocity)
 effective_mass = equation(contact.effective_mass)
 
 
-def normal_of(c: ContactRow) -> Pair:
+def normal_of(c: ContactRow) -> XY:
     """Return the contact's unit normal, from a to b."""
     return c.nx, c.ny
 
 
-def tangent_of(c: ContactRow) -> Pair:
+def tangent_of(c: ContactRow) -> XY:
     """Return the contact's unit tangent: the normal turned by +90 degrees."""
     return -c.ny, c.nx
 
 
-def velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
+def velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
     """Return the relative velocity of the contact points along u, m/s; > 0 along n: parting."""
     on_a = contact_velocity((a.vx, a.vy), a.w, (c.ax, c.ay))
     on_b = contact_velocity((b.vx, b.vy), b.w, (c.bx, c.by))
@@ -40,7 +40,7 @@ def velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
     return along
 
 
-def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
+def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
     """Return the same for the velocities of the position correction, m/s."""
     on_a = contact_velocity((a.push_vx, a.push_vy), a.push_w, (c.ax, c.ay))
     on_b = contact_velocity((b.push_vx, b.push_vy), b.push_w, (c.bx, c.by))
@@ -59,14 +59,19 @@ def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     return push_velocity_along(c, a, b, normal_of(c)) + own - c.push_speed
 
 
-def mass_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair) -> float:
+def mass_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
     """Return the effective mass of the contact along u, kg."""
     ra_x_u, rb_x_u = cross((c.ax, c.ay), u), cross((c.bx, c.by), u)
     mass: float = effective_mass(a.inv_m, b.inv_m, a.inv_i, b.inv_i, ra_x_u, rb_x_u)
     return mass
 
 
-def apply_impulse(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair, j: float) -> None:
+def contact_point(c: ContactRow, a: BodyRow, b: BodyRow) -> XY:
+    """Return the point midway between the two surfaces, m."""
+    return (a.x + c.ax + b.x + c.bx) / 2, (a.y + c.ay + b.y + c.by) / 2
+
+
+def apply_impulse(c: ContactRow, a: BodyRow, b: BodyRow, u: XY, j: float) -> None:
     """Change the velocities of both bodies by an impulse j along u, N s."""
     jx, jy = j * u[0], j * u[1]
     a.vx -= jx * a.inv_m
@@ -77,7 +82,7 @@ def apply_impulse(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair, j: float) -> N
     b.w += cross((c.bx, c.by), (jx, jy)) * b.inv_i
 
 
-def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: Pair, j: float) -> None:
+def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: XY, j: float) -> None:
     """Change the velocities of the position correction by an impulse j along u, N s."""
     jx, jy = j * u[0], j * u[1]
     a.push_vx -= jx * a.inv_m

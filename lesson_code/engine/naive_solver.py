@@ -51,11 +51,11 @@ def resolve(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     a.vy -= j * a.inv_m * ny
     b.vx += j * b.inv_m * nx
     b.vy += j * b.inv_m * ny
-    push_half(a, -c.penetration / 2 * nx, -c.penetration / 2 * ny)
-    push_half(b, c.penetration / 2 * nx, c.penetration / 2 * ny)
+    shift_if_free(a, -c.penetration / 2 * nx, -c.penetration / 2 * ny)
+    shift_if_free(b, c.penetration / 2 * nx, c.penetration / 2 * ny)
 
 
-def push_half(body: BodyRow, dx: float, dy: float) -> None:
+def shift_if_free(body: BodyRow, dx: float, dy: float) -> None:
     """Move a body that can be pushed."""
     if body.inv_m > 0.0:
         body.x += dx

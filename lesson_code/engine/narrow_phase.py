@@ -27,12 +27,12 @@ def find_contacts(world: World) -> None:
             contact = world.contacts[count]
             contact.a, contact.b = pair.a, pair.b
             contact.restitution, contact.friction = restitution, friction
-            place(contact, m, point)
+            write_point(contact, m, point)
             count += 1
     state.contact_count = count
 
 
-def place(contact: ContactRow, m: ManifoldRow, point: int) -> None:
+def write_point(contact: ContactRow, m: ManifoldRow, point: int) -> None:
     """Write the geometry of one point of a manifold; the impulses begin at 0."""
     contact.nx, contact.ny = m.nx, m.ny
     if point == 0:

@@ -11,7 +11,7 @@ from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.rows import World
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
-from lesson_code.engine.world import find_pairs, place
+from lesson_code.engine.world import find_pairs, turn_with_angle
 
 
 def deepest_overlaps(
@@ -25,7 +25,7 @@ def deepest_overlaps(
         for n, body in enumerate(world.bodies):
             body.x, body.y = positions[frame, n].tolist()
             body.angle = float(angles[frame, n])
-            place(world, body)
+            turn_with_angle(world, body)
         bound(world)
         find_pairs(world, broad_phase)
         find_contacts(world)

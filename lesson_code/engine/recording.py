@@ -24,6 +24,9 @@ Event: TypeAlias = tuple[float, int, int, float, float, float, float, float, flo
 
 EVENT_NUMBERS = 10
 
+MOST_STEPS = 1e9
+"""More would take a day at 100 microseconds each: somebody has mistaken a unit."""
+
 STATE_NUMBERS = 6
 """Numbers in a body's state: x, y, angle, vx, vy, w."""
 
@@ -56,8 +59,12 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan
     """Let a solver run for a while, and return what it did.
 
     All steps have the same length. A state between two steps is that of the earlier one, moved
-    on at its velocity: that is what the solver's next step would do.
+    on at its velocity: what the solver's next step does, but for a push out of an overlap.
     """
+    if not duration / stepper.dt <= MOST_STEPS:
+        raise ValueError(
+            f"duration must be at most {MOST_STEPS:g} dt, got {duration} s with dt {stepper.dt} s"
+        )
     moments = _moments(duration, stepper.dt, sample)
     frames = np.zeros((len(moments), len(scene.bodies), STATE_NUMBERS))
     done = 0

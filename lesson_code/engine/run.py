@@ -22,6 +22,8 @@ Integers: TypeAlias = NDArray[np.int64]
 class ImpulseEvents:
     """The impulses of a run, one entry for each contact point and step with an impulse.
 
+    pymunk does not tell the points of a pair apart: its runs have one entry for each pair.
+
     Attributes
     ----------
     time : ndarray, shape (K,)
@@ -81,6 +83,11 @@ class Run:
     angular_velocities: Floats
     contacts: ImpulseEvents
     plan: Plan
+
+    def __repr__(self) -> str:
+        """Return what the run holds, in a line: the arrays would fill pages."""
+        bodies, states, impulses = len(self.scene.bodies), len(self.times), len(self.contacts)
+        return f"<Run: bodies {bodies}, states {states}, impulses {impulses}; {self.plan}>"
 
     @cached_property
     def momentum(self) -> Floats:

@@ -22,7 +22,7 @@ from lesson_code.formulas.validation import (
 )
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
-Pair: TypeAlias = tuple[float, float]
+XY: TypeAlias = tuple[float, float]
 
 CENTRED = 1e-9
 """Of a segment's length: how far the middle of a rod may lie from its centre of mass."""
@@ -111,9 +111,9 @@ class Body:
 
     shape: Shape
     _: KW_ONLY
-    position: Pair = (0.0, 0.0)
+    position: XY = (0.0, 0.0)
     angle: float = 0.0
-    velocity: Pair = (0.0, 0.0)
+    velocity: XY = (0.0, 0.0)
     angular_velocity: float = 0.0
     mass: float | None = None
     inertia: float | None = None
@@ -172,7 +172,7 @@ class Scene:
     """
 
     bodies: tuple[Body, ...] = ()
-    gravity: Pair = (0.0, 0.0)
+    gravity: XY = (0.0, 0.0)
     damping: float = 0.0
     callbacks: Callbacks = field(default=Callbacks())
 
@@ -223,7 +223,7 @@ def _require_centred(segment: Segment) -> None:
         )
 
 
-def _pair(name: str, value: Vector) -> Pair:
+def _pair(name: str, value: Vector) -> XY:
     """Return a vector as two floats."""
     x, y = one_vector(name, value)
     return float(x), float(y)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from lesson_code.engine import contact_solver, naive_solver
 from lesson_code.engine.combination import Combination
+from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.recording import Event
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
-from lesson_code.engine.touches import TouchListener, contact_point
+from lesson_code.engine.touches import TouchListener
 from lesson_code.engine.world import ContactSolver, step
 
 SOLVERS = {
@@ -87,7 +88,7 @@ class EngineStepper:
         time = self._substeps_done * self.world.state.dt
         for c in self.world.contacts[: self.world.state.contact_count]:
             if c.normal_impulse != 0.0:
-                x, y = contact_point(self.world, c)
+                x, y = contact_point(c, self.world.bodies[c.a], self.world.bodies[c.b])
                 self._events.append(
                     (
                         *(time, c.a, c.b, x, y, c.nx, c.ny),

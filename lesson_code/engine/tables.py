@@ -15,7 +15,7 @@ from lesson_code.engine.constants import (
 )
 from lesson_code.engine.rows import BodyRow, IndexRow, State, World
 from lesson_code.engine.scene import Body, Scene
-from lesson_code.engine.world import BroadPhase, place
+from lesson_code.engine.world import BroadPhase, turn_with_angle
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
 
 BROAD_PHASES: dict[str, BroadPhase] = {
@@ -53,7 +53,7 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         manifold=ManifoldRow(),
     )
     for body in bodies:
-        place(world, body)
+        turn_with_angle(world, body)
     return world
 
 

@@ -7,7 +7,9 @@ from itertools import groupby
 from typing import TypeAlias
 
 from lesson_code.engine.callbacks import Callback, Callbacks, Touch
+from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.rows import ContactRow, World
+from lesson_code.formulas.validation import non_negative, one_number
 
 Pair: TypeAlias = tuple[int, int]
 
@@ -22,7 +24,13 @@ class TouchListener:
         self._parted: list[Touch] = []
 
     def before_impulses(self, world: World) -> None:
-        """Call `begin` and `pre_solve`, and do to the contacts what they have set."""
+        """Call `begin` and `pre_solve`, and do to the contacts what they have set.
+
+        Raises
+        ------
+        ValueError
+            A callback has set a coefficient that is negative or not finite.
+        """
         self._steps += 1
         before, self._touching = self._touching, {}
         kept: list[ContactRow] = []
@@ -33,9 +41,10 @@ class TouchListener:
             if pair not in before:
                 _call(self._callbacks.begin, touch)
             _call(self._callbacks.pre_solve, touch)
+            restitution = one_number("restitution", touch.restitution, non_negative)
+            friction = one_number("friction", touch.friction, non_negative)
             for contact in contacts:
-                contact.restitution = touch.restitution
-                contact.friction = touch.friction
+                contact.restitution, contact.friction = restitution, friction
             (ignored if touch.ignored else kept).extend(contacts)
         world.contacts[: world.state.contact_count] = kept + ignored
         world.state.contact_count = len(kept)
@@ -67,19 +76,13 @@ def _touch(world: World, contacts: list[ContactRow], time: float) -> Touch:
         body_a=first.a,
         body_b=first.b,
         normal=(first.nx, first.ny),
-        points=tuple(contact_point(world, contact) for contact in contacts),
+        points=tuple(
+            contact_point(contact, world.bodies[contact.a], world.bodies[contact.b])
+            for contact in contacts
+        ),
         penetration=max(contact.penetration for contact in contacts),
         restitution=first.restitution,
         friction=first.friction,
-    )
-
-
-def contact_point(world: World, contact: ContactRow) -> tuple[float, float]:
-    """Return the point midway between the two surfaces, m."""
-    a, b = world.bodies[contact.a], world.bodies[contact.b]
-    return (
-        (a.x + contact.ax + b.x + contact.bx) / 2,
-        (a.y + contact.ay + b.y + contact.by) / 2,
     )
 
 

@@ -31,7 +31,7 @@ from lesson_code.engine.contact_motion import (
 from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.formulas.arithmetic import cross
 
-Pair: TypeAlias = tuple[float, float]
+Two: TypeAlias = tuple[float, float]
 
 
 def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -61,7 +61,7 @@ def solve_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     c.push_impulse, d.push_impulse = totals
 
 
-def two_impulses(c: ContactRow, d: ContactRow, missing: Pair, before: Pair) -> Pair:
+def two_impulses(c: ContactRow, d: ContactRow, missing: Two, before: Two) -> Two:
     """Return the total impulses of two points, from what is missing after those so far."""
     k11, k12, k22 = 1 / c.normal_mass, c.coupling, 1 / d.normal_mass
     b1 = missing[0] - (k11 * before[0] + k12 * before[1])

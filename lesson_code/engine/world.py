@@ -89,13 +89,13 @@ def move(world: World) -> None:
         if not math.isfinite(body.x + body.y + body.angle):
             raise FloatingPointError(f"body {number} has left the range of floating point")
         if spin != 0.0:
-            place(world, body)
+            turn_with_angle(world, body)
         body.push_vx = 0.0
         body.push_vy = 0.0
         body.push_w = 0.0
 
 
-def place(world: World, body: BodyRow) -> None:
+def turn_with_angle(world: World, body: BodyRow) -> None:
     """Let the body's outline follow its angle."""
     body.cos = math.cos(body.angle)
     body.sin = math.sin(body.angle)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -153,6 +154,18 @@ def test_touch_of_a_box_on_a_floor_has_two_points_and_carries_its_weight() -> No
     assert touch.normal == (0.0, 1.0)
 
 
+def test_penetration_of_two_points_is_that_of_the_deeper() -> None:
+    """A box leans to one side: its corners lie 0.01 m and 0.01 + sin(0.005) m deep."""
+    log: list[tuple[str, Touch]] = []
+    scene = resting(told(log, "begin"))
+    low = 0.5 * (math.cos(0.005) + math.sin(0.005))
+    box = replace(scene.bodies[1], position=(0, low - 0.01 - math.sin(0.005)), angle=0.005)
+    simulate(Scene([scene.bodies[0], box], callbacks=scene.callbacks), 1e-3, dt=1e-3)
+    touch = log[0][1]
+    assert len(touch.points) == 2
+    assert touch.penetration == pytest.approx(0.01 + math.sin(0.005))
+
+
 @given(seed=st.integers(0, 10**6), e=st.floats(0, 1), mu=st.floats(0, 2))
 def test_impulse_that_is_told_is_the_change_of_momentum(seed: int, e: float, mu: float) -> None:
     """B gains jn n + jt t, with t = n turned by +90 degrees; A loses it."""
@@ -289,6 +302,25 @@ def test_coefficients_set_after_the_impulses_change_nothing(kind: str) -> None:
 
     changed = simulate(resting(Callbacks(**{kind: late})), 0.5)
     assert same_bits(changed, simulate(resting(), 0.5))
+
+
+@pytest.mark.parametrize("wrong", [-0.5, math.nan, math.inf])
+@pytest.mark.parametrize("name", ["restitution", "friction"])
+def test_coefficient_out_of_range_that_is_set_is_refused_by_name(name: str, wrong: float) -> None:
+    """A negative friction would drive the box on, and nan would let it fall through."""
+    callbacks = Callbacks(pre_solve=lambda touch: setattr(touch, name, wrong))
+    with pytest.raises(ValueError, match=f"{name} must be >= 0 and finite, got {wrong}"):
+        simulate(resting(callbacks), 0.1)
+
+
+def test_restitution_above_one_may_be_set() -> None:
+    """A bumper gives more than it got: the discs meet at 1 m/s each and leave at 1.5."""
+
+    def bump(touch: Touch) -> None:
+        touch.restitution = 1.5
+
+    run = simulate(meeting(Callbacks(begin=bump)), 1.0, dt=DT)
+    np.testing.assert_allclose(run.velocities[-1, :, 0], [-1.5, 1.5], rtol=ROUNDING)
 
 
 def test_error_in_a_callback_reaches_the_caller() -> None:

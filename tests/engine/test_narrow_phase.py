@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.broad_phase import all_pairs, bound
+from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.rows import ContactRow, World
 from lesson_code.engine.tables import world_of
-from lesson_code.engine.touches import contact_point
 from lesson_code.engine.world import find_pairs
 from lesson_code.geometry import collide
 
@@ -75,7 +75,15 @@ def test_contacts_of_any_scene_are_those_of_each_pair_alone(seed: int) -> None:
             places = zip(manifold.points, manifold.penetrations, manifold.features, strict=True)
             expected += [(i, j, *manifold.normal, *p, d, feature) for p, d, feature in places]
     measured = [
-        (c.a, c.b, c.nx, c.ny, *contact_point(world, c), c.penetration, c.feature)
+        (
+            c.a,
+            c.b,
+            c.nx,
+            c.ny,
+            *contact_point(c, world.bodies[c.a], world.bodies[c.b]),
+            c.penetration,
+            c.feature,
+        )
         for c in in_use(world)
     ]
     assert [row[:2] for row in measured] == [row[:2] for row in expected]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Run, Scene, Segment, simulate
@@ -79,6 +79,7 @@ def test_times_of_whole_steps_have_no_rest_that_is_only_rounding(steps: int, dt:
     assert run.times[-1] == pytest.approx(steps * dt, rel=ROUNDING)
 
 
+@example(duration=0.3, dt=0.1)  # 3 x 0.1 = 0.30000000000000004
 @given(duration=st.floats(0, 5), dt=st.floats(0.01, 1))
 def test_times_never_lie_beyond_the_duration(duration: float, dt: float) -> None:
     """So that a run's own times may be asked for again."""
@@ -235,3 +236,9 @@ def test_state_beyond_floating_point_is_refused_with_its_body_and_time() -> None
 
     with pytest.raises(FloatingPointError, match=r"body 1 has left the range .* at 0\.75 s"):
         record(Runaway(bodies=2), Scene([DISC] * 2), 1.0, None, PLAN)
+
+
+def test_duration_of_more_steps_than_a_day_holds_is_refused() -> None:
+    """A mistaken unit is named, instead of filling the memory."""
+    with pytest.raises(ValueError, match=r"duration must be at most 1e\+09 dt, got 1e\+30 s"):
+        simulate(Scene(), 1e30)

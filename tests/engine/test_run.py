@@ -23,6 +23,13 @@ def at_once(*bodies: Body, gravity: Any = (0, 0)) -> Run:
     return simulate(Scene(bodies, gravity=gravity), 0.0)
 
 
+def test_run_is_shown_in_one_line() -> None:
+    """Nobody who looks at a run is shown its arrays."""
+    run = simulate(Scene([DISC]), 1.0)
+    shown = "<Run: bodies 1, states 61, impulses 0; solver: sequential (it solves every scene)>"
+    assert repr(run) == shown
+
+
 def test_momentum_worked_by_hand_is_found() -> None:
     """2 (1, -2) + 6 (0, 1) = (2, 2); a wall, which nothing can push, does not count."""
     assert at_once(DISC, WALL, BOX).momentum.tolist() == [[2.0, 2.0]]

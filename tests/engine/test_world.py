@@ -14,7 +14,7 @@ from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Seg
 from lesson_code.engine import world as stages
 from lesson_code.engine.broad_phase import all_pairs
 from lesson_code.engine.tables import world_of
-from lesson_code.engine.world import ContactSolver, accelerate, move, place, step
+from lesson_code.engine.world import ContactSolver, accelerate, move, step, turn_with_angle
 
 ROUNDING = 1e-13
 """m and m/s: sixty additions of numbers of about 1."""
@@ -96,7 +96,7 @@ def test_outline_of_a_body_that_does_not_turn_is_never_computed_again(
 ) -> None:
     """A floor costs no sine."""
     world = world_of(Scene([FLOOR]), 0.1, 1, Combination())
-    monkeypatch.setattr(stages, "place", lambda *_: pytest.fail("placed without a spin"))
+    monkeypatch.setattr(stages, "turn_with_angle", lambda *_: pytest.fail("placed without a spin"))
     move(world)
 
 
@@ -105,7 +105,7 @@ def test_outline_at_a_large_angle_keeps_its_size() -> None:
     world = world_of(one_body(), 0.1, 1, Combination())
     body = world.bodies[0]
     body.angle = 1e6
-    place(world, body)
+    turn_with_angle(world, body)
     sizes = [math.hypot(corner.x, corner.y) for corner in world.corners]
     assert sizes == pytest.approx([math.hypot(0.5, 1)] * 4, rel=ROUNDING)
 
