@@ -190,7 +190,8 @@ def _latest_states(run: Run, clock: Clock) -> NDArray[np.intp]:
     order = np.argsort(run.times, kind="stable")
     times = clock.times + SAME_TIME * clock.duration
     places = np.searchsorted(run.times[order], times, side="right") - 1
-    return order[np.maximum(places, 0)]
+    latest: NDArray[np.intp] = order[np.maximum(places, 0)]
+    return latest
 
 
 def _contacts(run: Run, clock: Clock, sheet: Sheet) -> list[list[int]]:

@@ -54,7 +54,8 @@ def ticks(pixels: Any) -> Ticks:
     >>> ticks([0.32, -1.0]).tolist()
     [3, -10]
     """
-    return np.floor(np.asarray(pixels) * PIXEL + 0.5 - OFF_THE_EDGE).astype(np.int64)
+    tenths: Ticks = np.floor(np.asarray(pixels) * PIXEL + 0.5 - OFF_THE_EDGE).astype(np.int64)
+    return tenths
 
 
 def text_of(number: int) -> str:
