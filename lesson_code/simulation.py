@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from lesson_code.engine.combination import Combination, combination
+from lesson_code.engine.event_driven import ExactSolver, record_exact
 from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import Sample, Stepper, record
 from lesson_code.engine.run import Run
@@ -12,7 +13,7 @@ from lesson_code.engine.scene import Scene
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.formulas.validation import non_negative, one_number, positive
 
-NAMES = ("auto", *SOLVERS, "pymunk")
+NAMES = ("auto", *SOLVERS, "exact", "pymunk")
 """The solvers that a scene can be given to."""
 
 
@@ -38,6 +39,8 @@ def simulate(
     solver : str
         "sequential": sequential impulses, the solver of chapters 04 to 06.
         "naive": the first attempt, faults included.
+        "exact": from collision to collision, with no time step; for discs among bodies that do
+        not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
         "auto": the one that suits the scene; at present always "sequential".
     dt : float
@@ -50,8 +53,8 @@ def simulate(
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
     sample : None, "end" or array_like, shape (F,)
-        Which states to record: those after every step and the last; only the first and the
-        last; or those at given times, s.
+        Which states to record: those after every step (for "exact", after every collision) and
+        the last; only the first and the last; or those at given times, s.
 
     Returns
     -------
@@ -61,11 +64,14 @@ def simulate(
     Raises
     ------
     ValueError
-        An argument is out of range, or the bodies are heaped into one another without end.
+        An argument is out of range, the bodies are heaped into one another without end, or the
+        scene is not one for the exact solver.
     TypeError
         An argument is of another kind.
     FloatingPointError
         A body has left the range of floating point.
+    RuntimeError
+        The exact solver finds no end of the collisions at one instant.
 
     Examples
     --------
@@ -94,8 +100,11 @@ def simulate(
         "substeps": _count("substeps", substeps),
         "combine": combination(combine),
     }
-    stepper = _stepper(chosen, scene, settings)
-    return record(stepper, scene, duration, sample, _plan(solver, chosen))
+    plan = _plan(solver, chosen)
+    if chosen == "exact":
+        exact = ExactSolver(scene, combine=settings["combine"])
+        return record_exact(exact, duration, sample, plan)
+    return record(_stepper(chosen, scene, settings), scene, duration, sample, plan)
 
 
 def _stepper(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:

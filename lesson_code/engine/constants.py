@@ -16,6 +16,15 @@ At 1 a pile pushes itself apart, because each contact corrects the whole fault f
 0.01 a stack under load sinks faster than it is lifted. 0.2 is the usual value (box2d-lite).
 """
 
+IMPACT_DEPTH = 0.5
+"""Of the slop: how far a fast body is let into another one, so that the impact is a contact.
+
+At 0 they would only touch, and touching is no contact; at 1 and more they would be pushed apart.
+"""
+
+MOST_IMPACTS = 64
+"""Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""
+
 FEWEST_FOR_GRID = 24
 """Bodies: below this comparing all pairs is as fast as keeping a grid."""
 

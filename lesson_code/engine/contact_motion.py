@@ -9,7 +9,7 @@ Every contact solver is made of these. Along a unit direction u, with lever arms
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.formulas import contact, rigid_body
@@ -17,6 +17,19 @@ from lesson_code.formulas.arithmetic import cross, dot
 from lesson_code.formulas.validation import equation
 
 XY: TypeAlias = tuple[float, float]
+
+
+class MovingBody(Protocol):
+    """The fields of a body that an impact reads and writes; a row may have more than these."""
+
+    x: float
+    y: float
+    vx: float
+    vy: float
+    w: float
+    inv_m: float
+    inv_i: float
+
 
 contact_velocity = equation(rigid_body.contact_velocity)
 effective_mass = equation(contact.effective_mass)
@@ -32,7 +45,7 @@ def tangent_of(c: ContactRow) -> XY:
     return -c.ny, c.nx
 
 
-def velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
+def velocity_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
     """Return the relative velocity of the contact points along u, m/s; > 0 along n: parting."""
     on_a = contact_velocity((a.vx, a.vy), a.w, (c.ax, c.ay))
     on_b = contact_velocity((b.vx, b.vy), b.w, (c.bx, c.by))
@@ -59,19 +72,19 @@ def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     return push_velocity_along(c, a, b, normal_of(c)) + own - c.push_speed
 
 
-def mass_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
+def mass_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
     """Return the effective mass of the contact along u, kg."""
     ra_x_u, rb_x_u = cross((c.ax, c.ay), u), cross((c.bx, c.by), u)
     mass: float = effective_mass(a.inv_m, b.inv_m, a.inv_i, b.inv_i, ra_x_u, rb_x_u)
     return mass
 
 
-def contact_point(c: ContactRow, a: BodyRow, b: BodyRow) -> XY:
+def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
     """Return the point midway between the two surfaces, m."""
     return (a.x + c.ax + b.x + c.bx) / 2, (a.y + c.ay + b.y + c.by) / 2
 
 
-def apply_impulse(c: ContactRow, a: BodyRow, b: BodyRow, u: XY, j: float) -> None:
+def apply_impulse(c: ContactRow, a: MovingBody, b: MovingBody, u: XY, j: float) -> None:
     """Change the velocities of both bodies by an impulse j along u, N s."""
     jx, jy = j * u[0], j * u[1]
     a.vx -= jx * a.inv_m

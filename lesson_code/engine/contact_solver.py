@@ -66,9 +66,12 @@ def prepare(world: World) -> None:
 def warm_start(world: World) -> None:
     """Give each contact the impulse that it needed in the last step."""
     recall(world)
+    longer = world.state.dt / world.state.dt_before if world.state.dt_before > 0.0 else 1.0
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
+        c.normal_impulse *= longer  # a force is remembered, as an impulse a step
+        c.tangent_impulse *= longer
         apply_impulse(c, a, b, normal_of(c), c.normal_impulse)
         apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
 
@@ -150,3 +153,4 @@ def store(world: World) -> None:
         m.a, m.b, m.feature = c.a, c.b, c.feature
         m.normal_impulse, m.tangent_impulse = c.normal_impulse, c.tangent_impulse
     world.state.memory_count = world.state.contact_count
+    world.state.dt_before = world.state.dt

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol, TypeAlias
 
@@ -78,15 +78,29 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan
         frames[frame, :, 0:3] += moment.rest * frames[frame, :, 3:6]
     for _ in range(whole_parts(duration, stepper.dt) - done):
         stepper.step()
-    _require_finite(frames, moments)
+    return run_of(scene, [moment.time for moment in moments], frames, stepper.events(), plan)
+
+
+def run_of(
+    scene: Scene, times: Sequence[float], frames: Any, events: list[Event], plan: Plan
+) -> Run:
+    """Return a run from the states of all bodies, shape (F, N, 6), at F times.
+
+    Raises
+    ------
+    FloatingPointError
+        A number is not finite: a body has left the range of floating point.
+    """
+    table = np.asarray(frames, dtype=float).reshape(len(times), len(scene.bodies), STATE_NUMBERS)
+    _require_finite(table, times)
     return Run(
         scene=scene,
-        times=_frozen(np.array([moment.time for moment in moments])),
-        positions=_frozen(frames[:, :, 0:2]),
-        velocities=_frozen(frames[:, :, 3:5]),
-        angles=_frozen(frames[:, :, 2]),
-        angular_velocities=_frozen(frames[:, :, 5]),
-        contacts=_events(stepper.events()),
+        times=_frozen(np.array(times)),
+        positions=_frozen(table[:, :, 0:2]),
+        velocities=_frozen(table[:, :, 3:5]),
+        angles=_frozen(table[:, :, 2]),
+        angular_velocities=_frozen(table[:, :, 5]),
+        contacts=_events(events),
         plan=plan,
     )
 
@@ -109,16 +123,16 @@ def _times(duration: float, dt: float, sample: Sample) -> Iterator[float]:
         yield from (min(step * dt, duration) for step in range(steps + 1))
         if not math.isclose(steps * dt, duration, rel_tol=1e-9, abs_tol=1e-9 * dt):
             yield duration
-    elif isinstance(sample, str):
+    else:
+        yield from given_times(duration, sample)
+
+
+def given_times(duration: float, sample: Any) -> list[float]:
+    """Return the times that a user asks for, or refuse those the run does not reach."""
+    if isinstance(sample, str):
         if sample != "end":
             raise ValueError(f'sample must be None, "end" or an array of times, got {sample!r}')
-        yield from (0.0, duration)
-    else:
-        yield from _given_times(duration, sample)
-
-
-def _given_times(duration: float, sample: Any) -> list[float]:
-    """Return times that a user wants, or refuse those the run does not reach."""
+        return [0.0, duration]
     times = np.asarray(non_negative("sample", sample), dtype=float)
     if times.ndim != 1:
         raise ValueError(f"sample must have shape (F,), got shape {times.shape}")
@@ -128,12 +142,12 @@ def _given_times(duration: float, sample: Any) -> list[float]:
     return given
 
 
-def _require_finite(frames: NDArray[np.float64], moments: list[Moment]) -> None:
+def _require_finite(frames: NDArray[np.float64], times: Sequence[float]) -> None:
     """Refuse a run in which a body has left the range of floating point."""
     if not np.isfinite(frames).all():
         frame, body, _ = (int(index) for index in np.argwhere(~np.isfinite(frames))[0])
         raise FloatingPointError(
-            f"body {body} has left the range of floating point at {moments[frame].time} s"
+            f"body {body} has left the range of floating point at {times[frame]} s"
         )
 
 

@@ -9,6 +9,7 @@ Tables have room for more rows than are in use; how many are in use is counted i
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -40,6 +41,11 @@ class BodyRow:
     restitution: float = -1.0  # negative: left to the other body
     friction: float = -1.0  # negative: left to the other body
     extent: float = 0.0  # m, smallest width; the scale for what overlap is small
+
+    thickness: float = math.inf  # m, smallest width of its matter; infinite: nothing pushes it
+    reach: float = 0.0  # m, distance of its farthest point from the centre of mass
+    is_fast: bool = False  # whether it may pass through another body within this step
+    waits: bool = False  # whether it stays where it is for what is left of this step
 
     min_x: float = 0.0  # m, the box around the shape, parallel to the axes
     min_y: float = 0.0
@@ -111,7 +117,13 @@ class MemoryRow:
 class State:
     """The one row that belongs to the whole world: its settings and its counts."""
 
-    dt: float = 0.0  # s
+    dt: float = 0.0  # s, of the step, or of the part of it that is made now
+    dt_before: float = 0.0  # s, of the step before; 0: there was none
+    time: float = 0.0  # s, at the end of the step, or of the part of it that is made now
+    end: float = 0.0  # s, at the end of the whole step
+    left: float = 0.0  # s, of the step that is split at impacts
+    impacts: int = 0  # parts that it has been split into
+    thinnest: float = math.inf  # m, the least thickness of all bodies
     gravity_x: float = 0.0  # m/s^2
     gravity_y: float = 0.0
     damping: float = 0.0  # 1/s

@@ -5,6 +5,7 @@ from __future__ import annotations
 from lesson_code.engine import contact_solver, naive_solver
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.contact_motion import contact_point
+from lesson_code.engine.continuous import begin_step, step_to_impacts
 from lesson_code.engine.recording import Event
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
@@ -60,7 +61,8 @@ class EngineStepper:
         combine: Combination,
     ) -> None:
         self.dt = dt
-        self.broad_phase = broad_phase_for(scene)
+        self.broad_phase = BROAD_PHASES[broad_phase_for(scene)]
+        self._continuous = solver != "naive"
         self.world = world_of(scene, dt / substeps, iterations, combine)
         self._substeps = substeps
         self._solver = SOLVERS[solver]
@@ -70,9 +72,23 @@ class EngineStepper:
 
     def step(self) -> None:
         """Advance by dt."""
+        state = self.world.state
         for _ in range(self._substeps):
-            step(self.world, BROAD_PHASES[self.broad_phase], self._solver, self._listener)
             self._substeps_done += 1
+            end = self._substeps_done * state.dt
+            if self._continuous:
+                self._step_to_impacts(end)
+            else:
+                state.time = end
+                step(self.world, self.broad_phase, self._solver, self._listener)
+                self._note_events()
+
+    def _step_to_impacts(self, end: float) -> None:
+        """Make one sub-step, split at the impacts of fast bodies."""
+        begin_step(self.world, end)
+        ended = False
+        while not ended:
+            ended = step_to_impacts(self.world, self.broad_phase, self._solver, self._listener)
             self._note_events()
 
     def states(self) -> list[tuple[float, float, float, float, float, float]]:
@@ -85,7 +101,7 @@ class EngineStepper:
 
     def _note_events(self) -> None:
         """Write down the contacts that have received an impulse."""
-        time = self._substeps_done * self.world.state.dt
+        time = self.world.state.time
         for c in self.world.contacts[: self.world.state.contact_count]:
             if c.normal_impulse != 0.0:
                 x, y = contact_point(c, self.world.bodies[c.a], self.world.bodies[c.b])

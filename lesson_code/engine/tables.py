@@ -17,6 +17,7 @@ from lesson_code.engine.rows import BodyRow, IndexRow, State, World
 from lesson_code.engine.scene import Body, Scene
 from lesson_code.engine.world import BroadPhase, turn_with_angle
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
+from lesson_code.geometry.shapes import Segment
 
 BROAD_PHASES: dict[str, BroadPhase] = {
     "all_pairs": all_pairs,
@@ -39,6 +40,7 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
         cell_size=_cell_size(scene),
+        thinnest=min((row.thickness for row in bodies), default=math.inf),
     )
     world = World(
         state=state,
@@ -82,7 +84,14 @@ def _row(body: Body, corners: list[Corner]) -> BodyRow:
         restitution=UNSPECIFIED if material.restitution is None else material.restitution,
         friction=UNSPECIFIED if material.friction is None else material.friction,
         extent=math.inf if body.is_static else body.shape.extent,
+        thickness=math.inf if body.is_static else _thickness(body),
+        reach=body.shape.bounding_radius,
     )
+
+
+def _thickness(body: Body) -> float:
+    """Return the smallest width of a body's matter, m; a line has none."""
+    return 2 * body.shape.radius if isinstance(body.shape, Segment) else body.shape.extent
 
 
 def _cell_size(scene: Scene) -> float:

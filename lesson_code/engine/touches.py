@@ -19,7 +19,6 @@ class TouchListener:
 
     def __init__(self, callbacks: Callbacks) -> None:
         self._callbacks = callbacks
-        self._steps = 0
         self._touching: dict[Pair, Touch] = {}
         self._parted: list[Touch] = []
 
@@ -31,12 +30,11 @@ class TouchListener:
         ValueError
             A callback has set a coefficient that is negative or not finite.
         """
-        self._steps += 1
         before, self._touching = self._touching, {}
         kept: list[ContactRow] = []
         ignored: list[ContactRow] = []
         for pair, contacts in _by_pair(world):
-            touch = _touch(world, contacts, time=self._steps * world.state.dt)
+            touch = _touch(world, contacts, time=world.state.time)
             self._touching[pair] = touch
             if pair not in before:
                 _call(self._callbacks.begin, touch)

@@ -82,6 +82,8 @@ def move(world: World) -> None:
     """
     dt = world.state.dt
     for number, body in enumerate(world.bodies):
+        if body.waits:
+            continue
         body.x += (body.vx + body.push_vx) * dt
         body.y += (body.vy + body.push_vy) * dt
         spin = body.w + body.push_w

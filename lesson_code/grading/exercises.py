@@ -15,6 +15,7 @@ from lesson_code.grading.tasks import (
     restitution,
     separating_axes,
     spin_and_friction,
+    time_of_impact,
 )
 
 
@@ -53,6 +54,7 @@ EXERCISES = (
     Exercise("04_circles", "Circles", circles.TASKS),
     Exercise("05_spin_and_friction", "Spin and friction", spin_and_friction.TASKS),
     Exercise("06_sat_and_manifolds", "SAT and manifolds", separating_axes.TASKS),
+    Exercise("07_time_of_impact", "Time of impact", time_of_impact.TASKS),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 

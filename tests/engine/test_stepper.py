@@ -39,7 +39,7 @@ def test_broad_phases_lead_to_the_same_bits() -> None:
     states: dict[str, Any] = {}
     for name in BROAD_PHASES:
         stepper = engine(heap())
-        stepper.broad_phase = name
+        stepper.broad_phase = BROAD_PHASES[name]
         for _ in range(60):
             stepper.step()
         states[name] = np.array(stepper.states()).tobytes(), stepper.events()

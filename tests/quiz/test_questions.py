@@ -36,6 +36,11 @@ def rolling(k: F) -> F:
     return 6 / (1 + k)
 
 
+def let_through(reach: F) -> F:
+    """Return how many per cent of balls pass that are stopped on so many m of a step of 0.5 m."""
+    return 100 * (1 - reach / (50 * F(1, 100)))
+
+
 E = F(4, 5)
 
 # For each numeric question: the answer, and the wrong values in the order of the bank, each by
@@ -148,6 +153,26 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
         F(1, 2) + F(1, 5),
         [F(1, 2) - F(1, 5), F(1, 5), F(1, 2), F(1, 2) + 2 * F(1, 5)],
     ),
+    "07-escape": (
+        let_through(F(1, 10) + F(1, 20)),
+        [
+            100 - let_through(F(1, 10) + F(1, 20)),
+            let_through(2 * F(1, 10) + F(1, 10)),
+            let_through(F(1, 10) + F(1, 10)),
+            let_through(F(1, 10)),
+            let_through(F(1, 10) + F(1, 20)) / 100,
+        ],
+    ),
+    "07-first-touch": (
+        F(14 - math.isqrt(5**2 - 3**2), 3 + 2),
+        [
+            F(14, 3 + 2),
+            F(14 + math.isqrt(5**2 - 3**2), 3 + 2),
+            F(14 - math.isqrt(5**2 - 3**2), 3),
+            F(14 - 5, 3 + 2),
+            F(14 - math.isqrt(5**2 - 3**2), 3 - 2),
+        ],
+    ),
 }
 
 
@@ -210,6 +235,8 @@ def test_equal_masses_only_the_exchange_keeps_momentum_and_energy_and_changes_so
         ("05-off-centre", "At the middle"),
         ("05-extra-vertex", "Nothing: the body is the same"),
         ("05-what-is-kept", "The total momentum and the total angular momentum"),
+        ("07-zero", "The hit is lost"),
+        ("07-at-the-instant", "Nothing, or something only if rounding"),
     ],
 )
 def test_right_option_says(key: str, right: str) -> None:

@@ -1,0 +1,134 @@
+"""Continuous detection: a step is split at the impacts that it would jump over.
+
+Only a body that moves in a step by more than half of its width, or of the thinnest body's, can
+pass through another unseen. If there is one, the time of its first impact is found. The step ends
+there, a little later than the impact, so that the overlap is seen; the impact is resolved like
+every other; and what is left of the step follows. Scenes without fast bodies pay for one look at
+the speeds.
+
+After many impacts within one step the fast bodies wait for the next step. They lose time then,
+but pass through nothing.
+"""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.broad_phase import bound
+from lesson_code.engine.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
+from lesson_code.engine.rows import BodyRow, World
+from lesson_code.engine.world import BroadPhase, ContactSolver, Listener, find_pairs, step
+from lesson_code.geometry.advancement import advance_to_impact
+from lesson_code.geometry.manifold import collide_rows
+from lesson_code.geometry.sweep import impact_time
+
+
+def step_to_impacts(
+    world: World, broad_phase: BroadPhase, solver: ContactSolver, listener: Listener | None
+) -> bool:
+    """Let one time step pass, or only the part of it until a fast body has hit something.
+
+    Returns whether the step has come to its end. What is left of it stands in ``state.left``;
+    :func:`begin_step` sets that to a whole step.
+    """
+    state = world.state
+    whole = state.dt
+    part = state.left
+    if mark_fast(world, part):
+        part = time_to_impact(world, broad_phase, part)
+        state.impacts += 1
+        if part < state.left and state.impacts > MOST_IMPACTS:
+            part = state.left
+            let_fast_wait(world)
+    state.dt = part
+    state.time = state.end if part == state.left else state.time + part
+    step(world, broad_phase, solver, listener)
+    state.dt = whole
+    state.left -= part
+    return state.left <= 0.0
+
+
+def begin_step(world: World, end: float) -> None:
+    """Begin a whole step, which ends at a time, s."""
+    world.state.end = end
+    world.state.left = world.state.dt
+    world.state.impacts = 0
+
+
+def mark_fast(world: World, duration: float) -> bool:
+    """Mark the bodies that could pass through another one unseen; return whether there are any."""
+    found = False
+    for body in world.bodies:
+        body.waits = False
+        way = way_of(body, duration)
+        if not math.isfinite(way):
+            return False  # the move will say that it cannot be made
+        body.is_fast = way > 0.5 * min(body.thickness, world.state.thinnest)
+        found = found or body.is_fast
+    return found
+
+
+def way_of(body: BodyRow, duration: float) -> float:
+    """Return how far a point of a body may move at the most, m."""
+    speed = math.sqrt(body.vx * body.vx + body.vy * body.vy)
+    turning = abs(body.w) * body.reach if body.corner_count > 0 else 0.0
+    return (speed + turning) * duration
+
+
+def time_to_impact(world: World, broad_phase: BroadPhase, duration: float) -> float:
+    """Return how long the world may move until its first fast body is just in another one, s.
+
+    Pairs that overlap already are left to the solver: they are contacts.
+    """
+    bound_way(world, duration)
+    find_pairs(world, broad_phase)
+    earliest = duration
+    for k in range(world.state.pair_count):
+        a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
+        if a.is_fast or b.is_fast:
+            after = pair_impact_time(world, a, b, earliest)
+            if after < earliest:
+                earliest = min(earliest, after + time_into(a, b))
+    return earliest
+
+
+def bound_way(world: World, duration: float) -> None:
+    """Put a box around every body and all of its way."""
+    bound(world)
+    for body in world.bodies:
+        x, y = body.vx * duration, body.vy * duration
+        turning = abs(body.w) * body.reach * duration if body.corner_count > 0 else 0.0
+        margin = min(turning, 2.0 * body.reach)
+        body.min_x += min(x, 0.0) - margin
+        body.max_x += max(x, 0.0) + margin
+        body.min_y += min(y, 0.0) - margin
+        body.max_y += max(y, 0.0) + margin
+
+
+def pair_impact_time(world: World, a: BodyRow, b: BodyRow, duration: float) -> float:
+    """Return when two bodies first touch, s; ``math.inf``: not within the duration, or already."""
+    collide_rows(world.corners, a, b, world.manifold)
+    if world.manifold.count > 0:
+        return math.inf
+    if (a.w != 0.0 and a.corner_count > 0) or (b.w != 0.0 and b.corner_count > 0):
+        return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
+    return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+
+
+def depth_into(a: BodyRow, b: BodyRow) -> float:
+    """Return how deep two bodies are let overlap, so that their impact is seen, m."""
+    return IMPACT_DEPTH * SLOP * min(a.extent, b.extent)
+
+
+def time_into(a: BodyRow, b: BodyRow) -> float:
+    """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
+    vx, vy = b.vx - a.vx, b.vy - a.vy
+    turning_a = abs(a.w) * a.reach if a.corner_count > 0 else 0.0
+    turning_b = abs(b.w) * b.reach if b.corner_count > 0 else 0.0
+    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning_a + turning_b)
+
+
+def let_fast_wait(world: World) -> None:
+    """Let every fast body stay where it is for what is left of the step."""
+    for body in world.bodies:
+        body.waits = body.is_fast and body.inv_m > 0.0

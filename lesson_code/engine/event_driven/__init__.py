@@ -1,0 +1,10 @@
+"""The event-driven solver: exact, from collision to collision, with no time step.
+
+Read solver (the loop), foretelling (what can happen to a disc), collisions (what then happens),
+support (resting), motion, queue and cells. Its discs live each in a time of their own.
+"""
+
+from lesson_code.engine.event_driven.recording import record_exact
+from lesson_code.engine.event_driven.solver import ExactSolver, why_not
+
+__all__ = ["ExactSolver", "record_exact", "why_not"]

@@ -1,0 +1,82 @@
+"""The grid: which discs and obstacles are near a disc.
+
+A cell is as wide as the largest disc, so that a disc can only touch those in its own cell and the
+eight around it. To leave the cell is an event; then the neighbours are others. Obstacles are
+noted in every cell from which a disc could touch them. Beyond everything that was there at the
+start the outermost cells go on for ever, so that a disc that flies away crosses no more borders.
+"""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.broad_phase import slot_of
+from lesson_code.engine.event_driven.rows import DiscRow, Tables
+
+
+def enter_cell(tables: Tables, i: int) -> None:
+    """Note a disc in the cell of its centre."""
+    disc, state = tables.discs[i], tables.state
+    disc.cell_x = min(max(math.floor(disc.x / state.cell_size), state.first_x), state.last_x)
+    disc.cell_y = min(max(math.floor(disc.y / state.cell_size), state.first_y), state.last_y)
+    slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
+    disc.next_in_slot = slot.index
+    slot.index = i
+
+
+def leave_cell(tables: Tables, i: int) -> None:
+    """Take a disc out of its cell."""
+    disc = tables.discs[i]
+    slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
+    if slot.index == i:
+        slot.index = disc.next_in_slot
+        return
+    before = tables.discs[slot.index]
+    while before.next_in_slot != i:
+        before = tables.discs[before.next_in_slot]
+    before.next_in_slot = disc.next_in_slot
+
+
+def cross_border(tables: Tables, i: int, side: int) -> None:
+    """Move a disc that has reached a border of its cell to the next one.
+
+    The sides are 0 right, 1 left, 2 up, 3 down. The cell is told by the side and not by the
+    place, which lies on the border and may be rounded to either cell.
+    """
+    disc = tables.discs[i]
+    leave_cell(tables, i)
+    if side == 0:
+        disc.cell_x += 1
+    elif side == 1:
+        disc.cell_x -= 1
+    elif side == 2:
+        disc.cell_y += 1
+    else:
+        disc.cell_y -= 1
+    slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
+    disc.next_in_slot = slot.index
+    slot.index = i
+
+
+def is_endless(tables: Tables, disc: DiscRow, side: int) -> bool:
+    """Return whether a disc's cell has no border on a side."""
+    state = tables.state
+    if side == 0:
+        return disc.cell_x == state.last_x
+    if side == 1:
+        return disc.cell_x == state.first_x
+    if side == 2:
+        return disc.cell_y == state.last_y
+    return disc.cell_y == state.first_y
+
+
+def border_gap(tables: Tables, disc: DiscRow, side: int) -> float:
+    """Return how far a disc's centre is inside a border of its cell, m."""
+    size = tables.state.cell_size
+    if side == 0:
+        return (disc.cell_x + 1) * size - disc.x
+    if side == 1:
+        return disc.x - disc.cell_x * size
+    if side == 2:
+        return (disc.cell_y + 1) * size - disc.y
+    return disc.y - disc.cell_y * size

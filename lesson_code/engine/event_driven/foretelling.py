@@ -1,0 +1,147 @@
+"""Foretelling: the next event of one disc, out of everything that could happen to it."""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.broad_phase import slot_of
+from lesson_code.engine.event_driven.cells import border_gap, is_endless
+from lesson_code.engine.event_driven.motion import place_at, velocity_at
+from lesson_code.engine.event_driven.queue import update
+from lesson_code.engine.event_driven.rows import (
+    CELL,
+    DISC,
+    END,
+    GRIP,
+    NOTHING,
+    OBSTACLE,
+    DiscRow,
+    Tables,
+)
+from lesson_code.engine.event_driven.support import grip_time, time_to_end
+from lesson_code.geometry.impact_times import (
+    circle_impact_time,
+    circle_outline_impact_time,
+    line_impact_time,
+)
+
+SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+"""Which way the sides of a cell look: right, left, up, down."""
+
+
+def foretell(tables: Tables, i: int) -> None:
+    """Find the next event of a disc that lives in the present, and queue it."""
+    disc = tables.discs[i]
+    disc.event_time, disc.event_kind, disc.partner = math.inf, NOTHING, -1
+    if not disc.held:
+        if disc.support >= 0:
+            note(tables, disc, grip_time(tables, disc), GRIP, disc.support, 0)
+            note(tables, disc, time_to_end(tables, disc), END, disc.support, disc.face)
+        foretell_border(tables, disc)
+        foretell_obstacles(tables, disc)
+    foretell_discs(tables, i)
+    update(tables.discs, tables.queue, i)
+
+
+def note(
+    tables: Tables, disc: DiscRow, after: float, kind: int, partner: int, feature: int
+) -> None:
+    """Take an event for the next one if it comes before the one known so far; `after` in s."""
+    time = tables.state.now + after
+    if time < disc.event_time:
+        disc.event_time, disc.event_kind = time, kind
+        disc.partner, disc.feature = partner, feature
+
+
+def foretell_border(tables: Tables, disc: DiscRow) -> None:
+    """Find when the disc's centre leaves its cell, and on which side."""
+    for side in range(4):
+        if is_endless(tables, disc, side):
+            continue
+        x, y = SIDES[side]
+        speed, pull = disc.vx * x + disc.vy * y, disc.ax * x + disc.ay * y
+        after = line_impact_time(border_gap(tables, disc, side), -speed, -pull)
+        note(tables, disc, after, CELL, -1, side)
+
+
+def foretell_discs(tables: Tables, i: int) -> None:
+    """Find the first hit with a disc in the cells around."""
+    disc, discs, slots = tables.discs[i], tables.discs, tables.slots
+    around = 0 if math.isinf(tables.state.cell_size) else 1
+    for dx in range(-around, around + 1):
+        for dy in range(-around, around + 1):
+            cell_x, cell_y = disc.cell_x + dx, disc.cell_y + dy
+            j = slots[slot_of(cell_x, cell_y, len(slots))].index
+            while j >= 0:
+                other = discs[j]
+                if j != i and other.cell_x == cell_x and other.cell_y == cell_y:
+                    after = time_to_hit(tables, disc, other)
+                    if tables.state.now + after < disc.event_time:
+                        note(tables, disc, after, DISC, j, 0)
+                        disc.partner_changes = other.changes
+                j = other.next_in_slot
+
+
+def time_to_hit(tables: Tables, disc: DiscRow, other: DiscRow) -> float:
+    """Return when two discs hit, s from now; ``math.inf``: never as they move."""
+    x, y = place_at(other, tables.state.now)
+    vx, vy = velocity_at(other, tables.state.now)
+    return impact_after(
+        tables,
+        (
+            x - disc.x,
+            y - disc.y,
+            vx - disc.vx,
+            vy - disc.vy,
+            other.ax - disc.ax,
+            other.ay - disc.ay,
+        ),
+        disc.radius + other.radius,
+    )
+
+
+def impact_after(
+    tables: Tables, relative: tuple[float, float, float, float, float, float], reach: float
+) -> float:
+    """Return when two circles hit; those that touch and approach no faster than rounding do not."""
+    dx, dy, vx, vy, ax, ay = relative
+    after = circle_impact_time(dx, dy, vx, vy, ax, ay, reach)
+    if after == 0.0:
+        distance = math.sqrt(dx * dx + dy * dy)
+        approaches = dx * vx + dy * vy < -tables.state.still * distance
+        is_pressed = dx * ax + dy * ay + vx * vx + vy * vy < 0.0
+        if not (approaches or is_pressed):
+            return math.inf
+    return after
+
+
+def foretell_obstacles(tables: Tables, disc: DiscRow) -> None:
+    """Find the first hit with an obstacle near the disc; the one it rests on is none."""
+    slots = tables.near_slots
+    n = slots[slot_of(disc.cell_x, disc.cell_y, len(slots))].index
+    while n >= 0:
+        near = tables.near[n]
+        if near.cell_x == disc.cell_x and near.cell_y == disc.cell_y:
+            foretell_obstacle(tables, disc, near.obstacle)
+        n = near.next_in_slot
+    for row in tables.everywhere:
+        foretell_obstacle(tables, disc, row.index)
+
+
+def foretell_obstacle(tables: Tables, disc: DiscRow, k: int) -> None:
+    """Find when the disc hits one obstacle."""
+    if k == disc.support:
+        return
+    obstacle, now = tables.obstacles[k], tables.state.now
+    dx = disc.x - (obstacle.x + obstacle.vx * now)
+    dy = disc.y - (obstacle.y + obstacle.vy * now)
+    vx, vy = disc.vx - obstacle.vx, disc.vy - obstacle.vy
+    if obstacle.corner_count == 0:
+        reach = disc.radius + obstacle.radius
+        after = impact_after(tables, (dx, dy, vx, vy, disc.ax, disc.ay), reach)
+        note(tables, disc, after, OBSTACLE, k, 0)
+        return
+    after, feature = circle_outline_impact_time(
+        tables.corners, obstacle, dx, dy, vx, vy, disc.ax, disc.ay, disc.radius
+    )
+    note(tables, disc, after, OBSTACLE, k, feature)

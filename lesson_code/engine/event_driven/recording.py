@@ -1,0 +1,49 @@
+"""Recording an exact run: the state after every collision, or at any times that are wanted."""
+
+from __future__ import annotations
+
+from lesson_code.engine.event_driven.solver import ExactSolver, State
+from lesson_code.engine.plan import Plan
+from lesson_code.engine.recording import Sample, given_times, run_of
+from lesson_code.engine.run import Run
+
+
+def record_exact(solver: ExactSolver, duration: float, sample: Sample, plan: Plan) -> Run:
+    """Let the exact solver run for a while, and return what it did.
+
+    Without a sample there is a state at the start, one after each collision and one at the end.
+    Collisions at the same time have a state each. States at given times are exact too: motion
+    between two events has a closed form.
+    """
+    if sample is None:
+        times, frames = _after_collisions(solver, duration)
+    else:
+        times = given_times(duration, sample)
+        frames = _at_times(solver, times)
+        solver.advance(duration)
+    return run_of(solver.scene, times, frames, solver.events(), plan)
+
+
+def _after_collisions(
+    solver: ExactSolver, duration: float
+) -> tuple[list[float], list[list[State]]]:
+    """Return the times and states at the start, after every collision and at the end."""
+    times, frames = [0.0], [solver.states(0.0)]
+    time = solver.next_collision(duration)
+    while time is not None:
+        times.append(time)
+        frames.append(solver.states(time))
+        time = solver.next_collision(duration)
+    if times[-1] < duration:
+        times.append(duration)
+        frames.append(solver.states(duration))
+    return times, frames
+
+
+def _at_times(solver: ExactSolver, times: list[float]) -> list[list[State]]:
+    """Return the states at given times, in the order in which they are given."""
+    frames: list[list[State]] = [[] for _ in times]
+    for frame in sorted(range(len(times)), key=times.__getitem__):
+        solver.advance(times[frame])
+        frames[frame] = solver.states(times[frame])
+    return frames

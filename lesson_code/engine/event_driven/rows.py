@@ -1,0 +1,108 @@
+"""The tables of the event-driven solver: discs that each live in their own time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
+from lesson_code.geometry.rows import Corner
+
+NOTHING, DISC, OBSTACLE, CELL, GRIP, END = range(6)
+"""What a disc's next event is: none, a hit, a hit, a new cell, no more sliding, no more face."""
+
+
+@dataclass(slots=True)
+class DiscRow:
+    """A disc: its state at a time of its own, how it moves from there, and its next event."""
+
+    body: int = 0  # its place in the scene
+    inv_m: float = 0.0  # 1/kg
+    inv_i: float = 0.0  # 1/(kg m^2)
+    radius: float = 0.0  # m
+    restitution: float = -1.0  # negative: left to the other body
+    friction: float = -1.0  # likewise
+
+    time: float = 0.0  # s, when the disc had the state below
+    x: float = 0.0  # m
+    y: float = 0.0
+    angle: float = 0.0  # rad
+    vx: float = 0.0  # m/s
+    vy: float = 0.0
+    w: float = 0.0  # rad/s
+    ax: float = 0.0  # m/s^2, the same until the next event
+    ay: float = 0.0
+    alpha: float = 0.0  # rad/s^2, likewise
+
+    met: float = -math.inf  # s, when it last met a disc
+    support: int = -1  # the obstacle whose face the disc rests on; -1: it flies
+    face: int = 0  # which face
+    held: bool = False  # whether a second face holds it too: it does not move at all
+
+    event_time: float = 0.0  # s, of the next event
+    event_kind: int = NOTHING
+    partner: int = -1  # the other disc, or the obstacle
+    feature: int = 0  # of the obstacle: an edge k, or the corner k as -1 - k
+    partner_changes: int = 0  # the partner's `changes` when the event was foretold
+    changes: int = 0  # how often this disc's motion has changed
+    heap_place: int = 0  # where it stands in the queue
+
+    cell_x: int = 0  # the grid cell of the centre
+    cell_y: int = 0
+    next_in_slot: int = -1  # the next disc in the same slot of the grid; -1 for the last
+
+
+@dataclass(slots=True)
+class NearRow:
+    """An obstacle that a disc with its centre in this cell might touch."""
+
+    obstacle: int = 0
+    cell_x: int = 0
+    cell_y: int = 0
+    next_in_slot: int = -1
+
+
+@dataclass(slots=True)
+class ExactState:
+    """What belongs to the whole scene."""
+
+    now: float = 0.0  # s, the time of the last event
+    gravity_x: float = 0.0  # m/s^2
+    gravity_y: float = 0.0
+    restitution_rule: int = 0  # how the pair's value comes from two bodies' (combination.py)
+    friction_rule: int = 0
+    cell_size: float = 1.0  # m, width of a grid cell: no disc is wider; infinite: one cell
+    first_x: int = 0  # the outermost cells, which have no outer border
+    last_x: int = 0
+    first_y: int = 0
+    last_y: int = 0
+
+    still: float = 0.0  # m/s, an approach slower than this is none
+    rest: float = 0.0  # m/s, a disc that leaves a face slower than this stays on it
+    grips: float = 0.0  # m/s, sliding slower than this is none
+    slow: float = 0.0  # m/s, discs that approach slower than this lose no energy, or all of it
+    hop: float = 0.0  # m/s, in a pile impacts slower than this lose no energy
+    pile_time: float = 0.0  # s, a disc that has met no disc for so long is in no pile
+
+    collisions: int = 0  # so far
+    events_at_once: int = 0  # so far, at this very instant
+    window: float = 0.0  # s, the time of one hop: for so long events in piles are counted
+    window_start: float = 0.0  # s, when that counting began
+    events_in_piles: int = 0  # since then
+
+
+class Tables(NamedTuple):
+    """All tables of a running scene."""
+
+    state: ExactState
+    discs: list[DiscRow]
+    obstacles: list[BodyRow]
+    obstacle_bodies: list[IndexRow]  # the obstacles' places in the scene
+    corners: list[Corner]
+    queue: list[IndexRow]  # a heap of all discs, the earliest event first
+    slots: list[IndexRow]  # of the grid: the first disc in each
+    near_slots: list[IndexRow]  # of the grid: the first NearRow in each
+    near: list[NearRow]
+    everywhere: list[IndexRow]  # obstacles that are near everywhere
+    contact: ContactRow  # scratch for a collision

@@ -1,0 +1,119 @@
+"""Resting: a disc that lies, slides or rolls on the flat face of an obstacle.
+
+The face takes away the part of gravity that presses the disc onto it. Along the face the disc is
+pulled by the rest g_t of gravity and by friction, and both are constant until the sliding u of
+its lowest point has died, so that this motion has a closed form too:
+
+    sliding    a = g_t - mu g_n s,   alpha = mu g_n s r / (I/m)      s the sign of u
+    rolling    a = g_t / (1 + k),    alpha = a / r                   k = I / (m r^2)
+
+It rolls where u = 0 and friction can hold it: |g_t| k / (1 + k) <= mu g_n.
+"""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.combination import combined
+from lesson_code.engine.event_driven.rows import DiscRow, Tables
+from lesson_code.formulas.arithmetic import dot
+from lesson_code.geometry.impact_times import line_impact_time
+from lesson_code.geometry.rows import following
+
+
+def let_go(tables: Tables, disc: DiscRow) -> None:
+    """Let gravity alone act on a disc."""
+    disc.support = -1
+    disc.held = False
+    disc.ax, disc.ay = tables.state.gravity_x, tables.state.gravity_y
+    disc.alpha = 0.0
+
+
+def settle(tables: Tables, disc: DiscRow, k: int, face: int) -> None:
+    """Let a disc rest on a face of an obstacle: no motion along its normal any more."""
+    obstacle, c = tables.obstacles[k], tables.corners[face]
+    away = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), (c.nx, c.ny))
+    disc.vx -= away * c.nx
+    disc.vy -= away * c.ny
+    disc.support, disc.face = k, face
+    slide_or_roll(tables, disc)
+
+
+def slide_or_roll(tables: Tables, disc: DiscRow) -> None:
+    """Set the accelerations of a disc that rests on a face."""
+    c = tables.corners[disc.face]
+    gravity, tangent = (tables.state.gravity_x, tables.state.gravity_y), (-c.ny, c.nx)
+    pressing, pull = -dot(gravity, (c.nx, c.ny)), dot(gravity, tangent)
+    friction = friction_of(tables, disc)
+    along, disc.alpha = pull, 0.0
+    if friction > 0.0:
+        k = disc.inv_m / (disc.inv_i * disc.radius * disc.radius) if disc.inv_i > 0.0 else math.inf
+        slip = slip_of(tables, disc)
+        grips = abs(slip) <= tables.state.grips
+        if grips and abs(pull) * share_held(k) <= friction * pressing:
+            along = pull - pull * share_held(k)
+            disc.alpha = along / disc.radius if math.isfinite(k) else 0.0
+        else:
+            sign = math.copysign(1.0, pull if grips else slip)
+            along = pull - friction * pressing * sign
+            disc.alpha = friction * pressing * sign / (k * disc.radius)
+    disc.ax, disc.ay = along * tangent[0], along * tangent[1]
+
+
+def share_held(k: float) -> float:
+    """Return the share of the pull that friction must hold, so that a disc does not slip."""
+    return 1.0 if math.isinf(k) else k / (1 + k)
+
+
+def friction_of(tables: Tables, disc: DiscRow) -> float:
+    """Return the friction coefficient of a disc and the obstacle it rests on."""
+    obstacle = tables.obstacles[disc.support]
+    return combined(tables.state.friction_rule, obstacle.friction, disc.friction)
+
+
+def slip_of(tables: Tables, disc: DiscRow) -> float:
+    """Return how fast the lowest point slides along the face, m/s: u = v . t - w r."""
+    obstacle, c = tables.obstacles[disc.support], tables.corners[disc.face]
+    along: float = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), (-c.ny, c.nx))
+    return along - disc.w * disc.radius
+
+
+def grip_time(tables: Tables, disc: DiscRow) -> float:
+    """Return when the disc stops sliding on its face, s from now; ``math.inf``: never."""
+    if friction_of(tables, disc) == 0.0:
+        return math.inf
+    c = tables.corners[disc.face]
+    along = dot((disc.ax, disc.ay), (-c.ny, c.nx))
+    slip, change = slip_of(tables, disc), along - disc.alpha * disc.radius
+    ends = abs(slip) > tables.state.grips and slip * change < 0.0
+    return -slip / change if ends else math.inf
+
+
+def stop_sliding(tables: Tables, disc: DiscRow) -> None:
+    """Take away the rest of sliding that the rounding of time has left at its end."""
+    slip, c = slip_of(tables, disc), tables.corners[disc.face]
+    if disc.inv_i > 0.0:
+        disc.w += slip / disc.radius
+    else:
+        disc.vx += slip * c.ny
+        disc.vy -= slip * c.nx
+
+
+def time_to_end(tables: Tables, disc: DiscRow) -> float:
+    """Return when the disc reaches an end of the face that it rests on, s from now."""
+    before, beyond = ways_to_ends(tables, disc)
+    obstacle, c = tables.obstacles[disc.support], tables.corners[disc.face]
+    tangent = (-c.ny, c.nx)
+    speed = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), tangent)
+    pull = dot((disc.ax, disc.ay), tangent)
+    return min(line_impact_time(before, speed, pull), line_impact_time(beyond, -speed, -pull))
+
+
+def ways_to_ends(tables: Tables, disc: DiscRow) -> tuple[float, float]:
+    """Return how far the disc is from the start and from the end of its face, m."""
+    obstacle, now = tables.obstacles[disc.support], tables.state.now
+    start, end = tables.corners[disc.face], tables.corners[following(obstacle, disc.face)]
+    x = disc.x - (obstacle.x + obstacle.vx * now)
+    y = disc.y - (obstacle.y + obstacle.vy * now)
+    tangent = (-start.ny, start.nx)
+    return dot((x - start.x, y - start.y), tangent), dot((end.x - x, end.y - y), tangent)

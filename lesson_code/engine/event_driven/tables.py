@@ -1,0 +1,146 @@
+"""From a scene to the tables of the event-driven solver."""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.broad_phase import slot_of
+from lesson_code.engine.combination import RULES, UNSPECIFIED, Combination
+from lesson_code.engine.constants import SLOTS_PER_BODY
+from lesson_code.engine.event_driven.cells import enter_cell
+from lesson_code.engine.event_driven.constants import (
+    CELL_MARGIN,
+    FEW_DISCS,
+    GRIPS,
+    HOP,
+    MOST_CELLS,
+    PILE_HOPS,
+    REST,
+    SLOW,
+    STILL,
+)
+from lesson_code.engine.event_driven.queue import build
+from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, Tables
+from lesson_code.engine.event_driven.support import let_go
+from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
+from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.tables import world_of
+
+
+def tables_of(scene: Scene, combine: Combination) -> Tables:
+    """Return the tables of a scene, its discs where they begin."""
+    free = [n for n, body in enumerate(scene.bodies) if not body.is_static]
+    fixed = [n for n, body in enumerate(scene.bodies) if body.is_static]
+    world = world_of(scene, dt=1.0, iterations=0, combine=combine)  # for the obstacles' outlines
+    discs = [_disc(n, scene.bodies[n]) for n in free]
+    slots = SLOTS_PER_BODY * len(discs) + 1
+    tables = Tables(
+        state=_state(scene, combine),
+        discs=discs,
+        obstacles=[world.bodies[n] for n in fixed],
+        obstacle_bodies=[IndexRow(n) for n in fixed],
+        corners=world.corners,
+        queue=[IndexRow(i) for i in range(len(discs))],
+        slots=[IndexRow() for _ in range(slots)],
+        near_slots=[IndexRow() for _ in range(slots)],
+        near=[],
+        everywhere=[],
+        contact=ContactRow(),
+    )
+    _bound_grid(tables)
+    for i in range(len(discs)):
+        let_go(tables, discs[i])
+        enter_cell(tables, i)
+    for k in range(len(fixed)):
+        _note_obstacle(tables, k)
+    build(discs, tables.queue)
+    return tables
+
+
+def _disc(number: int, body: Body) -> DiscRow:
+    """Return the row of a disc."""
+    mass, inertia, material = body.mass or math.inf, body.inertia or math.inf, body.material
+    return DiscRow(
+        body=number,
+        inv_m=1 / mass,
+        inv_i=1 / inertia,
+        radius=body.shape.bounding_radius,
+        restitution=UNSPECIFIED if material.restitution is None else material.restitution,
+        friction=UNSPECIFIED if material.friction is None else material.friction,
+        x=body.position[0],
+        y=body.position[1],
+        angle=body.angle,
+        vx=body.velocity[0],
+        vy=body.velocity[1],
+        w=body.angular_velocity,
+    )
+
+
+def _state(scene: Scene, combine: Combination) -> ExactState:
+    """Return the settings, the small speeds in proportion to those of the scene."""
+    radii = [body.shape.bounding_radius for body in scene.bodies if not body.is_static]
+    largest = max(radii, default=1.0)
+    falling = math.sqrt(math.hypot(*scene.gravity) * largest)
+    speed = max([falling, *(math.hypot(*body.velocity) for body in scene.bodies)])
+    return ExactState(
+        gravity_x=scene.gravity[0],
+        gravity_y=scene.gravity[1],
+        restitution_rule=RULES[combine.restitution],
+        friction_rule=RULES[combine.friction],
+        cell_size=math.inf if len(radii) <= FEW_DISCS else 2 * largest * (1 + CELL_MARGIN),
+        still=STILL * speed,
+        rest=REST * speed,
+        grips=GRIPS * speed,
+        slow=SLOW * speed,
+        hop=HOP * falling,
+        window=2 * HOP * falling / (math.hypot(*scene.gravity) or 1.0),
+        pile_time=PILE_HOPS * 2 * HOP * falling / (math.hypot(*scene.gravity) or 1.0),
+    )
+
+
+def _bound_grid(tables: Tables) -> None:
+    """Let the grid end one cell beyond all that is there at the start."""
+    state, size = tables.state, tables.state.cell_size
+    if math.isinf(size):
+        return
+    boxes = [_box(tables, obstacle) for obstacle in tables.obstacles]
+    boxes += [(disc.x, disc.x, disc.y, disc.y) for disc in tables.discs]
+    left, right, low, high = zip(*boxes, strict=True)
+    state.first_x, state.last_x = (
+        math.floor(min(left) / size) - 1,
+        math.floor(max(right) / size) + 1,
+    )
+    state.first_y, state.last_y = math.floor(min(low) / size) - 1, math.floor(max(high) / size) + 1
+
+
+def _note_obstacle(tables: Tables, k: int) -> None:
+    """Note an obstacle in all cells from which a disc could touch it, or as near everywhere."""
+    obstacle, size = tables.obstacles[k], tables.state.cell_size
+    if math.isinf(size):
+        tables.everywhere.append(IndexRow(k))
+        return
+    left, right, low, high = _box(tables, obstacle)
+    columns = range(math.floor(left / size) - 1, math.floor(right / size) + 2)
+    lines = range(math.floor(low / size) - 1, math.floor(high / size) + 2)
+    moves = obstacle.vx != 0.0 or obstacle.vy != 0.0
+    if moves or len(columns) * len(lines) > MOST_CELLS:
+        tables.everywhere.append(IndexRow(k))
+        return
+    for cell_x in columns:
+        for cell_y in lines:
+            slot = tables.near_slots[slot_of(cell_x, cell_y, len(tables.near_slots))]
+            tables.near.append(NearRow(k, cell_x, cell_y, slot.index))
+            slot.index = len(tables.near) - 1
+
+
+def _box(tables: Tables, obstacle: BodyRow) -> tuple[float, float, float, float]:
+    """Return the sides of the box around an obstacle: left, right, low, high, m."""
+    first = obstacle.first_corner
+    corners = tables.corners[first : first + obstacle.corner_count]
+    xs, ys = [c.x for c in corners] or [0.0], [c.y for c in corners] or [0.0]
+    return (
+        obstacle.x + min(xs) - obstacle.radius,
+        obstacle.x + max(xs) + obstacle.radius,
+        obstacle.y + min(ys) - obstacle.radius,
+        obstacle.y + max(ys) + obstacle.radius,
+    )

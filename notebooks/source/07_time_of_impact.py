@@ -1,0 +1,806 @@
+# ---
+# jupyter:
+#   kernelspec:
+#     display_name: Python 3 (ipykernel)
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # 07 Time of impact
+#
+# So far the engine has looked at the world sixty times in a second, and mended what overlapped.
+# What happens between two looks it did not know. This chapter asks for the *time* at which two
+# bodies meet. With that, nothing is missed at any speed. In the end the time step disappears
+# altogether.
+#
+# **After this notebook you will be able to**
+#
+# 1. say from which speed on a stepped ball passes through a wall, and how often;
+# 2. compute when two bodies meet, without losing digits and without looking at samples, and use
+#    the rest of the step after the impact;
+# 3. simulate from collision to collision without any time step, and say which scenes allow it.
+#
+# **You need** notebooks 00 to 06. **Time:** about 75 minutes to read, fifteen seconds to run.
+
+# %%
+from math import inf
+
+import numpy as np
+
+from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code.evidence import check, disc_gas, exact_scenes
+from lesson_code.formulas.smooth_pair import smooth_impulse
+from lesson_code.geometry import collide, time_of_impact
+from lesson_code.grading.alternatives import time_of_impact as unusual
+from lesson_code.grading.wrong_models import time_of_impact as wrong
+from lesson_code.quiz.notebook import show_quiz
+from lesson_code.reference import closed_forms, event_closed_forms
+from lesson_code.view import impact_plots, plots, style
+from lesson_code.view.animation import animate
+from lesson_code.view.interactive import Slider, explore
+from lesson_code.view.show import show
+
+# %% [markdown]
+# ## 1 A step can jump over a wall
+#
+# A ball with the speed v advances by v dt in a step. If that is long enough, a step begins before
+# the wall and ends behind it, and no overlap is ever seen. This is called **tunnelling**.
+#
+# To be stopped, the ball has to be *seen in time*: at the end of a step it must overlap the wall,
+# and its centre must still be before the wall's middle. (Behind the middle the shortest way out
+# leads on, and the ball is let go.) These places fill the last r + th/2 of its way, where th is
+# the wall's thickness. Where in the step the ball starts is chance. So the fraction that passes is
+#
+# $$1 - \frac{r + th/2}{v\,dt}\qquad\text{if that is positive.}$$
+#
+# **Predict:** a ball with a radius of 0.1 m and a wall 0.1 m thick, at 60 steps a second. From
+# which speed on does a ball get through? How many at 18 m/s?
+
+
+# %%
+def draw_steps(speed, thickness):
+    fig, ax = style.figure(width=9, height=2.6)
+    ball = {"dt": 1 / 60, "radius": 0.1, "thickness": thickness, "phase": 0.3}
+    impact_plots.steps_over_a_wall(ax, speed, **ball)
+    passing = event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, thickness)
+    ax.set_title(f"{ax.get_title()}; of many balls {passing:.0%} get through", fontsize=11)
+    return fig
+
+
+# %%
+explore(
+    draw_steps,
+    "A ball at the ends of its steps, half a metre apart. The last one before the wall does not "
+    "touch it yet, the next one is behind it. An outline shows the ball at its exact impact, and "
+    "a narrow zone the places where it would be seen in time. The sliders change the speed of the "
+    "ball and the thickness of the wall.",
+    speed=Slider("speed, m/s", 2, 60, 30, step=1),
+    thickness=Slider("thickness of the wall, m", 0.02, 1, 0.1, step=0.02),
+)
+
+# %% [markdown]
+# We let pymunk try it with 200 balls at a time, which start a little further back one by one, so
+# that all phases of a step occur.
+
+# %%
+speeds = np.array([6, 9, 10, 12, 15, 18, 25, 40, 60, 100])
+passed = []
+for speed in speeds.tolist():
+    scene = exact_scenes.balls_at_wall(speed, count=200, dt=1 / 60)
+    run = simulate(scene, 1 / speed + 0.1, solver="pymunk", sample="end")
+    passed.append(exact_scenes.share_beyond(run))
+law = [event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, 0.1) for speed in speeds]
+check("pymunk: fraction that gets through", passed, law, tolerance=1 / 200)
+
+# %%
+fine = np.linspace(6, 100, 400)
+curve = [event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, 0.1) for speed in fine]
+fig, ax = style.figure(width=7, height=3)
+plots.curves(ax, {"1 - (r + th/2) / (v dt)": (fine, curve)}, "speed, m/s", "fraction")
+ax.plot(speeds, passed, "o", color=style.VERMILION, label="pymunk, 200 balls each")
+ax.legend(frameon=False)
+show(
+    fig,
+    "Fraction of the balls that get through the wall, over their speed. It is zero up to 9 m/s, "
+    "a half at 18 m/s and above nine tenths at 100 m/s. pymunk's dots lie on the curve of the law.",
+)
+
+# %% [markdown]
+# It is no fault of pymunk's: any engine that only looks at the ends of steps does the same. With
+# half the step a ball may be twice as fast, and every second of the scene costs twice the time.
+#
+# ## 2 Looking more often is no cure
+#
+# A program may look ten times within each step. Then it takes the first look that shows an
+# overlap for the time of impact. **Predict** two things that are wrong with that.
+
+# %%
+d, v, reach, dt = np.array([-2.25, 0.985]), np.array([5.0, 0.0]), 1.0, 1.0
+fig, axes = style.figure(2, width=10, height=3.2)
+impact_plots.seen_from_the_first(axes[0], d, v, reach, dt, samples=10)
+impact_plots.distance_in_time(axes[1], d, v, reach, dt, samples=10)
+show(
+    fig,
+    "On the left the way of circle 2 as circle 1 sees it: a straight line that cuts the edge of a "
+    "disc of radius r1 + r2 between two of eleven dots. On the right the distance of the centres "
+    "over time: it dips below r1 + r2 between the dots at 0.4 s and 0.5 s.",
+)
+
+# %% [markdown]
+# It is **late**, by up to a tenth of the step. And a graze that begins and ends between two looks
+# is **lost**. How many hits are lost follows from the chords of a circle: if s is the way between
+# two looks and $k = s/(2(r_1 + r_2))$, then for small k the fraction is $k^2/6$. We draw 4,000
+# pairs that hit within the step, at four speeds.
+
+# %%
+rng = np.random.default_rng(seed=7)
+for speed in (5.0, 10.0, 20.0, 60.0):
+    lost = 0
+    for aside, start in zip(rng.uniform(-1, 1, 4000), rng.uniform(0.2, 0.7, 4000), strict=True):
+        p2 = np.array([-1 - start * speed, aside])
+        pair = (np.zeros(2), np.zeros(2), 0.4, p2, np.array([speed, 0.0]), 0.6)
+        lost += wrong.ten_samples(*pair, 1.0) is None
+    law = event_closed_forms.missed_by_samples(speed / 10, reach=1.0)
+    check(f"{speed:2.0f} m a step: fraction lost", lost / 4000, law, tolerance=0.02)
+
+# %% [markdown]
+# ## 3 The time of impact is a root
+#
+# Let d be the way from centre 1 to centre 2 now, and v the velocity of 2 seen from 1. At the time
+# t the centres are d + v t apart. The circles touch when that is $R = r_1 + r_2$ long:
+#
+# $$(d + v\,t)\cdot(d + v\,t) = R^2 \quad\Longrightarrow\quad a\,t^2 + 2\,b\,t + c = 0$$
+#
+# $$a = v\cdot v \qquad b = d\cdot v \qquad c = d\cdot d - R^2$$
+#
+# Each letter has a meaning: b < 0 says that they approach, c > 0 that they are apart. Of the two
+# roots the **smaller** is the first touch:
+#
+# $$t = \frac{-b - \sqrt{b^2 - a c}}{a} = \frac{c}{-b + \sqrt{b^2 - a c}}$$
+#
+# The second form is the same number. If $b^2 < a c$ there is no root, and the circles pass each
+# other. An example to work by hand: R = 5 m, 3 m of them across.
+
+# %%
+one, place_1, velocity_1 = Circle(2.0), (0, 0, 0), (3, 0, 0)  # the third numbers: angle, spin
+two, place_2, velocity_2 = Circle(3.0), (14, 3, 0), (-2, 0, 0)
+t = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=10)
+check("(14 - 4) / (3 + 2)", t, 2.0, tolerance=1e-15)
+t = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=1.9)
+check("not within 1.9 s", t, None)
+
+# %% [markdown]
+# Other shapes are put together from this. A circle meets a **wall** when its distance falls to r:
+# that is linear in t, or with gravity a quadratic again. It meets a **polygon** at an edge or at a
+# vertex: an edge is a wall with ends, and a vertex is a circle without radius. The earliest of all
+# is the impact. For turning polygons there is no such formula. There `time_of_impact` takes steps
+# that are proven to be safe, until the gap is closed to within a stated tolerance.
+
+# %%
+ball, still = Circle(0.5), (0.0, 0.0, 0.0)
+crate = Polygon.box(2, 2)
+onto_face = time_of_impact(crate, still, still, ball, (0.3, 5, 0), (0, -1, 0), 10)
+onto_corner = time_of_impact(crate, still, still, ball, (1.3, 5, 0), (0, -1, 0), 10)
+check("onto the top: 5 - 1 - 0.5", onto_face, 3.5, tolerance=1e-12)
+check("onto the corner, 0.3 m beside it: 5 - 1 - 0.4", onto_corner, 3.6, tolerance=1e-12)
+fast = time_of_impact(crate, still, still, ball, (0, 5, 0), (0, -1e6, 0), 10)
+check("onto the top at 1,000,000 m/s", fast, 3.5e-6, tolerance=1e-18)
+rod = Segment((-2, 0), (2, 0))
+turning = time_of_impact(rod, still, (0, 0, 1.5), ball, (0, 1.2, 0), still, 10)
+foot = np.arcsin(0.5 / 1.2)  # of the angle that the rod still has to go when it touches
+check("a rod that turns at 1.5 rad/s", turning, (np.pi / 2 - foot) / 1.5, tolerance=1e-6)
+
+# %% [markdown]
+# ## 4 The formula from school loses digits
+#
+# Why two forms of the same root? A ball is 1 m above the floor and moves down at 1 m/s, with a
+# weak gravity g: on board a spaceship, say. It lands after about one second. From school:
+#
+# $$t = \frac{v + \sqrt{v^2 + 2 g h}}{g} \qquad v = -1\ \text{m/s}$$
+#
+# **Predict** what is left of it when g is as small as $10^{-15}$ m/s².
+
+# %%
+for g in (1e-3, 1e-7, 1e-11, 1e-15):
+    school, right = wrong.school_formula(1.0, -1.0, g), unusual.with_fifty_digits(1.0, -1.0, g)
+    print(f"g = {g:.0e} m/s²: school {school:.12f} s, with fifty digits {right:.12f} s")
+
+# %% [markdown]
+# Under the root stands 1.000000000000002. A float has 16 digits, so 2 g h is written with one or
+# two of them. Then 1 is subtracted, and that one digit is all that is left. Multiplied above and
+# below by $\sqrt{\cdot} - v$, the formula has no subtraction any more:
+#
+# $$t = \frac{2h}{\sqrt{v^2 + 2gh} - v}$$
+#
+# It even works for g = 0. Of the two forms one adds and the other subtracts. Which is which
+# depends on the sign of v; a good program asks.
+
+# %%
+from lesson_code.geometry.impact_times import line_impact_time
+
+gravity = 10.0 ** -np.arange(0, 15.25, 0.25)
+right = np.array([float(unusual.with_fifty_digits(1.0, -0.7, g)) for g in gravity.tolist()])
+school = np.array([wrong.school_formula(1.0, -0.7, g) for g in gravity.tolist()])
+sure = np.array([line_impact_time(1.0, -0.7, -g) for g in gravity.tolist()])
+check("without a subtraction: off by, parts", sure / right - 1, 0, tolerance=4e-16)
+losses = {
+    "school": (gravity, abs(school / right - 1) + 1e-17),  # a zero cannot be drawn here
+    "without a subtraction": (gravity, abs(sure / right - 1) + 1e-17),
+}
+
+# %%
+fig, ax = style.figure(width=7, height=3.2)
+plots.curves(ax, losses, "gravity, m/s²", "error, as a part of the time")
+ax.set(xscale="log", yscale="log", ylim=(1e-17, 10))
+show(
+    fig,
+    "Error of both forms over gravity, both axes logarithmic. The one from school grows from "
+    "1e-16 at 1 m/s² to a hundredth at 1e-15 m/s². The other stays below 4e-16 everywhere.",
+)
+
+# %% [markdown]
+# ## 5 Never, and now
+#
+# Four cases need a rule, and the rule has to be the same everywhere:
+#
+# - They pass each other, or part: **never**. That is `None`, and no number.
+# - They touch or overlap, and approach: **now**. That is 0.0.
+# - They touch or overlap, and part: never. They have had their collision.
+# - Their velocities are equal: never. Here a = b = 0, and the formula would be 0/0.
+
+# %%
+unit, origin = Circle(1.0), (0, 0, 0)
+cases = {
+    "apart, and parting": ((3, 0, 0), (1, 0, 0), None),
+    "apart, side by side": ((3, 0, 0), (0, 0, 0), None),
+    "touching, and approaching": ((2, 0, 0), (-1, 0, 0), 0.0),
+    "touching, and parting": ((2, 0, 0), (1, 0, 0), None),
+    "overlapping, and approaching": ((1.5, 0, 0), (-1, 0, 0), 0.0),
+    "overlapping, and parting": ((1.5, 0, 0), (1, 0, 0), None),
+}
+for name, (place, velocity, expected) in cases.items():
+    check(name, time_of_impact(unit, origin, still, unit, place, velocity, 9), expected)
+
+# %% [markdown]
+# In Python, 0.0 counts as false. Whoever writes `if t:` for "if they meet" loses just the hits
+# that are due *now*. It has to be `if t is not None:`.
+
+# %%
+place, velocity, _ = cases["touching, and approaching"]
+t = time_of_impact(unit, origin, still, unit, place, velocity, duration=9)
+print("if t:", "a hit" if t else "no hit")
+print("if t is not None:", "a hit" if t is not None else "no hit")
+
+# %% [markdown]
+# ## 6 At the time of impact nothing overlaps
+#
+# We move two circles to their exact time of impact and call a function of chapter 04, which
+# starts with the contact: no overlap, no contact, nothing to do. But touching is *not*
+# overlapping. **Predict:** of 1,000 pairs that hit, how many does it let bounce?
+
+
+# %%
+def at_impact(p2, v2):
+    """Return the place of circle 2 when it meets circle 1, which stays at the origin."""
+    t = time_of_impact(unit, origin, still, ball, (*p2, 0), (*v2, 0), duration=9)
+    return p2 + v2 * t
+
+
+starts = [6 * np.array([x, y]) / np.hypot(x, y) for x, y in rng.normal(size=(1000, 2))]
+pairs = [(p2, -p2 + rng.uniform(-1, 1, 2)) for p2 in starts]
+places = [at_impact(p2, v2) for p2, v2 in pairs]
+contacts = [collide(unit, origin, ball, (*p2, 0)) for p2 in places]
+ignored = sum(contact is None for contact in contacts)
+check("more than a quarter of them are ignored", bool(ignored > 250), True)
+deepest = max(c.penetrations[0] for c in contacts if c is not None)
+check("the others overlap by rounding only, m", deepest, 0, tolerance=1e-14)
+
+# %% [markdown]
+# What is left of the overlap is the last digit of a rounding, and chance. So an event must resolve
+# **explicitly**: the time of impact has said that there is a contact, and the normal leads from
+# centre to centre. Only the gate is asked, as always.
+
+# %%
+turned_round = []
+for p2, (_, v2) in zip(places, pairs, strict=True):
+    n = p2 / np.hypot(*p2)
+    impulse = smooth_impulse((0, 0), inf, v2, 1.0, n, restitution=0.5)
+    turned_round.append((v2 + impulse) @ n / -(v2 @ n))
+check("separation over approach, 1,000 times", turned_round, 0.5, tolerance=1e-12)
+
+# %% [markdown]
+# ## 7 The rest of the step
+#
+# A collision that is found at t is not the end of the step. Three things have to be done: move
+# **to** the impact, bounce, and **go on** for the rest dt - t. In the rest there may be another
+# impact. So it is a loop, which ends when no impact is left in the time that is left.
+#
+# Some programs stop at the impact and lose the rest. Here are both, for a ball in a room with
+# e = 1, in 600 steps of 1/60 s. Its place after any time is known: section 10 says why.
+
+# %%
+start, velocity = np.array(exact_scenes.BALL_START), np.array(exact_scenes.BALL_VELOCITY)
+radius, box = exact_scenes.BALL_RADIUS, np.array(exact_scenes.BOX)
+rules = {"to the end of the step": unusual.each_axis_for_itself}
+rules["stops at the impact"] = wrong.stops_at_the_impact
+ways = {}
+for name, rule in rules.items():
+    p, v, ways[name] = start - radius, velocity, [start]
+    for _ in range(600):
+        p, v = rule(np.array(p), np.array(v), box - 2 * radius, 1.0, 1 / 60)
+        ways[name].append(np.array(p) + radius)
+    print(f"{name}: speed {np.hypot(*v):.12f} m/s")
+
+# %%
+times = np.arange(601) / 60
+exact = [closed_forms.ball_in_box(start, velocity, radius, *box, time=t)[0] for t in times]
+errors = {name: (times, np.hypot(*np.subtract(way, exact).T)) for name, way in ways.items()}
+check("to the end of the step: error, m", errors["to the end of the step"][1], 0, tolerance=1e-12)
+fig, ax = style.figure(width=7, height=3)
+plots.curves(ax, errors, "time, s", "distance from the right place, m")
+show(
+    fig,
+    "How far the ball is from where it should be, over 10 s. With the rest of the step: zero. "
+    "When the rest is lost: the error grows at every impact, and does not go away.",
+)
+
+# %% [markdown]
+# The speed is right to the last digit in both. The energy knows nothing of a lost time.
+#
+# With the rest of the step it does not matter how long the step is. One step of ten seconds does
+# it as well as 600:
+
+# %%
+p, _ = unusual.each_axis_for_itself(start - radius, velocity, box - 2 * radius, 1.0, 10.0)
+check("one step of 10 s, ten impacts in it: error, m", np.array(p) + radius, exact[-1], 1e-12)
+
+# %% [markdown]
+# **In the engine.** `simulate` splits a step only where it must. A body that moves by less than
+# half of its width in a step is seen in time anyway. If one is faster, the engine looks for the
+# first time of impact of the fast ones, ends the step there, resolves it like any other contact,
+# and goes on with the rest. Slow scenes pay nothing but a look at the speeds. Turning bodies are
+# looked after too: below, a thin rod sweeps over a ball at rest, from 40 starting angles.
+
+# %%
+for speed in (18.0, 1e3, 1e6):
+    scene = exact_scenes.balls_at_wall(speed, count=50, dt=1 / 60, thickness=0.001)
+    run = simulate(scene, 1 / speed + 0.1, sample="end")
+    check(f"{speed:11,.0f} m/s: through a wall of 1 mm", exact_scenes.share_beyond(run), 0)
+
+
+# %%
+def passed_over(turning, solver):
+    missed = 0
+    for phase in (np.arange(40) + 0.5) / 40:
+        scene = exact_scenes.turning_rod(turning, phase=phase, dt=1 / 60)
+        run = simulate(scene, 0.6 / turning + 2 / 60, solver=solver, sample="end")
+        missed += not run.velocities[-1, 1].any()
+    return missed / 40
+
+
+for turning in (5.0, 20.0, 40.0):
+    law = event_closed_forms.escape_fraction(turning * exact_scenes.ROD_ARM, 1 / 60, 0.1, 0.1)
+    theirs = passed_over(turning, "pymunk")
+    check(f"{turning:2.0f} rad/s: pymunk's rod passes over", theirs, law, tolerance=1 / 40)
+    check("   ours", passed_over(turning, "sequential"), 0)
+
+# %% [markdown]
+# ## 8 From event to event
+#
+# If a step may be so long, why have steps at all? Between two collisions every disc moves in a way
+# that we can write down: a straight line, or with gravity a parabola. So there is nothing to
+# compute until the next collision. An **event-driven** simulation goes from one to the next:
+#
+# 1. For every disc, foretell its next event: the earliest of all its times of impact.
+# 2. Take the earliest event of all. (A *heap* has it on top.)
+# 3. Move the discs that take part to that time, and let them bounce.
+# 4. Their other forecasts no longer hold: make them anew. All other discs fly on as foretold.
+#
+# `solver="exact"` does this, and `sample` says at which times we would like to see the state. With
+# `None` they are the events themselves.
+
+# %%
+smooth = Material(restitution=1.0)
+post, walls = Body(Circle(0.4), position=(2, 1.5), material=smooth), exact_scenes.box(4.0, 3.0)
+balls = [((0.8, 0.7), (1.5, 0.9)), ((3.2, 0.8), (-0.4, 1.9)), ((0.9, 2.3), (1.1, -0.3))]
+movers = [
+    Body(Circle(0.3), mass=1.0, position=place, velocity=way, material=smooth)
+    for place, way in balls
+]
+scene = Scene([*walls, post, *movers])
+run = simulate(scene, 2.0, solver="exact")
+print(run.plan)
+for t, a, b in zip(run.contacts.time, run.contacts.body_a, run.contacts.body_b, strict=True):
+    print(f"{t:.6f} s: body {a} and body {b}")
+
+# %%
+run = simulate(scene, 6.0, solver="exact", sample=np.linspace(0, 6, 181))
+check("energy kept, J", run.kinetic_energy - run.kinetic_energy[0], 0, tolerance=1e-12)
+check("deepest overlap in any state, m", run.max_penetration, 0, tolerance=1e-12)
+animate(
+    run,
+    "Three balls in a box with a round post in the middle. They bounce off the walls, off the post "
+    "and off each other.",
+    still=1.0,
+)
+
+# %% [markdown]
+# No step, so no tunnelling either, at any speed. And no overlap, so nothing to push apart.
+
+# %%
+for speed in (1.0, 1e3, 1e6):
+    scene = exact_scenes.balls_at_wall(speed, count=10, dt=1 / 60, thickness=0.001)
+    run = simulate(scene, 2 / speed + 1 / 60, solver="exact", sample="end")
+    check(f"{speed:9,.0f} m/s: balls through a wall of 1 mm", exact_scenes.share_beyond(run), 0)
+
+# %% [markdown]
+# ## 9 Pi, from collisions
+#
+# Two blocks slide on ice before a wall. The inner one, of 1 kg, is at rest; the outer one, of M kg,
+# comes. All is elastic. The inner block is thrown to and fro between wall and outer block, until
+# that has turned round and is the faster one. **Predict:** how many collisions are there for equal
+# masses? (Do it by hand.) And for M = 100, and 10,000?
+
+# %%
+for digits in range(5):
+    run = simulate(exact_scenes.two_blocks(100.0**digits), 1e5, solver="exact", sample="end")
+    foretold = event_closed_forms.block_collisions(100.0**digits)
+    check(f"M = 100^{digits}: collisions", len(run.contacts), foretold)
+    energy = run.kinetic_energy[-1] / run.kinetic_energy[0]
+    check("   energy left", energy, 1, tolerance=1e-10)
+
+# %% [markdown]
+# These are the digits of pi. Galperin's reason is a picture. Take $\sqrt{m_1}\,x_1$ and
+# $\sqrt{m_2}\,x_2$ as the coordinates of *one* point. The two sides of a wedge with the angle
+# $\theta$, where $\tan\theta = 1/\sqrt{M}$, are "the inner block is at the wall" and "the blocks
+# touch". A collision is a reflection there. Unfold the wedge, as one unfolds a mirror: the way
+# becomes a straight line, and it crosses a side at each multiple of $\theta$ below $\pi$.
+
+# %%
+fig, ax = style.figure(width=8, height=3.6)
+impact_plots.unfolded_wedge(ax, mass_ratio=9)
+show(
+    fig,
+    "Rays from one point, at equal angles, full and dotted in turn. A straight line from right to "
+    "left crosses nine of them: the nine collisions for a mass ratio of 9.",
+)
+
+# %% [markdown]
+# For M = $100^k$ the angle is nearly $10^{-k}$, and $\pi/10^{-k}$ has the digits of pi. A stepped
+# engine has a hard time here: the inner block gets faster and faster, in a narrower and narrower
+# gap. For M = $100^3$ it moves at a thousand times the speed of the outer one, in a gap of a
+# millimetre.
+
+# %%
+million = exact_scenes.two_blocks(100.0**3)
+for rate in (60, 2400):
+    run = simulate(million, 10.0, dt=1 / rate, solver="pymunk", sample="end")
+    side = "behind" if run.positions[-1, 1, 0] < 0 else "before"
+    print(f"pymunk, {rate:4} steps a second: {len(run.contacts)} of 3141, ends {side} the wall")
+
+# %%
+run = simulate(exact_scenes.two_blocks(100.0), 5.0, solver="exact")
+edges = run.positions[:, :, 0] - np.array([0, 0.5, 1.5])  # blocks drawn without their width
+fig, ax = style.figure(width=7, height=3)
+named = {"inner block": (run.times, edges[:, 1]), "outer block, 100 kg": (run.times, edges[:, 2])}
+plots.curves(ax, named, "time, s", "distance from the wall, m")
+show(
+    fig,
+    "Distance from the wall over time. The outer block comes, slows down, turns round at a tenth "
+    "of a metre and leaves. The inner one zigzags between it and the wall, fastest in the middle.",
+)
+
+# %% [markdown]
+# ## 10 A ball in a box, for ever
+#
+# A bounce off a wall is a mirror image. Instead of the ball, mirror the *box*: then the ball flies
+# straight on, through a wallpaper of mirrored boxes. Where it is after any time is a
+# multiplication and a fold. So there is an answer to compare with, after any number of bounces;
+# it is worked out in fractions, without rounding.
+
+# %%
+fig, ax = style.figure(width=9, height=4.4)
+room = box - 2 * radius  # what the ball's centre can reach
+impact_plots.unfolded_box(ax, start - radius, velocity, room, time=6.0)
+show(
+    fig,
+    "A box with the zigzag way of a ball, and the same way unfolded: a straight line through the "
+    "mirror images of the box, which lie beside it and above it.",
+)
+
+# %%
+scene = exact_scenes.ball_in_a_box()
+for duration in (10, 100, 1000):
+    run = simulate(scene, duration, solver="exact", sample=np.linspace(0, duration, 101))
+    off = exact_scenes.error_in_the_box(run)
+    check(f"exact, {duration} s, {len(run.contacts)} bounces: error, m", off, 0, 1e-13 * duration)
+
+# %%
+rates, errors = np.array([30, 60, 120, 240, 480, 960, 1920]), []
+for rate in rates.tolist():
+    run = simulate(scene, 10, dt=1 / rate, solver="pymunk", sample=np.linspace(0, 10, 101))
+    errors.append(exact_scenes.error_in_the_box(run).max())
+    print(f"pymunk, {rate:4} steps a second: off by up to {errors[-1]:.3f} m in 10 s")
+
+# %% [markdown]
+# Each impact is late by a part of a step, and the lateness stays. Halving the step halves the
+# error, more or less: ten times more accurate is ten times more work. The exact solver makes ten
+# collisions, and its error is what rounding leaves.
+#
+# ## 11 Backwards in time
+#
+# Newton's laws do not know which way time runs. Turn every velocity round, and a film of balls
+# runs backwards, to the very state in which it began. A good test for a simulation. We let 64 discs
+# in a box run for a while, turn them round, and let them run for the same time again.
+#
+# **Predict:** the solver errs by 1e-16 in each collision. How far from their start are the discs
+# after ten collisions each? After thirty?
+
+# %%
+gas, returns = disc_gas.disc_gas(8, covered=0.5, seed=1), []
+for duration in np.arange(0.5, 6.5, 0.5):
+    run = simulate(gas, duration, solver="exact", sample="end")
+    back = simulate(exact_scenes.turned_back(run), duration, solver="exact", sample="end")
+    returns.append((disc_gas.hits_a_disc(run), exact_scenes.error_after_return(run, back)))
+hits, off = np.transpose(returns)
+check("up to 9 collisions a disc: back within, m", off[hits <= 9], 0, tolerance=1e-9)
+check("beyond 40 it is lost: over a millimetre off", bool(off[hits > 40].min() > 1e-3), True)
+
+# %%
+fig, ax = style.figure(width=7, height=3.2)
+plots.curves(ax, {"": (hits, off)}, "collisions of each disc with others", "farthest from start, m")
+ax.set_yscale("log")
+show(
+    fig,
+    "How far the farthest disc is from its start after the way back, over the number of "
+    "collisions, on a logarithmic scale. From 1e-14 m it grows along a nearly straight line to a "
+    "decimetre.",
+)
+
+# %% [markdown]
+# So the discs of the following film do find their places again: on the way out, each meets fewer
+# than nine others.
+
+# %%
+seen = np.linspace(0, 1, 51)
+out = simulate(gas, 1.0, solver="exact", sample=seen)
+back = simulate(exact_scenes.turned_back(out), 1.0, solver="exact", sample=seen)
+print(f"{disc_gas.hits_a_disc(out):.1f} collisions a disc")
+animate(
+    {"out": out, "back": back},
+    "Two boxes with 64 discs. On the left they start in rows and columns and fly into disorder. On "
+    "the right they start in that disorder, and end in rows and columns.",
+    seconds=4,
+    still=0.9,
+)
+
+# %% [markdown]
+# A straight line on this scale is exponential growth. Discs are convex: two ways that differ a
+# little before a hit differ more after it, here by a factor of about two for each hit. That is
+# **chaos**. It is in the laws and not in the solver: with twice as many digits the line would
+# start lower and be just as steep. So do not compare long runs of many discs place by place.
+# Compare what is not chaotic: energy, momentum, pressure.
+#
+# ## 12 Infinitely many bounces in four seconds
+#
+# A ball is dropped from 1 m, with e = 0.8. Chapter 02 has shown that each flight is 0.8 times as
+# long as the one before. The flights add up to a finite time, and in it there are infinitely many
+# bounces:
+#
+# $$T = \sqrt{\frac{2h}{g}}\;\frac{1 + e}{1 - e}$$
+#
+# A simulation that goes from event to event would never get there. It needs a **rule**: a ball
+# that leaves the floor slower than $10^{-13}$ of the scene's speed rests. What it leaves out would
+# have lasted less than $10^{-12}$ s.
+
+# %%
+times = np.linspace(0, 6, 601)
+run = simulate(exact_scenes.bouncing_to_rest(0.8), 6.0, solver="exact", sample=times)
+rest = closed_forms.rest_time(height=1, restitution=0.8, gravity=10)
+heights = closed_forms.bouncing_ball(times, height=1, restitution=0.8, gravity=10)
+check("the last bounce, s", run.contacts.time[-1], rest, tolerance=1e-12)
+check("its height at 601 times, m", run.positions[:, 1, 1] - 0.5, heights, tolerance=1e-12)
+check("at rest from then on", run.velocities[times > rest, 1], 0)
+print(len(run.contacts), "bounces were computed")
+
+# %%
+stepped = simulate(exact_scenes.bouncing_to_rest(0.8), 6.0, solver="pymunk")
+fig, ax = style.figure(width=7, height=3)
+named = {"exact": (times, run.positions[:, 1, 1] - 0.5)}
+named["pymunk, 60 steps a second"] = (stepped.times, stepped.positions[:, 1, 1] - 0.5)
+plots.curves(ax, named, "time, s", "height above the floor, m")
+ax.axvline(rest, color=style.GREY, linewidth=1, linestyle="-.")
+show(
+    fig,
+    "Height of the ball over time. It bounces lower and faster, and lies still from 4.02 s on, "
+    "which a vertical line marks. pymunk's ball dips a little into the floor at each bounce, and "
+    "its later bounces are out of step.",
+)
+
+# %% [markdown]
+# ## 13 A gas
+#
+# Many discs that only collide are a gas. What a gas does on average is not chaotic. Two numbers
+# have been known for a long time. **Pressure:** points would press with p A = N T, where T is the
+# mean energy of a disc. Discs need room, and press more, by the factor Z. If they cover the part
+# $\eta$ of the area, Henderson's formula says
+#
+# $$Z = \frac{p A}{N T} = \frac{1 + \eta^2/8}{(1 - \eta)^2}$$
+#
+# **Collisions:** Enskog's theory says how often a disc meets another one. We measure both in the
+# middle of a box with 144 discs: near the walls a gas is denser. A few thousand collisions are
+# counted, so chance leaves a few parts in a hundred; to halve that takes four times as many.
+
+# %%
+measured = []
+for covered, duration in ((0.05, 150.0), (0.12, 100.0), (0.2, 80.0), (0.3, 60.0)):
+    gas = disc_gas.disc_gas(12, covered, seed=1)
+    run = simulate(gas, duration, solver="exact", sample=np.arange(0, duration, 0.25))
+    measured.append(disc_gas.in_the_middle(run, since=4.0))
+eta = [m.covered for m in measured]
+z = np.array([m.compressibility for m in measured])
+rate = np.array([m.collision_rate for m in measured])
+
+# %%
+henderson = [event_closed_forms.hard_disc_compressibility(e) for e in eta]
+enskog = [event_closed_forms.hard_disc_collision_rate(e, 1, 1, 1) for e in eta]
+check("Z within 4 % of Henderson's", bool((abs(z / henderson - 1) < 0.04).all()), True)
+check("rate within 8 % of Enskog's", bool((abs(rate / enskog - 1) < 0.08).all()), True)
+shares = np.linspace(0, 0.36, 100)
+fig, ax = style.figure(width=7, height=3.2)
+law = [event_closed_forms.hard_disc_compressibility(e) for e in shares]
+plots.curves(ax, {"Henderson": (shares, law)}, "part of the area covered", "p A / (N T)")
+ax.plot(eta, z, "o", color=style.VERMILION, label="measured")
+ax.legend(frameon=False)
+show(
+    fig,
+    "Pressure over that of points, over the covered part of the area. It rises from 1 to 2.5. Four "
+    "measured dots lie on Henderson's curve, but for their noise.",
+)
+
+# %% [markdown]
+# ## 14 What it costs, and what it cannot do
+#
+# A stepped engine pays for every step, whether anything happens in it or not. The exact solver pays
+# for every collision. The table is for the ball in the box. The times were measured on one machine,
+# in one moment; yours will differ. pymunk is written in C, and our solver in Python.
+
+# %%
+from time import perf_counter
+
+
+def milliseconds(scene, duration, **settings):
+    """Return the shortest of seven runs."""
+    taken = []
+    for _ in range(7):
+        begin = perf_counter()
+        simulate(scene, duration, sample="end", **settings)
+        taken.append(1e3 * (perf_counter() - begin))
+    return min(taken)
+
+
+# %% tags=["nbval-ignore-output"]
+scene = exact_scenes.ball_in_a_box()
+costs = [milliseconds(scene, 10, solver="pymunk", dt=1 / rate) for rate in rates.tolist()]
+run = simulate(scene, 10, solver="exact", sample=np.linspace(0, 10, 101))
+cost, error = milliseconds(scene, 10, solver="exact"), exact_scenes.error_in_the_box(run).max()
+for rate, ms, off in zip(rates, costs, errors, strict=True):
+    print(f"pymunk, {rate:4} steps a second: {ms:6.2f} ms, error {off:.0e} m")
+print(f"exact, no steps, 10 collisions: {cost:6.2f} ms, error {error:.0e} m")
+
+# %% tags=["nbval-ignore-output"]
+fig, ax = style.figure(width=7, height=3.2)
+plots.curves(ax, {"pymunk, 30 to 1920 steps a second": (costs, errors)}, "time, ms", "")
+ax.lines[0].set_marker("o")
+ax.plot(cost, error, "D", color=style.VERMILION, label="exact")
+ax.set(xscale="log", yscale="log", ylabel="error after 10 s, m")
+ax.legend(frameon=False)
+show(
+    fig,
+    "Error against computing time for the ball in the box, both axes logarithmic. pymunk's dots "
+    "go from half a metre down to a centimetre as its steps get shorter and its time longer. The "
+    "exact solver stands alone near 1e-14 m, at about the time of pymunk's longest steps.",
+)
+
+# %% [markdown]
+# With many discs, each collision makes the forecasts of two discs stale, and no others. To foretell
+# a disc's next event only its neighbourhood is looked at: the box is divided into **cells**, and to
+# cross from one to the next is an event too. So the cost of a collision hardly grows with the
+# number of discs.
+
+# %% tags=["nbval-ignore-output"]
+for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
+    gas = disc_gas.disc_gas(side, covered=0.3, seed=1)
+    begin = perf_counter()
+    run = simulate(gas, duration, solver="exact", sample="end")
+    each = 1e6 * (perf_counter() - begin) / len(run.contacts)
+    print(f"{side * side:5} discs: {len(run.contacts):5} collisions, {each:4.0f} µs each")
+
+# %% [markdown]
+# So why is not everything done so? Because it needs a motion in closed form between collisions, and
+# few collisions. A polygon that turns has none: its corners move on curves that no formula meets.
+# A pile at rest has contacts all the time. And a ball on a ball, pressed on by gravity, would make
+# infinitely many collisions; the solver lets it hop a little. It says no where it cannot help:
+
+# %%
+from lesson_code.evidence import scenes
+
+try:
+    simulate(scenes.box_stack(3), 1.0, solver="exact")
+except ValueError as error:
+    print(error)
+
+# %% [markdown]
+# ## 15 Break it on purpose: three faults
+#
+# **The other root.** The quadratic has two. **Predict:** what happens to two circles that are
+# resolved at the *later* one?
+
+# %%
+p1, v1, p2, v2 = np.zeros(2), np.array([3.0, 0.0]), np.array([14.0, 3.0]), np.array([-2.0, 0.0])
+first = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=10)
+later = wrong.the_later_root(p1, v1, 2.0, p2, v2, 3.0, 10.0)
+for name, t in (("first root", first), ("later root", later)):
+    n = (p2 + v2 * t - p1 - v1 * t) / 5  # at both times the centres are r1 + r2 = 5 m apart
+    j = np.hypot(*smooth_impulse(v1, 1.0, v2, 1.0, n, restitution=1.0))
+    print(f"{name}: t = {t:.1f} s, vn = {(v2 - v1) @ n:+.1f} m/s, impulse {j:.1f} N s")
+
+# %% [markdown]
+# At the later root they touch too, but from inside, on their way out. They have passed through each
+# other. The gate sees them part and gives no impulse; a program without a gate would pull them
+# back together.
+#
+# **A time in the past.** Two circles that part have met before, if they flew like that for ever.
+# The quadratic says when. `t <= dt` is true for it.
+
+# %%
+t = wrong.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
+print(f"they will meet in {t:.1f} s")
+check("never", time_of_impact(one, place_1, (-3, 0, 0), two, place_2, (2, 0, 0), 6.0), None)
+
+# %% [markdown]
+# A program that goes "to the impact" then flies two circles *back* to where they were three seconds
+# and more ago. In an event-driven simulation it is worse: the earliest event of all is in the past,
+# and after it comes the same one again.
+#
+# **0/0.** Two circles fly side by side. a is 0 and b is 0. NumPy does not stop at 0/0; it gives
+# nan, and nan is neither less nor greater than anything. **Predict** the two lines.
+
+# %%
+with np.errstate(invalid="ignore"):
+    t = np.float64(0.0) / np.float64(0.0)
+print("a hit, because t <= dt:", bool(t <= 6.0))
+print("a hit, because not t > dt:", bool(not t > 6.0))
+check("never", time_of_impact(one, place_1, still, two, place_2, still, 6.0), None)
+
+# %% [markdown]
+# The same comparison, written in two ways, gives two answers. Whoever asks for b < 0 first never
+# gets as far as that: circles that do not approach do not meet.
+#
+# ## 16 Quiz
+
+# %%
+show_quiz("07")
+
+# %% [markdown]
+# ## What was checked, and what comes next
+#
+# **Checked here:** the law of tunnelling against pymunk at ten speeds; the law of lost hits against
+# 16,000 pairs; times of impact by hand and to fifty digits; the digits of pi up to 31,415; a ball
+# in a box for 1,000 s and the last bounce of a ball against closed forms; a gas that runs
+# backwards, and one against Henderson's and Enskog's formulas.
+#
+# **Limits.** The exact solver takes discs and fixed walls only. A gas of discs is chaotic: after
+# some thirty collisions each, no simulation can say where a single disc is. And real bodies do not
+# bounce at an instant: they are in touch for a thousandth of a second.
+#
+# **Do now:** the exercise [07 Time of impact](../exercises/07_time_of_impact.ipynb): five tasks,
+# twenty-two points. **Next:** how accurate is fast enough? Accuracy and time, weighed against each
+# other.
+#
+# **Sources.** Ericson, *Real-Time Collision Detection* (2005), chapter 5: moving shapes. Galperin,
+# *Playing pool with pi*, Regular and Chaotic Dynamics 8 (2003), 375. Alder and Wainwright, *Studies
+# in Molecular Dynamics I*, Journal of Chemical Physics 31 (1959), 459: from event to event.
+# Henderson, Molecular Physics 30 (1975), 971: hard discs. Bannerman and others, Computational
+# Particle Mechanics 1 (2014), 191: what to do when discs overlap by rounding.
