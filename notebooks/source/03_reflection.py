@@ -364,7 +364,7 @@ show_quiz("03")
 # thin wall between two steps: chapter 07 is about that.
 #
 # **Do now:** the exercise [03 Reflection](../exercises/03_reflection.ipynb): three tasks, twelve
-# points; and the [billiards](../exercises/billiards.py). **Next:** circles that meet circles.
+# points; and the [billiards](../exercises/billiards.py). **Next:** [04 Circles](04_circles.ipynb).
 #
 # **Sources.** Householder, *Unitary Triangularization of a Nonsymmetric Matrix* (1958): the
 # mirror as a matrix. Brach, *Mechanical Impact Dynamics* (1991), chapter 1: a particle against a

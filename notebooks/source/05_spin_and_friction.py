@@ -166,8 +166,8 @@ show(
 # + \frac{(r_a \times n)^2}{I_a} + \frac{(r_b \times n)^2}{I_b}$$
 #
 # Chapter 01 had the first two terms. The new ones are never negative: **a hit off centre meets a
-# smaller effective mass**. It pushes less and spins more. The same formula with t in place of n is
-# the effective mass for friction.
+# smaller effective mass**. It pushes less and spins more. The same formula with t in place of n
+# is the effective mass for friction.
 
 # %%
 rod_inertia = 1 / 3  # a thin rod of 2 m and 1 kg: m L² / 12
@@ -337,9 +337,10 @@ for friction in (0.0, 0.05, 1.0):
     check(f"after, mu = {friction}", after.angular_momentum(contact), -1.5, tolerance=1e-12)
 
 # %% [markdown]
-# Spin works both ways: it can become velocity. Throw a ball to the right with strong **backspin**,
-# and its lowest point slides to the right *faster* than the ball moves. Friction pushes it to the
-# left. **Predict:** which way does the ball go after the first bounce? After the second?
+# Spin works both ways: it can become velocity. Throw a ball to the right with strong
+# **backspin**, and its lowest point slides to the right *faster* than the ball moves. Friction
+# pushes it to the left. **Predict:** which way does the ball go after the first bounce? After the
+# second?
 
 # %%
 rubber = Material(restitution=0.8, friction=0.5)
@@ -555,11 +556,11 @@ for solver in ("sequential", "pymunk"):
 #
 # ## 9 Newton's restitution can make energy
 #
-# A rod leans at 45° and hits the floor with its lower end, at the left. The contact is off centre,
-# and now the two impulses disturb each other. The floor's push turns the rod, and the tip swings
-# to the left. Friction holds it, so it pushes to the right. That turns the rod back, and drives
-# the tip into the floor. So the floor has to push harder, until the tip leaves with e times its
-# approach: Newton's rule demands it, whatever it takes.
+# A rod leans at 45° and hits the floor with its lower end, at the left. The contact is off
+# centre, and now the two impulses disturb each other. The floor's push turns the rod, and the tip
+# swings to the left. Friction holds it, so it pushes to the right. That turns the rod back, and
+# drives the tip into the floor. So the floor has to push harder, until the tip leaves with e
+# times its approach: Newton's rule demands it, whatever it takes.
 #
 # Restitution loses energy, and friction loses energy. **Predict:** can the rod have more energy
 # after the hit than before?
@@ -613,8 +614,8 @@ show(
 
 # %% [markdown]
 # So in this course we claim "energy never grows" only where it is true: without friction, or with
-# e = 0. Stronge's rule compares energies instead of velocities, and cannot make any; it costs more
-# computing. pymunk keeps Newton's rule, and so do we.
+# e = 0. Stronge's rule compares energies instead of velocities, and cannot make any; it costs
+# more computing. pymunk keeps Newton's rule, and so do we.
 #
 # ## 10 Break it on purpose: three faults of friction
 #
@@ -677,9 +678,9 @@ for name in ("right", "torque with the wrong sign"):
 # sees it at once.
 #
 # **No clamp, and a dead band.** Two wrong models of the friction impulse. The first always stops
-# the sliding: on it ice is as good as rubber. The second calls a sliding below 0.01 m/s "none" and
-# leaves it alone, so that a body at rest need not be touched. Between -0.01 and 0.01 m/s nothing
-# holds.
+# the sliding: on it ice is as good as rubber. The second calls a sliding below 0.01 m/s "none"
+# and leaves it alone, so that a body at rest need not be touched. Between -0.01 and 0.01 m/s
+# nothing holds.
 
 # %%
 fig, axes = style.figure(2, width=9.5, height=3.4)
@@ -704,8 +705,8 @@ show(
 
 # %% [markdown]
 # What do they cost? Put a block on two slopes: a rough one that is nearly level, where it should
-# stay, and an icy one of 30°, where it should be 224 m away after 10 s. On the first, gravity adds
-# 3.6 mm/s in each step of 1/240 s. **Predict** what the dead band makes of that.
+# stay, and an icy one of 30°, where it should be 224 m away after 10 s. On the first, gravity
+# adds 3.6 mm/s in each step of 1/240 s. **Predict** what the dead band makes of that.
 
 # %%
 rules = {"right": slopes.coulomb, "no clamp": wrong.without_clamp, "dead band": wrong.dead_band}
@@ -736,8 +737,10 @@ show_quiz("05")
 # friction can make energy.
 #
 # **Do now:** the exercise [05 Spin and friction](../exercises/05_spin_and_friction.ipynb): five
-# tasks, twenty points. **Next:** polygons, and what happens when they touch at two points.
+# tasks, twenty points. **Next:** [06 SAT and manifolds](06_sat_and_manifolds.ipynb), where
+# polygons touch at two points.
 #
-# **Sources.** Coulomb, *Théorie des machines simples* (1785). Kane and Levinson, *Dynamics: Theory
-# and Applications* (1985): the energy that Newton's rule can make. Stronge, *Impact Mechanics*
-# (2000). Catto, *Iterative Dynamics with Temporal Coherence* (2005): the clamp in an engine.
+# **Sources.** Coulomb, *Théorie des machines simples* (1785). Kane and Levinson, *Dynamics:
+# Theory and Applications* (1985): the energy that Newton's rule can make. Stronge, *Impact
+# Mechanics* (2000). Catto, *Iterative Dynamics with Temporal Coherence* (2005): the clamp in an
+# engine.

@@ -611,7 +611,8 @@ show_quiz("06")
 # of one manifold our solver makes sweeps too, so a high stack needs more of them.
 #
 # **Do now:** the exercise [06 SAT and manifolds](../exercises/06_sat_and_manifolds.ipynb): six
-# tasks, twenty points. **Next:** bodies that are too fast for a time step.
+# tasks, twenty points. **Next:** [07 Time of impact](07_time_of_impact.ipynb), for bodies that
+# are too fast for a time step.
 #
 # **Sources.** Ericson, *Real-Time Collision Detection* (2005), chapters 4 and 5. Gottschalk, Lin
 # and Manocha, *OBBTree* (1996): separating axes for boxes. Catto, *Iterative Dynamics with
