@@ -40,14 +40,14 @@ IMPACT = 1e-12
 """Of the fastest speed: masses of 1e-3 to 1e3 kg, one impact."""
 
 PRESSURE, COLLISION_RATE = 0.005, 0.025
-"""Of the figure. Henderson's formula is right to a few parts in a thousand; chance leaves another
-0.2 % in 80,000 collisions. Enskog's rate is one for infinitely many discs."""
+"""Of the figure. Henderson's formula is right to a few parts in a thousand, and so is Enskog's rate
+with the same chi. Chance leaves 0.3 % in 250 s: 0.6 % was seen with another seed."""
 
 SHORT = 1e-12
 """s: a step in which an impact's normal turns by no more than that in rad."""
 
-DIGITS = {1: 3, 10**2: 31, 10**4: 314, 10**6: 3141, 10**8: 31415}
-MORE_DIGITS = {10**10: 314159, 10**12: 3141592, 10**14: 31415926}
+DIGITS = {1: 3, 10**2: 31, 10**4: 314, 10**6: 3141, 10**8: 31415, 10**10: 314159}
+MORE_DIGITS = {10**12: 3141592, 10**14: 31415926}
 
 
 def collisions(scene: Scene, until: float) -> int:
@@ -69,7 +69,7 @@ def test_collisions_of_two_blocks_and_a_wall_are_digits_of_pi(mass_ratio: int, d
 @pytest.mark.slow
 @pytest.mark.parametrize(("mass_ratio", "digits"), MORE_DIGITS.items())
 def test_more_collisions_of_two_blocks_are_more_digits_of_pi(mass_ratio: int, digits: int) -> None:
-    """Up to 31,415,926: ten minutes of plain Python."""
+    """Up to 31,415,926: a quarter of an hour of plain Python."""
     assert collisions(exact_scenes.two_blocks(mass_ratio), 1e9) == digits
 
 
@@ -274,8 +274,8 @@ def test_disc_gas_presses_and_collides_as_henderson_and_enskog_say() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("covered", [0.1, 0.2, 0.3, 0.4])
 def test_disc_gas_of_any_density_presses_and_collides_as_the_formulas_say(covered: float) -> None:
-    """Some 100,000 collisions each."""
-    pressure, rate = deviations(20, covered, 60.0 / covered, seed=2)
+    """256 discs, some hundred thousand collisions each."""
+    pressure, rate = deviations(16, covered, 450.0 / covered, seed=2)
     assert abs(pressure) <= PRESSURE
     assert abs(rate) <= COLLISION_RATE
 

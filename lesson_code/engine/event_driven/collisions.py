@@ -5,7 +5,8 @@ the tangent by Coulomb's. The rules at the end of a series of collisions are sta
 
 - A disc that leaves a face slower than `rest`, and is pressed onto it, rests on it.
 - A disc that rests on one face and comes to rest on a second one is held: it does not move.
-- Discs that approach slower than `slow` part with no speed at all, and so go on together.
+- Discs that approach slower than `slow` lose no energy, so that a series of ever slower impacts
+  ends, and they go on together but for that speed.
 - In a pile under gravity, impacts slower than `hop` lose no energy, and discs that are pressed
   together without any speed part at `hop`. A disc is in a pile if it has just met another one.
 """
@@ -23,7 +24,7 @@ from lesson_code.engine.contact_motion import (
     tangent_of,
     velocity_along,
 )
-from lesson_code.engine.event_driven.constants import CLOCK, LEAST_HOP, LEAST_LOSS
+from lesson_code.engine.event_driven.constants import CLOCK, LEAST_HOP, LEAST_LOSS, PLACE
 from lesson_code.engine.event_driven.motion import move_to
 from lesson_code.engine.event_driven.rows import DiscRow, Tables
 from lesson_code.engine.event_driven.support import let_go, settle, ways_to_ends
@@ -66,8 +67,8 @@ def meet(tables: Tables, a: MovingBody, b: MovingBody, pressed: bool) -> None:
     elif vn <= -state.slow:  # in a pile, or so slow that it makes no difference
         least = LEAST_HOP * state.hop if pressed and c.restitution < 1.0 else 0.0
         part(c, a, b, vn, max(-vn, least))
-    else:
-        part(c, a, b, vn, state.hop if pressed else 0.0)
+    else:  # the end of a series
+        part(c, a, b, vn, state.hop if pressed else abs(vn))
 
 
 def collide_obstacle(tables: Tables, i: int, k: int, feature: int) -> None:
@@ -89,7 +90,7 @@ def collide_obstacle(tables: Tables, i: int, k: int, feature: int) -> None:
     pressed = pressing > 0.0
     if tables.state.now - disc.met <= tables.state.pile_time:
         meet(tables, obstacle, disc, pressed)
-    elif not (pressed and comes_to_rest(tables, -c.restitution * vn, pressing)):
+    elif not (pressed and comes_to_rest(tables, disc, -c.restitution * vn, pressing)):
         push(c, obstacle, disc, vn)
     elif rested and support != k and dot(pull, normal_of(c)) <= 0.0:
         hold(disc, obstacle, k, feature)
@@ -102,17 +103,27 @@ def collide_obstacle(tables: Tables, i: int, k: int, feature: int) -> None:
         part(c, obstacle, disc, vn, tables.state.hop)
 
 
-def comes_to_rest(tables: Tables, speed: float, pressing: float) -> bool:
-    """Return whether a bounce at a speed is so slow, or so short, that it is only rounding."""
+def comes_to_rest(tables: Tables, disc: DiscRow, speed: float, pressing: float) -> bool:
+    """Return whether a bounce at a speed is so slow, low or short that it is only rounding."""
+    if tables.contact.restitution == 1.0:
+        size = abs(disc.x) + abs(disc.y) + disc.radius
+        return speed * speed <= 2 * pressing * PLACE * size
     loss = max(1 - tables.contact.restitution, LEAST_LOSS)
     return speed <= tables.state.rest or speed * loss <= pressing * CLOCK * tables.state.now
 
 
 def aim(c: ContactRow, dx: float, dy: float) -> None:
-    """Set the normal of a contact to a direction; coincident centres have (1, 0)."""
+    """Set the normal of a contact to a direction; coincident centres have (1, 0).
+
+    Rounding leaves its length off by a last digit, and on average too long where the distance is
+    near a power of two: over 1e5 collisions energy would grow by 2e-12. So it is put right once.
+    """
     distance = math.sqrt(dx * dx + dy * dy)
     if distance > 0.0:
-        c.nx, c.ny = dx / distance, dy / distance
+        nx, ny = dx / distance, dy / distance
+        long, short = (nx, ny) if abs(nx) > abs(ny) else (ny, nx)
+        excess = (long - 1) * (long + 1) + short * short  # n . n - 1
+        c.nx, c.ny = nx - nx * excess / 2, ny - ny * excess / 2
     else:
         c.nx, c.ny = 1.0, 0.0
     c.normal_impulse = 0.0

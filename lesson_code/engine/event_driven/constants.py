@@ -26,7 +26,15 @@ that has bounced for 40 s would go on for ever: the last digit gives it what the
 LEAST_LOSS = 1e-3
 """Of the speed in a bounce: less counts as this in the rule above.
 
-In so long a series the last digits cancel out. Without it a ball with e = 1 would rest at once.
+In so long a series the last digits cancel out. Without it a ball with e = 0.999999 would rest
+too soon.
+"""
+
+PLACE = 4.4e-16
+"""Of a place: two of its last digits. A perfectly elastic disc that hops no higher rests.
+
+Without it a ball with e = 1 that is put on the floor, 1e-16 m too high by rounding, would bounce
+for ever, fifty million times a second.
 """
 
 GRIPS = 1e-12
@@ -37,7 +45,7 @@ again, in turn to either side.
 """
 
 SLOW = 1e-9
-"""Of the scene's speed: discs that approach slower than this do not bounce; they go on together.
+"""Of the scene's speed: discs that approach slower than this lose no energy any more.
 
 Three discs in a row with e below 7 - 4 sqrt(3) collide infinitely often in a finite time (inelastic
 collapse). By then the approach is so slow that all the energy in it is below 1e-18 of the whole.

@@ -75,11 +75,21 @@ def foretell_discs(tables: Tables, i: int) -> None:
             while j >= 0:
                 other = discs[j]
                 if j != i and other.cell_x == cell_x and other.cell_y == cell_y:
-                    after = time_to_hit(tables, disc, other)
-                    if tables.state.now + after < disc.event_time:
-                        note(tables, disc, after, DISC, j, 0)
-                        disc.partner_changes = other.changes
+                    note_disc(tables, disc, time_to_hit(tables, disc, other), j)
                 j = other.next_in_slot
+
+
+def note_disc(tables: Tables, disc: DiscRow, after: float, j: int) -> None:
+    """Take a hit with disc j for the next event; of several at one time, that with the first disc.
+
+    So the order does not depend on the order in which the grid happens to hold the discs.
+    """
+    time = tables.state.now + after
+    is_tie = time == disc.event_time and disc.event_kind == DISC and j < disc.partner
+    if time < disc.event_time or is_tie:
+        disc.event_time, disc.event_kind = time, DISC
+        disc.partner, disc.feature = j, 0
+        disc.partner_changes = tables.discs[j].changes
 
 
 def time_to_hit(tables: Tables, disc: DiscRow, other: DiscRow) -> float:

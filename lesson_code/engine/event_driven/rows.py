@@ -81,7 +81,7 @@ class ExactState:
     still: float = 0.0  # m/s, an approach slower than this is none
     rest: float = 0.0  # m/s, a disc that leaves a face slower than this stays on it
     grips: float = 0.0  # m/s, sliding slower than this is none
-    slow: float = 0.0  # m/s, discs that approach slower than this lose no energy, or all of it
+    slow: float = 0.0  # m/s, discs that approach slower than this lose no energy
     hop: float = 0.0  # m/s, in a pile impacts slower than this lose no energy
     pile_time: float = 0.0  # s, a disc that has met no disc for so long is in no pile
 
