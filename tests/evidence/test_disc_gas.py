@@ -18,9 +18,10 @@ ROUNDING = 1e-12
 """Of sums of 64 numbers of size 1."""
 
 NOISE = 0.02
-"""Some 5,000 collisions are counted, each with chance: one part in seventy, less where the number
-of discs in the middle goes up and down with it. Ten seeds gave 0.6 % at the most, and 1.4 % for
-the rate."""
+"""Of the pressure: ten seeds gave 0.6 % at the most."""
+
+RATE_NOISE = 0.045
+"""Some 5,000 collisions are counted, each with chance: one part in seventy. Three times that."""
 
 RETURNS = 1e-9
 """m: rounding of 1e-16 in a collision, doubled in each of nine further ones, for 64 discs."""
@@ -75,7 +76,7 @@ def test_gas_presses_and_collides_as_henderson_and_enskog_say(
     z = hard_disc_compressibility(measured.covered)
     rate = hard_disc_collision_rate(measured.covered, 1.0, 1.0, 1.0)
     assert measured.compressibility == pytest.approx(z, rel=NOISE)
-    assert measured.collision_rate == pytest.approx(rate, rel=NOISE)
+    assert measured.collision_rate == pytest.approx(rate, rel=RATE_NOISE)
     assert run.kinetic_energy[-1] == pytest.approx(run.kinetic_energy[0], rel=ROUNDING)
 
 
