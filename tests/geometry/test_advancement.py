@@ -157,7 +157,11 @@ def test_impact_bodies_swapped_is_the_same(
     pose_b: State,
     velocity_b: State,
 ) -> None:
-    """Either order finds a time at which the gap is within the tolerance, or none."""
+    """Either order finds a time at which the gap is within the tolerance, or none.
+
+    Positions in one place have the normal (1, 0), whichever comes first: there the order counts.
+    """
+    assume(pose_a[:2] != pose_b[:2])
     corners, a, b, tolerance = pair(shape_a, pose_a, velocity_a, shape_b, pose_b, velocity_b)
     there = advance_to_impact(corners, a, b, DURATION, tolerance)
     back = advance_to_impact(corners, b, a, DURATION, tolerance)

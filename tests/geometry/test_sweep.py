@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, reject
 from hypothesis import strategies as st
 
 from lesson_code.formulas import effective_mass, normal_impulse
@@ -165,12 +165,17 @@ def test_time_turned_picture_is_the_same(pair: tuple[Moving, Moving], angle: flo
 def test_time_started_later_is_shorter_by_as_much(pair: tuple[Moving, Moving], part: float) -> None:
     """A search that starts on the way arrives at the same instant."""
     a, b = pair
-    time = time_of_impact(*a, *b, DURATION)
-    assume(is_well_met(a, b, time) and collide(*a[:2], *b[:2]) is None)
-    assert time is not None
-    later = part * time
-    a, b = ((*moved(state, later), state[2]) for state in (a, b))
-    assert time_of_impact(*a, *b, DURATION) == pytest.approx(time - later, abs=SAME)
+    assume(collide(*a[:2], *b[:2]) is None)
+    try:
+        time = time_of_impact(*a, *b, DURATION)
+        assume(is_well_met(a, b, time))
+        assert time is not None
+        later = part * time
+        a, b = ((*moved(state, later), state[2]) for state in (a, b))
+        rest = time_of_impact(*a, *b, DURATION)
+    except ValueError:
+        reject()  # shapes that slide along each other as they turn: a search may be given up
+    assert rest == pytest.approx(time - later, abs=SAME)
 
 
 @given(meetings())
