@@ -197,21 +197,22 @@ def sort_pairs(world: World, count: int) -> int:
     """
     if count > len(world.pairs):
         return count
-    tally(world.bodies, world.pairs, count, by_b=True)
-    for k in range(count):
-        pair = world.pairs[k]
-        body = world.bodies[pair.b]
-        world.sorted_pairs[body.tally].a = pair.a
-        world.sorted_pairs[body.tally].b = pair.b
-        body.tally += 1
-    tally(world.bodies, world.sorted_pairs, count, by_b=False)
-    for k in range(count):
-        pair = world.sorted_pairs[k]
-        body = world.bodies[pair.a]
-        world.pairs[body.tally].a = pair.a
-        world.pairs[body.tally].b = pair.b
-        body.tally += 1
+    counting_sort(world.bodies, world.pairs, world.sorted_pairs, count, by_b=True)
+    counting_sort(world.bodies, world.sorted_pairs, world.pairs, count, by_b=False)
     return count
+
+
+def counting_sort(
+    bodies: list[BodyRow], pairs: list[PairRow], target: list[PairRow], count: int, by_b: bool
+) -> None:
+    """Write pairs into a target, sorted by one of their two bodies; equals keep their order."""
+    tally(bodies, pairs, count, by_b)
+    for k in range(count):
+        pair = pairs[k]
+        body = bodies[pair.b if by_b else pair.a]
+        target[body.tally].a = pair.a
+        target[body.tally].b = pair.b
+        body.tally += 1
 
 
 def tally(bodies: list[BodyRow], pairs: list[PairRow], count: int, by_b: bool) -> None:

@@ -24,11 +24,12 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from lesson_code.engine.combination import combination
+from lesson_code.engine.contact_motion import contact_velocity
 from lesson_code.engine.rows import BodyRow
 from lesson_code.engine.scene import Body, Scene
 from lesson_code.engine.tables import world_of
 from lesson_code.engine.world import accelerate, move
-from lesson_code.formulas.arithmetic import clamp
+from lesson_code.formulas.arithmetic import clamp, cross, dot
 from lesson_code.geometry.shapes import Circle, Segment
 
 SLOP = 0.10000000149011612
@@ -155,23 +156,23 @@ class ChipmunkReplica:
         c.tangent_mass = 1.0 / (_yield(a, c.r1, t) + _yield(b, c.r2, t))
         apart = (c.r2[0] - c.r1[0] + (b.x - a.x), c.r2[1] - c.r1[1] + (b.y - a.y))
         share = 1.0 - BIAS**self.world.state.dt
-        c.bias = -share * min(0.0, _dot(apart, n) + SLOP) / self.world.state.dt
+        c.bias = -share * min(0.0, dot(apart, n) + SLOP) / self.world.state.dt
         c.j_bias = 0.0
-        c.bounce = _dot(_relative_velocity(a, b, c), n) * c.restitution
+        c.bounce = dot(_relative_velocity(a, b, c), n) * c.restitution
 
     def _solve(self, pair: Pair, c: Arbiter) -> None:
         """Correct one contact; friction and normal impulse see the same relative velocity."""
         a, b = self._bodies(pair)
         n, t = c.normal, _perpendicular(c.normal)
-        push1 = _point_velocity(a.push_vx, a.push_vy, a.push_w, c.r1)
-        push2 = _point_velocity(b.push_vx, b.push_vy, b.push_w, c.r2)
+        push1 = contact_velocity((a.push_vx, a.push_vy), a.push_w, c.r1)
+        push2 = contact_velocity((b.push_vx, b.push_vy), b.push_w, c.r2)
         v = _relative_velocity(a, b, c)
-        vbn = _dot((push2[0] - push1[0], push2[1] - push1[1]), n)
+        vbn = dot((push2[0] - push1[0], push2[1] - push1[1]), n)
         j_bias, jn, jt = c.j_bias, c.jn, c.jt
         c.j_bias = max(j_bias + (c.bias - vbn) * c.normal_mass, 0.0)
-        c.jn = max(jn - (c.bounce + _dot(v, n)) * c.normal_mass, 0.0)
+        c.jn = max(jn - (c.bounce + dot(v, n)) * c.normal_mass, 0.0)
         limit = c.friction * c.jn
-        c.jt = clamp(jt - _dot(v, t) * c.tangent_mass, -limit, limit)
+        c.jt = clamp(jt - dot(v, t) * c.tangent_mass, -limit, limit)
         self._push(pair, c, c.j_bias - j_bias)
         self._apply(pair, c, c.jn - jn, c.jt - jt)
 
@@ -180,8 +181,10 @@ class ChipmunkReplica:
         a, b = self._bodies(pair)
         n = c.normal
         x, y = n[0] * jn - n[1] * jt, n[0] * jt + n[1] * jn
-        a.vx, a.vy, a.w = a.vx - x * a.inv_m, a.vy - y * a.inv_m, a.w - a.inv_i * _cross(c.r1, x, y)
-        b.vx, b.vy, b.w = b.vx + x * b.inv_m, b.vy + y * b.inv_m, b.w + b.inv_i * _cross(c.r2, x, y)
+        a.vx, a.vy = a.vx - x * a.inv_m, a.vy - y * a.inv_m
+        b.vx, b.vy = b.vx + x * b.inv_m, b.vy + y * b.inv_m
+        a.w -= a.inv_i * cross(c.r1, (x, y))
+        b.w += b.inv_i * cross(c.r2, (x, y))
 
     def _push(self, pair: Pair, c: Arbiter, j: float) -> None:
         """Change the velocities that undo the overlap."""
@@ -189,8 +192,8 @@ class ChipmunkReplica:
         x, y = c.normal[0] * j, c.normal[1] * j
         a.push_vx, a.push_vy = a.push_vx - x * a.inv_m, a.push_vy - y * a.inv_m
         b.push_vx, b.push_vy = b.push_vx + x * b.inv_m, b.push_vy + y * b.inv_m
-        a.push_w -= a.inv_i * _cross(c.r1, x, y)
-        b.push_w += b.inv_i * _cross(c.r2, x, y)
+        a.push_w -= a.inv_i * cross(c.r1, (x, y))
+        b.push_w += b.inv_i * cross(c.r2, (x, y))
 
 
 def _ends(body: Body) -> tuple[Vector, Vector]:
@@ -211,30 +214,15 @@ def _closest(point: Vector, start: Vector, end: Vector) -> Vector:
 
 def _yield(body: BodyRow, r: Vector, n: Vector) -> float:
     """Return how much velocity along n a body takes from an impulse of 1 N s, 1/kg."""
-    r_x_n = _cross(r, *n)
+    r_x_n: float = cross(r, n)
     return body.inv_m + body.inv_i * r_x_n * r_x_n
 
 
 def _relative_velocity(a: BodyRow, b: BodyRow, c: Arbiter) -> Vector:
     """Return the velocity of the second body's contact point relative to the first's."""
-    v1 = _point_velocity(a.vx, a.vy, a.w, c.r1)
-    v2 = _point_velocity(b.vx, b.vy, b.w, c.r2)
+    v1 = contact_velocity((a.vx, a.vy), a.w, c.r1)
+    v2 = contact_velocity((b.vx, b.vy), b.w, c.r2)
     return v2[0] - v1[0], v2[1] - v1[1]
-
-
-def _point_velocity(vx: float, vy: float, w: float, r: Vector) -> Vector:
-    """Return the velocity of a point of a body."""
-    return vx + -r[1] * w, vy + r[0] * w
-
-
-def _dot(a: Vector, b: Vector) -> float:
-    """Return the dot product."""
-    return a[0] * b[0] + a[1] * b[1]
-
-
-def _cross(r: Vector, x: float, y: float) -> float:
-    """Return the cross product of r and (x, y)."""
-    return r[0] * y - r[1] * x
 
 
 def _perpendicular(n: Vector) -> Vector:

@@ -19,6 +19,12 @@ def enter_cell(tables: Tables, i: int) -> None:
     disc, state = tables.discs[i], tables.state
     disc.cell_x = min(max(math.floor(disc.x / state.cell_size), state.first_x), state.last_x)
     disc.cell_y = min(max(math.floor(disc.y / state.cell_size), state.first_y), state.last_y)
+    put_into_slot(tables, i)
+
+
+def put_into_slot(tables: Tables, i: int) -> None:
+    """Put a disc before the others in the slot of its cell."""
+    disc = tables.discs[i]
     slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
     disc.next_in_slot = slot.index
     slot.index = i
@@ -53,9 +59,7 @@ def cross_border(tables: Tables, i: int, side: int) -> None:
         disc.cell_y += 1
     else:
         disc.cell_y -= 1
-    slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
-    disc.next_in_slot = slot.index
-    slot.index = i
+    put_into_slot(tables, i)
 
 
 def is_endless(tables: Tables, disc: DiscRow, side: int) -> bool:

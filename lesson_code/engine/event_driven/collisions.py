@@ -25,9 +25,9 @@ from lesson_code.engine.contact_motion import (
     velocity_along,
 )
 from lesson_code.engine.event_driven.constants import CLOCK, LEAST_HOP, LEAST_LOSS, PLACE
-from lesson_code.engine.event_driven.motion import move_to
+from lesson_code.engine.event_driven.motion import move_to, seen_from
 from lesson_code.engine.event_driven.rows import DiscRow, Tables
-from lesson_code.engine.event_driven.support import let_go, settle, ways_to_ends
+from lesson_code.engine.event_driven.support import let_go, motion_along_face, settle, ways_to_ends
 from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.formulas import contact
 from lesson_code.formulas.arithmetic import dot
@@ -77,8 +77,7 @@ def collide_obstacle(tables: Tables, i: int, k: int, feature: int) -> None:
     move_to(disc, tables.state.now)
     c.a, c.b = tables.obstacle_bodies[k].index, disc.body
     aim_at_disc(tables, disc, k, feature)
-    c.ax, c.ay = 0.0, 0.0  # an obstacle does not turn
-    c.bx, c.by = -c.nx * disc.radius, -c.ny * disc.radius
+    touch_with_rim(c, disc)
     c.restitution = combined(tables.state.restitution_rule, obstacle.restitution, disc.restitution)
     c.friction = combined(tables.state.friction_rule, obstacle.friction, disc.friction)
     vn = velocity_along(c, obstacle, disc, normal_of(c))
@@ -132,9 +131,8 @@ def aim(c: ContactRow, dx: float, dy: float) -> None:
 
 def aim_at_disc(tables: Tables, disc: DiscRow, k: int, feature: int) -> None:
     """Set the normal from an obstacle to a disc: a face's own, or away from centre or corner."""
-    obstacle, now = tables.obstacles[k], tables.state.now
-    dx = disc.x - (obstacle.x + obstacle.vx * now)
-    dy = disc.y - (obstacle.y + obstacle.vy * now)
+    obstacle = tables.obstacles[k]
+    dx, dy = seen_from(obstacle, disc, tables.state.now)
     if obstacle.corner_count == 0:
         aim(tables.contact, dx, dy)
     elif feature >= 0:
@@ -142,6 +140,12 @@ def aim_at_disc(tables: Tables, disc: DiscRow, k: int, feature: int) -> None:
     else:
         corner = tables.corners[-1 - feature]
         aim(tables.contact, dx - corner.x, dy - corner.y)
+
+
+def touch_with_rim(c: ContactRow, disc: DiscRow) -> None:
+    """Set the lever arms of a contact with an obstacle, which does not turn and needs none."""
+    c.ax, c.ay = 0.0, 0.0
+    c.bx, c.by = -c.nx * disc.radius, -c.ny * disc.radius
 
 
 def push(c: ContactRow, a: MovingBody, b: MovingBody, vn: float) -> None:
@@ -172,8 +176,7 @@ def leave_face(tables: Tables, disc: DiscRow) -> None:
     """Let a disc that has come to the end of its face hop off it."""
     obstacle, c = tables.obstacles[disc.support], tables.contact
     aim(c, tables.corners[disc.face].nx, tables.corners[disc.face].ny)
-    c.ax, c.ay = 0.0, 0.0
-    c.bx, c.by = -c.nx * disc.radius, -c.ny * disc.radius
+    touch_with_rim(c, disc)
     let_go(tables, disc)
     disc.changes += 1
     part(c, obstacle, disc, 0.0, tables.state.hop)
@@ -182,9 +185,6 @@ def leave_face(tables: Tables, disc: DiscRow) -> None:
 def is_leaving_face(tables: Tables, disc: DiscRow) -> bool:
     """Return whether a disc is at an end of its face and moves beyond it."""
     before, beyond = ways_to_ends(tables, disc)
-    obstacle, c = tables.obstacles[disc.support], tables.corners[disc.face]
-    tangent = (-c.ny, c.nx)
-    speed = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), tangent)
-    pull = dot((disc.ax, disc.ay), tangent)
+    speed, pull = motion_along_face(tables, disc)
     outward = speed if speed != 0.0 else pull
     return (before <= 0.0 and outward < 0.0) or (beyond <= 0.0 and outward > 0.0)

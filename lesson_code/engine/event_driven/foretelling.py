@@ -6,7 +6,7 @@ import math
 
 from lesson_code.engine.broad_phase import slot_of
 from lesson_code.engine.event_driven.cells import border_gap, is_endless
-from lesson_code.engine.event_driven.motion import place_at, velocity_at
+from lesson_code.engine.event_driven.motion import place_at, seen_from, velocity_at
 from lesson_code.engine.event_driven.queue import update
 from lesson_code.engine.event_driven.rows import (
     CELL,
@@ -142,9 +142,8 @@ def foretell_obstacle(tables: Tables, disc: DiscRow, k: int) -> None:
     """Find when the disc hits one obstacle."""
     if k == disc.support:
         return
-    obstacle, now = tables.obstacles[k], tables.state.now
-    dx = disc.x - (obstacle.x + obstacle.vx * now)
-    dy = disc.y - (obstacle.y + obstacle.vy * now)
+    obstacle = tables.obstacles[k]
+    dx, dy = seen_from(obstacle, disc, tables.state.now)
     vx, vy = disc.vx - obstacle.vx, disc.vy - obstacle.vy
     if obstacle.corner_count == 0:
         reach = disc.radius + obstacle.radius

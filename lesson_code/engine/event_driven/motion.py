@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from lesson_code.engine.event_driven.rows import DiscRow
+from lesson_code.engine.rows import BodyRow
 
 Pair: TypeAlias = tuple[float, float]
 
@@ -27,13 +28,24 @@ def velocity_at(disc: DiscRow, time: float) -> Pair:
     return disc.vx + disc.ax * t, disc.vy + disc.ay * t
 
 
+def turning_at(disc: DiscRow, time: float) -> Pair:
+    """Return a disc's angle, rad, and angular velocity, rad/s, at a time."""
+    t = time - disc.time
+    return disc.angle + t * (disc.w + disc.alpha * t / 2), disc.w + disc.alpha * t
+
+
+def seen_from(obstacle: BodyRow, disc: DiscRow, now: float) -> Pair:
+    """Return where a disc that lives in the present is, seen from an obstacle, m."""
+    return (
+        disc.x - (obstacle.x + obstacle.vx * now),
+        disc.y - (obstacle.y + obstacle.vy * now),
+    )
+
+
 def move_to(disc: DiscRow, time: float) -> None:
     """Let a disc live on to a time."""
-    t = time - disc.time
-    disc.x += t * (disc.vx + disc.ax * t / 2)
-    disc.y += t * (disc.vy + disc.ay * t / 2)
-    disc.angle += t * (disc.w + disc.alpha * t / 2)
-    disc.vx += disc.ax * t
-    disc.vy += disc.ay * t
-    disc.w += disc.alpha * t
+    place, velocity, turning = place_at(disc, time), velocity_at(disc, time), turning_at(disc, time)
+    disc.x, disc.y = place
+    disc.vx, disc.vy = velocity
+    disc.angle, disc.w = turning
     disc.time = time

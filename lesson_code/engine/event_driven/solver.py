@@ -25,7 +25,7 @@ from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
 from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
 from lesson_code.engine.event_driven.foretelling import foretell
-from lesson_code.engine.event_driven.motion import move_to, place_at, velocity_at
+from lesson_code.engine.event_driven.motion import move_to, place_at, turning_at, velocity_at
 from lesson_code.engine.event_driven.rows import (
     CELL,
     DISC,
@@ -187,11 +187,10 @@ class ExactSolver:
 
 def _disc_state(disc: DiscRow, time: float) -> State:
     """Return the state of a disc."""
-    t = time - disc.time
     x, y = place_at(disc, time)
     vx, vy = velocity_at(disc, time)
-    angle = disc.angle + t * (disc.w + disc.alpha * t / 2)
-    return x, y, angle, vx, vy, disc.w + disc.alpha * t
+    angle, w = turning_at(disc, time)
+    return x, y, angle, vx, vy, w
 
 
 def _obstacle_state(body: Body, time: float) -> State:

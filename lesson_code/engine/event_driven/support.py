@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.combination import combined
+from lesson_code.engine.event_driven.motion import seen_from
 from lesson_code.engine.event_driven.rows import DiscRow, Tables
 from lesson_code.formulas.arithmetic import dot
 from lesson_code.geometry.impact_times import line_impact_time
@@ -73,17 +74,23 @@ def friction_of(tables: Tables, disc: DiscRow) -> float:
 
 def slip_of(tables: Tables, disc: DiscRow) -> float:
     """Return how fast the lowest point slides along the face, m/s: u = v . t - w r."""
+    speed, _ = motion_along_face(tables, disc)
+    return speed - disc.w * disc.radius
+
+
+def motion_along_face(tables: Tables, disc: DiscRow) -> tuple[float, float]:
+    """Return a disc's velocity, m/s, and acceleration, m/s^2, along the face that it rests on."""
     obstacle, c = tables.obstacles[disc.support], tables.corners[disc.face]
-    along: float = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), (-c.ny, c.nx))
-    return along - disc.w * disc.radius
+    tangent = (-c.ny, c.nx)
+    speed = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), tangent)
+    return speed, dot((disc.ax, disc.ay), tangent)
 
 
 def grip_time(tables: Tables, disc: DiscRow) -> float:
     """Return when the disc stops sliding on its face, s from now; ``math.inf``: never."""
     if friction_of(tables, disc) == 0.0:
         return math.inf
-    c = tables.corners[disc.face]
-    along = dot((disc.ax, disc.ay), (-c.ny, c.nx))
+    _, along = motion_along_face(tables, disc)
     slip, change = slip_of(tables, disc), along - disc.alpha * disc.radius
     ends = abs(slip) > tables.state.grips and slip * change < 0.0
     return -slip / change if ends else math.inf
@@ -102,18 +109,14 @@ def stop_sliding(tables: Tables, disc: DiscRow) -> None:
 def time_to_end(tables: Tables, disc: DiscRow) -> float:
     """Return when the disc reaches an end of the face that it rests on, s from now."""
     before, beyond = ways_to_ends(tables, disc)
-    obstacle, c = tables.obstacles[disc.support], tables.corners[disc.face]
-    tangent = (-c.ny, c.nx)
-    speed = dot((disc.vx - obstacle.vx, disc.vy - obstacle.vy), tangent)
-    pull = dot((disc.ax, disc.ay), tangent)
+    speed, pull = motion_along_face(tables, disc)
     return min(line_impact_time(before, speed, pull), line_impact_time(beyond, -speed, -pull))
 
 
 def ways_to_ends(tables: Tables, disc: DiscRow) -> tuple[float, float]:
     """Return how far the disc is from the start and from the end of its face, m."""
-    obstacle, now = tables.obstacles[disc.support], tables.state.now
+    obstacle = tables.obstacles[disc.support]
     start, end = tables.corners[disc.face], tables.corners[following(obstacle, disc.face)]
-    x = disc.x - (obstacle.x + obstacle.vx * now)
-    y = disc.y - (obstacle.y + obstacle.vy * now)
+    x, y = seen_from(obstacle, disc, tables.state.now)
     tangent = (-start.ny, start.nx)
     return dot((x - start.x, y - start.y), tangent), dot((end.x - x, end.y - y), tangent)

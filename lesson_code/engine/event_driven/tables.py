@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.broad_phase import slot_of
-from lesson_code.engine.combination import RULES, UNSPECIFIED, Combination
+from lesson_code.engine.combination import RULES, Combination
 from lesson_code.engine.constants import SLOTS_PER_BODY
 from lesson_code.engine.event_driven.cells import enter_cell
 from lesson_code.engine.event_driven.constants import (
@@ -23,7 +23,7 @@ from lesson_code.engine.event_driven.queue import build
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, Tables
 from lesson_code.engine.event_driven.support import let_go
 from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
-from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import world_of
 
 
@@ -31,8 +31,8 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
     """Return the tables of a scene, its discs where they begin."""
     free = [n for n, body in enumerate(scene.bodies) if not body.is_static]
     fixed = [n for n, body in enumerate(scene.bodies) if body.is_static]
-    world = world_of(scene, dt=1.0, iterations=0, combine=combine)  # for the obstacles' outlines
-    discs = [_disc(n, scene.bodies[n]) for n in free]
+    world = world_of(scene, dt=1.0, iterations=0, combine=combine)  # its bodies, as rows
+    discs = [_disc(n, world.bodies[n]) for n in free]
     slots = SLOTS_PER_BODY * len(discs) + 1
     tables = Tables(
         state=_state(scene, combine),
@@ -57,22 +57,21 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
     return tables
 
 
-def _disc(number: int, body: Body) -> DiscRow:
-    """Return the row of a disc."""
-    mass, inertia, material = body.mass or math.inf, body.inertia or math.inf, body.material
+def _disc(number: int, row: BodyRow) -> DiscRow:
+    """Return the row of a disc from its row as a body."""
     return DiscRow(
         body=number,
-        inv_m=1 / mass,
-        inv_i=1 / inertia,
-        radius=body.shape.bounding_radius,
-        restitution=UNSPECIFIED if material.restitution is None else material.restitution,
-        friction=UNSPECIFIED if material.friction is None else material.friction,
-        x=body.position[0],
-        y=body.position[1],
-        angle=body.angle,
-        vx=body.velocity[0],
-        vy=body.velocity[1],
-        w=body.angular_velocity,
+        inv_m=row.inv_m,
+        inv_i=row.inv_i,
+        radius=row.radius,
+        restitution=row.restitution,
+        friction=row.friction,
+        x=row.x,
+        y=row.y,
+        angle=row.angle,
+        vx=row.vx,
+        vy=row.vy,
+        w=row.w,
     )
 
 
@@ -80,7 +79,9 @@ def _state(scene: Scene, combine: Combination) -> ExactState:
     """Return the settings, the small speeds in proportion to those of the scene."""
     radii = [body.shape.bounding_radius for body in scene.bodies if not body.is_static]
     largest = max(radii, default=1.0)
-    falling = math.sqrt(math.hypot(*scene.gravity) * largest)
+    gravity = math.hypot(*scene.gravity)
+    falling = math.sqrt(gravity * largest)
+    hop_time = 2 * HOP * falling / (gravity or 1.0)
     speed = max([falling, *(math.hypot(*body.velocity) for body in scene.bodies)])
     return ExactState(
         gravity_x=scene.gravity[0],
@@ -93,8 +94,8 @@ def _state(scene: Scene, combine: Combination) -> ExactState:
         grips=GRIPS * speed,
         slow=SLOW * speed,
         hop=HOP * falling,
-        window=2 * HOP * falling / (math.hypot(*scene.gravity) or 1.0),
-        pile_time=PILE_HOPS * 2 * HOP * falling / (math.hypot(*scene.gravity) or 1.0),
+        window=hop_time,
+        pile_time=PILE_HOPS * hop_time,
     )
 
 
