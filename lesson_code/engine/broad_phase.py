@@ -20,29 +20,87 @@ memory, it stops counting.
 from __future__ import annotations
 
 import math
+from typing import Protocol, TypeAlias
 
-from lesson_code.engine.constants import PAIRS_ANYWAY, PAIRS_PER_BODY
-from lesson_code.engine.rows import BodyRow, IndexRow, PairRow, World
+from lesson_code.engine.constants import (
+    LEAST_MARGIN,
+    MOST_MARGIN,
+    PAIRS_ANYWAY,
+    PAIRS_PER_BODY,
+    SLOT_RATIO,
+    STEPS_AHEAD,
+)
+from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PairRow, World
+from lesson_code.formulas.arithmetic import clamp
+
+Sides: TypeAlias = tuple[float, float, float, float]
+
+
+class Boxed(Protocol):
+    """What has a box around it: a row may have more fields than these."""
+
+    min_x: float
+    min_y: float
+    max_x: float
+    max_y: float
+
+
+class Grid(Protocol):
+    """What a grid's slots are found with: a row may have more fields than these."""
+
+    slot_count: int
+    row_stride: int
+
+
+def box_of(world: World, body: BodyRow) -> Sides:
+    """Return the sides of the box around a body: left, low, right, high."""
+    left, right, low, high = 0.0, 0.0, 0.0, 0.0
+    for k in range(body.corner_count):
+        corner = world.corners[body.first_corner + k]
+        if k == 0 or corner.x < left:
+            left = corner.x
+        if k == 0 or corner.x > right:
+            right = corner.x
+        if k == 0 or corner.y < low:
+            low = corner.y
+        if k == 0 or corner.y > high:
+            high = corner.y
+    return (
+        body.x + left - body.radius,
+        body.y + low - body.radius,
+        body.x + right + body.radius,
+        body.y + high + body.radius,
+    )
 
 
 def bound(world: World) -> None:
-    """Put a box around every body."""
+    """Draw a box around every body, with a margin to move in for those that can be pushed."""
+    way = longest_way(world)
     for body in world.bodies:
-        left, right, low, high = 0.0, 0.0, 0.0, 0.0
-        for k in range(body.corner_count):
-            corner = world.corners[body.first_corner + k]
-            if k == 0 or corner.x < left:
-                left = corner.x
-            if k == 0 or corner.x > right:
-                right = corner.x
-            if k == 0 or corner.y < low:
-                low = corner.y
-            if k == 0 or corner.y > high:
-                high = corner.y
-        body.min_x = body.x + left - body.radius
-        body.max_x = body.x + right + body.radius
-        body.min_y = body.y + low - body.radius
-        body.max_y = body.y + high + body.radius
+        left, low, right, high = box_of(world, body)
+        margin = 0.0
+        if body.inv_m > 0.0:
+            margin = clamp(STEPS_AHEAD * way, LEAST_MARGIN * body.extent, MOST_MARGIN * body.extent)
+        body.min_x, body.max_x = left - margin, right + margin
+        body.min_y, body.max_y = low - margin, high + margin
+
+
+def longest_way(world: World) -> float:
+    """Return how far the fastest of the bodies that can be pushed moves in a step, m."""
+    most = 0.0
+    for body in world.bodies:
+        if body.inv_m > 0.0:
+            most = max(most, body.vx * body.vx + body.vy * body.vy)
+    return math.sqrt(most) * world.state.dt
+
+
+def has_left_box(world: World) -> bool:
+    """Return whether any body is not in the box any more that was drawn around it."""
+    for body in world.bodies:
+        left, low, right, high = box_of(world, body)
+        if left < body.min_x or right > body.max_x or low < body.min_y or high > body.max_y:
+            return True
+    return False
 
 
 def all_pairs(world: World) -> int:
@@ -51,8 +109,8 @@ def all_pairs(world: World) -> int:
     count = 0
     for i in range(len(bodies)):
         for j in range(i + 1, len(bodies)):
-            if may_touch(bodies[i], bodies[j]):
-                count = put_pair(world.pairs, count, i, j)
+            is_pair = may_touch(bodies[i], bodies[j])
+            count = put_pair(world.pairs, count, i, j, is_pair)
         if count > most_pairs(len(bodies)):
             break
     return count
@@ -75,8 +133,8 @@ def sweep_and_prune(world: World) -> int:
         n = k + 1
         while n < len(bodies) and bodies[order[n].index].min_x <= right:
             j = order[n].index
-            if may_touch(bodies[i], bodies[j]):
-                count = put_pair(world.pairs, count, min(i, j), max(i, j))
+            is_pair = may_touch(bodies[i], bodies[j])
+            count = put_pair(world.pairs, count, i, j, is_pair)
             n += 1
         if count > most_pairs(len(bodies)):
             break
@@ -98,82 +156,165 @@ def sort_along_x(bodies: list[BodyRow], order: list[IndexRow]) -> None:
 def uniform_grid(world: World) -> int:
     """Put every body into the square cell of its box's lower left corner; compare neighbours.
 
-    No box in the grid reaches beyond the next cell, so bodies two cells apart cannot touch. Larger
-    bodies (floors, walls) stay outside and are compared with all. The cells are not stored;
-    each falls into one of a fixed number of slots.
+    No box in the grid is wider than a cell, so bodies two cells apart cannot touch. The boxes are
+    sorted by cell. Each is compared with those after it in its own cell and the next, and with
+    those in the three cells above: so each pair comes up once. Larger bodies (floors, walls) stay
+    outside and are compared with all.
 
     References
     ----------
     Teschner et al., Optimized Spatial Hashing for Collision Detection (2003), section 3.
     """
-    bodies, slots = world.bodies, world.slots
-    fill_grid(world)
+    state = world.state
+    find_cells(world)
+    sort_boxes(world)
     count = 0
-    for i in range(len(bodies)):
-        if is_large(world, bodies[i]):
-            count = pairs_of_large(world, i, count)
-            continue
-        if bodies[i].inv_m == 0.0:
-            continue  # found by those that can be pushed: a wall of many bodies costs nothing
-        for dx in range(-1, 2):
-            for dy in range(-1, 2):
-                cell_x, cell_y = bodies[i].cell_x + dx, bodies[i].cell_y + dy
-                j = slots[slot_of(cell_x, cell_y, len(slots))].index
-                while j >= 0:
-                    # A slot may hold other cells too. Two that can be pushed both find their pair.
-                    here = bodies[j].cell_x == cell_x and bodies[j].cell_y == cell_y
-                    once = j > i or bodies[j].inv_m == 0.0
-                    if once and here and may_touch(bodies[i], bodies[j]):
-                        count = put_pair(world.pairs, count, min(i, j), max(i, j))
-                    j = bodies[j].next_in_cell
-        if count > most_pairs(len(bodies)):
-            break
-    return sort_pairs(world, count)
+    for k in range(state.box_count):
+        x, y = world.boxes[k].cell_x, world.boxes[k].cell_y
+        count = pairs_in_row(world, k, k + 1, slot_of(state, x, y), x, y, 2, count)
+        above = slot_of(state, x - 1, y + 1)
+        count = pairs_in_row(world, k, world.slots[above].index, above, x - 1, y + 1, 3, count)
+        if state.has_small_fixed:
+            count = pairs_with_fixed(world, world.boxes[k].body, count)
+        if count > most_pairs(len(world.bodies)):
+            return count
+    return sort_pairs(world, pairs_of_large(world, count))
 
 
-def fill_grid(world: World) -> None:
-    """Chain the bodies of each slot, and leave out the large ones."""
-    for slot in world.slots:
+def find_cells(world: World) -> None:
+    """Find the cell of each body's box, and chain the bodies in it that nothing can push."""
+    state, slots = world.state, world.fixed_slots
+    state.has_small_fixed = False
+    for slot in slots:
         slot.index = -1
     for i in range(len(world.bodies)):
         body = world.bodies[i]
-        body.cell_x = math.floor(body.min_x / world.state.cell_size)
-        body.cell_y = math.floor(body.min_y / world.state.cell_size)
-        if not is_large(world, body):
-            slot = world.slots[slot_of(body.cell_x, body.cell_y, len(world.slots))]
-            body.next_in_cell = slot.index
-            slot.index = i
+        body.is_large = max(body.max_x - body.min_x, body.max_y - body.min_y) > state.cell_size
+        if not body.is_large:
+            body.cell_x = math.floor(body.min_x / state.cell_size)
+            body.cell_y = math.floor(body.min_y / state.cell_size)
+            if body.inv_m == 0.0:
+                slot = slots[slot_of(state, body.cell_x, body.cell_y)]
+                body.next_in_cell = slot.index
+                slot.index = i
+                state.has_small_fixed = True
 
 
-def is_large(world: World, body: BodyRow) -> bool:
-    """Return whether a body's box reaches beyond the cell next to its own."""
-    last_x = math.floor(body.max_x / world.state.cell_size)
-    last_y = math.floor(body.max_y / world.state.cell_size)
-    return last_x > body.cell_x + 1 or last_y > body.cell_y + 1
+def sort_boxes(world: World) -> None:
+    """Sort the boxes of the bodies that can be pushed by slot; the large ones are left out.
+
+    A counting sort: how many boxes each slot holds, then where each slot ends, then each box is
+    put before the last one of its slot. At the end a slot holds where its boxes begin.
+    """
+    state, slots = world.state, world.slots
+    for slot in slots:
+        slot.index = 0
+    for body in world.bodies:
+        if body.inv_m > 0.0 and not body.is_large:
+            slots[slot_of(state, body.cell_x, body.cell_y)].index += 1
+    end = 0
+    for slot in slots:
+        end += slot.index
+        slot.index = end
+    state.box_count = end
+    for i in range(len(world.bodies) - 1, -1, -1):
+        body = world.bodies[i]
+        if body.inv_m > 0.0 and not body.is_large:
+            slot = slots[slot_of(state, body.cell_x, body.cell_y)]
+            slot.index -= 1
+            write_box(world.boxes[slot.index], body, i)
 
 
-def slot_of(cell_x: int, cell_y: int, slots: int) -> int:
-    """Return the slot of a cell; two primes spread neighbours apart."""
-    return (cell_x * 73856093 ^ cell_y * 19349663) % slots
+def write_box(box: BoxRow, body: BodyRow, i: int) -> None:
+    """Write down the box of body i."""
+    box.min_x, box.max_x, box.min_y, box.max_y = body.min_x, body.max_x, body.min_y, body.max_y
+    box.cell_x, box.cell_y, box.body = body.cell_x, body.cell_y, i
 
 
-def pairs_of_large(world: World, i: int, count: int) -> int:
-    """Compare a large body with every other; two large ones only once."""
+def slot_of(grid: Grid, cell_x: int, cell_y: int) -> int:
+    """Return the slot of a cell; the number of slots is a power of two.
+
+    Cells side by side have slots side by side, and those above are a golden part of all slots
+    away: that keeps the cells that share a slot as far apart as can be.
+    """
+    return (cell_x + cell_y * grid.row_stride) & (grid.slot_count - 1)
+
+
+def slots_for(bodies: int) -> int:
+    """Return how many slots a grid for so many bodies has: at least twice as many."""
+    return 1 << (2 * bodies + 3).bit_length()
+
+
+def row_stride_for(slots: int) -> int:
+    """Return how many slots a cell is from the one above it."""
+    return int(SLOT_RATIO * slots) | 1
+
+
+def pairs_in_row(
+    world: World, k: int, begin: int, slot: int, x: int, y: int, width: int, count: int
+) -> int:
+    """Compare box k with those in a row of cells, from x on, that begin at a place and a slot.
+
+    The slots of a row stand side by side; after the last slot comes the first.
+    """
+    slots, behind = world.slots, slot + width - world.state.slot_count
+    if behind <= 0:
+        return pairs_among(world, k, begin, slots[slot + width].index, x, y, width, count)
+    count = pairs_among(world, k, begin, world.state.box_count, x, y, width, count)
+    return pairs_among(world, k, 0, slots[behind].index, x, y, width, count)
+
+
+def pairs_among(
+    world: World, k: int, begin: int, end: int, x: int, y: int, width: int, count: int
+) -> int:
+    """Compare box k with some of the boxes, those that lie in a row of cells."""
+    box = world.boxes[k]
+    for n in range(begin, end):
+        other = world.boxes[n]
+        in_row = (other.cell_y == y) & (x <= other.cell_x) & (other.cell_x < x + width)
+        is_pair = in_row & boxes_overlap(box, other)
+        count = put_pair(world.pairs, count, box.body, other.body, is_pair)
+    return count
+
+
+def pairs_with_fixed(world: World, i: int, count: int) -> int:
+    """Compare a body in the grid with those around it that nothing can push."""
+    state, bodies = world.state, world.bodies
+    for x in range(bodies[i].cell_x - 1, bodies[i].cell_x + 2):
+        for y in range(bodies[i].cell_y - 1, bodies[i].cell_y + 2):
+            j = world.fixed_slots[slot_of(state, x, y)].index
+            while j >= 0:
+                is_here = bodies[j].cell_x == x and bodies[j].cell_y == y
+                is_pair = is_here and boxes_overlap(bodies[i], bodies[j])
+                count = put_pair(world.pairs, count, i, j, is_pair)
+                j = bodies[j].next_in_cell
+    return count
+
+
+def pairs_of_large(world: World, count: int) -> int:
+    """Compare each large body with every other; two large ones only once."""
     bodies = world.bodies
-    for j in range(len(bodies)):
-        once = j > i or not is_large(world, bodies[j])
-        if j != i and once and may_touch(bodies[i], bodies[j]):
-            count = put_pair(world.pairs, count, min(i, j), max(i, j))
+    for i in range(len(bodies)):
+        if not bodies[i].is_large:
+            continue
+        for j in range(len(bodies)):
+            once = j > i or not bodies[j].is_large
+            is_pair = j != i and once and may_touch(bodies[i], bodies[j])
+            count = put_pair(world.pairs, count, i, j, is_pair)
+        if count > most_pairs(len(bodies)):
+            break
     return count
 
 
 def may_touch(a: BodyRow, b: BodyRow) -> bool:
     """Return whether two boxes overlap, and one of the bodies can be pushed."""
-    if a.inv_m == 0.0 and b.inv_m == 0.0:
-        return False
-    if a.min_x > b.max_x or b.min_x > a.max_x:
-        return False
-    return not (a.min_y > b.max_y or b.min_y > a.max_y)
+    return boxes_overlap(a, b) and (a.inv_m > 0.0 or b.inv_m > 0.0)
+
+
+def boxes_overlap(a: Boxed, b: Boxed) -> bool:
+    """Return whether two boxes share a point."""
+    share_x = (a.min_x <= b.max_x) & (b.min_x <= a.max_x)
+    return share_x & (a.min_y <= b.max_y) & (b.min_y <= a.max_y)
 
 
 def most_pairs(bodies: int) -> int:
@@ -181,12 +322,16 @@ def most_pairs(bodies: int) -> int:
     return PAIRS_PER_BODY * bodies + PAIRS_ANYWAY
 
 
-def put_pair(pairs: list[PairRow], count: int, a: int, b: int) -> int:
-    """Write a pair if there is room, and return the count with it."""
+def put_pair(pairs: list[PairRow], count: int, a: int, b: int, is_pair: bool) -> int:
+    """Write two bodies where the next pair belongs, if there is room; return the count with it.
+
+    Two that are no pair do not count, and the next ones are written over them. To write is cheaper
+    than to decide: a processor that guesses a decision wrong has to begin again.
+    """
     if count < len(pairs):
-        pairs[count].a = a
-        pairs[count].b = b
-    return count + 1
+        pairs[count].a = min(a, b)
+        pairs[count].b = max(a, b)
+    return count + is_pair
 
 
 def sort_pairs(world: World, count: int) -> int:

@@ -16,6 +16,13 @@ At 1 a pile pushes itself apart, because each contact corrects the whole fault f
 0.01 a stack under load sinks faster than it is lifted. 0.2 is the usual value (box2d-lite).
 """
 
+LEAST_EXCESS = 0.01
+"""Of the slop: overlap beyond it by no more than this is left alone too.
+
+What is undone by shares never comes to its end. Without it a pile at rest would be pushed by less
+and less for ever, and its sweeps would be paid for in every step.
+"""
+
 IMPACT_DEPTH = 0.5
 """Of the slop: how far a fast body is let into another one, so that the impact is a contact.
 
@@ -32,12 +39,33 @@ LARGEST_IN_GRID = 4.0
 """Times the median size: a body larger than this would make the cells too wide for the others."""
 
 CELL_MARGIN = 1.01
-"""Times the largest body in the grid: how wide a cell is. Rounding must not make bodies that fill
-a cell exactly reach beyond the next one, or most of a heap of equal discs would count as large.
+"""Times the largest box in the grid: how wide a cell is. Rounding must not make boxes that fill
+a cell exactly wider than it, or most of a heap of equal discs would count as large.
 """
 
-SLOTS_PER_BODY = 2
-"""Slots of the grid for each body: half of them empty, so that few cells share one."""
+SLOT_RATIO = 0.6180339887498949
+"""Of the slots: how far a cell is from the one above it. The golden section, (sqrt(5) - 1) / 2."""
+
+STEPS_AHEAD = 4.0
+"""Steps: so far the fastest body may move before boxes are drawn anew and pairs are sought anew.
+
+At 0 pairs would be sought in every step; at 20 every disc of a gas would be compared with ten others
+for each one that it is about to hit.
+"""
+
+LEAST_MARGIN, MOST_MARGIN = 0.05, 0.35
+"""Of a body's width: the margin of its box, at the least and at the most."""
+
+STREAMS = 4
+"""Places in the table of contacts that a sweep works on in turn.
+
+Contacts side by side in the table share a body, and a processor has to wait for the first before
+it can begin with the second. Contacts far apart in the table seldom do.
+"""
+
+FEWEST_FOR_STREAMS = 64
+"""Contacts: a sweep over fewer visits them in their order, from the ground up in a tower that is
+built so."""
 
 PAIRS_PER_BODY, PAIRS_ANYWAY = 50, 10_000
 """More candidate pairs than 50 N + 10,000 are refused: discs that do not overlap have 3 N.

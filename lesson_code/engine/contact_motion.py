@@ -53,6 +53,14 @@ def velocity_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
     return along
 
 
+def velocity_at(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
+    """Return the relative velocity of the contact points along normal and tangent, m/s."""
+    on_a = contact_velocity((a.vx, a.vy), a.w, (c.ax, c.ay))
+    on_b = contact_velocity((b.vx, b.vy), b.w, (c.bx, c.by))
+    v = on_b[0] - on_a[0], on_b[1] - on_a[1]
+    return dot(v, normal_of(c)), dot(v, tangent_of(c))
+
+
 def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
     """Return the same for the velocities of the position correction, m/s."""
     on_a = contact_velocity((a.push_vx, a.push_vy), a.push_w, (c.ax, c.ay))
@@ -67,9 +75,8 @@ def missing_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
 
 
 def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return the same for the position correction: what the bodies' own velocity does counts."""
-    own = max(velocity_along(c, a, b, normal_of(c)), 0.0)
-    return push_velocity_along(c, a, b, normal_of(c)) + own - c.push_speed
+    """Return the same for the velocities of the position correction."""
+    return push_velocity_along(c, a, b, normal_of(c)) - c.push_speed
 
 
 def mass_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
@@ -79,6 +86,14 @@ def mass_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
     return mass
 
 
+def skew_of(c: ContactRow, a: MovingBody, b: MovingBody) -> float:
+    """Return the tangent velocity that 1 N s along the normal makes at the contact, 1/kg."""
+    n, t = normal_of(c), tangent_of(c)
+    on_a: float = cross((c.ax, c.ay), n) * cross((c.ax, c.ay), t) * a.inv_i
+    on_b: float = cross((c.bx, c.by), n) * cross((c.bx, c.by), t) * b.inv_i
+    return on_a + on_b
+
+
 def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
     """Return the point midway between the two surfaces, m."""
     return (a.x + c.ax + b.x + c.bx) / 2, (a.y + c.ay + b.y + c.by) / 2
@@ -86,7 +101,17 @@ def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
 
 def apply_impulse(c: ContactRow, a: MovingBody, b: MovingBody, u: XY, j: float) -> None:
     """Change the velocities of both bodies by an impulse j along u, N s."""
-    jx, jy = j * u[0], j * u[1]
+    apply_vector(c, a, b, j * u[0], j * u[1])
+
+
+def apply_both(c: ContactRow, a: MovingBody, b: MovingBody, jn: float, jt: float) -> None:
+    """Change the velocities of both bodies by impulses along normal and tangent, N s."""
+    n, t = normal_of(c), tangent_of(c)
+    apply_vector(c, a, b, jn * n[0] + jt * t[0], jn * n[1] + jt * t[1])
+
+
+def apply_vector(c: ContactRow, a: MovingBody, b: MovingBody, jx: float, jy: float) -> None:
+    """Change the velocities of both bodies by an impulse with components, N s."""
     a.vx -= jx * a.inv_m
     a.vy -= jy * a.inv_m
     a.w -= cross((c.ax, c.ay), (jx, jy)) * a.inv_i

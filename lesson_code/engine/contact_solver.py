@@ -27,16 +27,24 @@ Sequential Impulses (2006), for the split impulse too.
 
 from __future__ import annotations
 
-from lesson_code.engine.constants import PUSH_SHARE, SLOP
+from lesson_code.engine.constants import (
+    FEWEST_FOR_STREAMS,
+    LEAST_EXCESS,
+    PUSH_SHARE,
+    SLOP,
+    STREAMS,
+)
 from lesson_code.engine.contact_motion import (
+    apply_both,
     apply_impulse,
     apply_push,
     mass_along,
     missing_push,
-    missing_velocity,
     normal_of,
+    skew_of,
     tangent_of,
     velocity_along,
+    velocity_at,
 )
 from lesson_code.engine.rows import BodyRow, ContactRow, MemoryRow, World
 from lesson_code.engine.two_points import couple, solve_normals, solve_pushes
@@ -56,11 +64,18 @@ def prepare(world: World) -> None:
         c.tangent_mass = mass_along(c, a, b, tangent_of(c))
         # Also where they part already: else a third body that presses them together adds energy.
         c.target_vn = -c.restitution * velocity_along(c, a, b, normal_of(c))
-        slop = SLOP * min(a.extent, b.extent)
-        c.push_speed = PUSH_SHARE * max(c.penetration - slop, 0.0) / world.state.dt
+        c.skew = skew_of(c, a, b)
+        c.push_speed = push_speed_of(c, a, b, world.state.dt)
         c.is_block = False
         if k > 0 and world.contacts[k - 1].a == c.a and world.contacts[k - 1].b == c.b:
             couple(world.contacts[k - 1], c, a, b)
+
+
+def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
+    """Return the speed at which a contact's overlap is undone, m/s; 0 where there is too little."""
+    slop = SLOP * min(a.extent, b.extent)
+    excess = c.penetration - slop
+    return PUSH_SHARE * excess / dt if excess > LEAST_EXCESS * slop else 0.0
 
 
 def warm_start(world: World) -> None:
@@ -97,38 +112,37 @@ def comes_before(old: MemoryRow, c: ContactRow) -> bool:
 
 
 def solve(world: World) -> None:
-    """Make one sweep over all contacts, in their order."""
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        a, b = world.bodies[c.a], world.bodies[c.b]
-        if c.is_block:
-            solve_normals(c, world.contacts[k + 1], a, b)
-        elif not is_second_of_block(world, k):
-            solve_normal(c, a, b)
-        solve_friction(c, a, b)
+    """Make one sweep over all contacts."""
+    count = world.state.contact_count
+    stride = stride_of_visits(count)
+    for first in range(stride):
+        for k in range(first, count, stride):
+            c = world.contacts[k]
+            a, b = world.bodies[c.a], world.bodies[c.b]
+            if c.is_block:
+                solve_normals(c, world.contacts[k + 1], a, b)
+                solve_friction(c, a, b)
+            elif is_second_of_block(world, k):
+                solve_friction(c, a, b)
+            else:
+                solve_contact(c, a, b)
 
 
-def correct(world: World) -> None:
-    """Make one sweep of pushes over all contacts, in their order."""
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        a, b = world.bodies[c.a], world.bodies[c.b]
-        if c.is_block:
-            solve_pushes(c, world.contacts[k + 1], a, b)
-        elif not is_second_of_block(world, k):
-            solve_push(c, a, b)
+def stride_of_visits(count: int) -> int:
+    """Return how many contacts lie between two visits of a sweep; few are visited in order."""
+    return count if count < FEWEST_FOR_STREAMS else (count + STREAMS - 1) // STREAMS
 
 
-def is_second_of_block(world: World, k: int) -> bool:
-    """Return whether a contact has been solved together with the one before it."""
-    return k > 0 and world.contacts[k - 1].is_block
-
-
-def solve_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Bring the normal velocity to its target, by an impulse that in total only pushes."""
-    total = normal_impulse(missing_velocity(c, a, b), c.normal_mass, 0.0, c.normal_impulse)
-    apply_impulse(c, a, b, normal_of(c), total - c.normal_impulse)
-    c.normal_impulse = total
+def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Bring the normal velocity to its target, then stop the sliding that there is after it."""
+    vn, vt = velocity_at(c, a, b)
+    jn = normal_impulse(vn - c.target_vn, c.normal_mass, 0.0, c.normal_impulse)
+    more_n = jn - c.normal_impulse
+    vt_after = vt + c.skew * more_n
+    jt = friction_impulse(vt_after, c.tangent_mass, c.friction, jn, c.tangent_impulse)
+    more_t = jt - c.tangent_impulse
+    apply_both(c, a, b, more_n, more_t)
+    c.normal_impulse, c.tangent_impulse = jn, jt
 
 
 def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -139,8 +153,40 @@ def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     c.tangent_impulse = total
 
 
+def has_overlap_to_undo(world: World) -> bool:
+    """Return whether any contact overlaps by too much; leave out what will part by itself."""
+    found = False
+    for k in range(world.state.contact_count):
+        found = found or world.contacts[k].push_speed > 0.0
+    if found:
+        for k in range(world.state.contact_count):
+            c = world.contacts[k]
+            vn = velocity_along(c, world.bodies[c.a], world.bodies[c.b], normal_of(c))
+            c.push_speed -= max(vn, 0.0)
+    return found
+
+
+def correct(world: World) -> None:
+    """Make one sweep of pushes over all contacts."""
+    count = world.state.contact_count
+    stride = stride_of_visits(count)
+    for first in range(stride):
+        for k in range(first, count, stride):
+            c = world.contacts[k]
+            a, b = world.bodies[c.a], world.bodies[c.b]
+            if c.is_block:
+                solve_pushes(c, world.contacts[k + 1], a, b)
+            elif not is_second_of_block(world, k):
+                solve_push(c, a, b)
+
+
+def is_second_of_block(world: World, k: int) -> bool:
+    """Return whether a contact is solved together with the one before it."""
+    return k > 0 and world.contacts[k - 1].is_block
+
+
 def solve_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Move the bodies apart, as far as their own velocity will not do it already."""
+    """Move the bodies apart, by an impulse that in total only pushes."""
     total = normal_impulse(missing_push(c, a, b), c.normal_mass, 0.0, c.push_impulse)
     apply_push(c, a, b, normal_of(c), total - c.push_impulse)
     c.push_impulse = total

@@ -17,42 +17,55 @@ import math
 from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
 from lesson_code.engine.rows import BodyRow, World
-from lesson_code.engine.world import BroadPhase, ContactSolver, Listener, find_pairs, step
+from lesson_code.engine.world import BroadPhase, Pipeline, seek_pairs, step
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.manifold import collide_rows
 from lesson_code.geometry.sweep import impact_time
 
 
-def step_to_impacts(
-    world: World, broad_phase: BroadPhase, solver: ContactSolver, listener: Listener | None
-) -> bool:
-    """Let one time step pass, or only the part of it until a fast body has hit something.
+def advance(world: World, pipeline: Pipeline) -> bool:
+    """Make the steps that are left, and return whether all are made.
 
-    Returns whether the step has come to its end. What is left of it stands in ``state.left``;
-    :func:`begin_step` sets that to a whole step.
+    They are not when a table was too small or a body was lost. Once there is room, the next call
+    goes on where this one stopped.
     """
     state = world.state
-    whole = state.dt
-    part = state.left
-    if mark_fast(world, part):
-        part = time_to_impact(world, broad_phase, part)
+    while state.steps_left > 0:
+        if not make_step(world, pipeline):
+            return False
+        state.steps_done += 1
+        state.steps_left -= 1
+    return True
+
+
+def make_step(world: World, pipeline: Pipeline) -> bool:
+    """Make one whole step, in parts where a fast body hits something; return whether it is made."""
+    state = world.state
+    if state.left == 0.0:
+        state.left, state.impacts = state.whole, 0
+    while state.left > 0.0:
+        if not state.has_moved and not choose_part(world, pipeline):
+            return False
+        if not step(world, pipeline):
+            return False
+        state.left -= state.dt
+    return True
+
+
+def choose_part(world: World, pipeline: Pipeline) -> bool:
+    """Choose how much of what is left of the step is made now; return whether that was possible."""
+    state = world.state
+    state.dt = state.left
+    if pipeline.is_continuous and mark_fast(world, state.left):
+        state.dt = time_to_impact(world, pipeline.broad_phase, state.left)
+        if state.pairs_wanted > 0:
+            return False
         state.impacts += 1
-        if part < state.left and state.impacts > MOST_IMPACTS:
-            part = state.left
+        if state.dt < state.left and state.impacts > MOST_IMPACTS:
+            state.dt = state.left
             let_fast_wait(world)
-    state.dt = part
-    state.time = state.end if part == state.left else state.time + part
-    step(world, broad_phase, solver, listener)
-    state.dt = whole
-    state.left -= part
-    return state.left <= 0.0
-
-
-def begin_step(world: World, end: float) -> None:
-    """Begin a whole step, which ends at a time, s."""
-    world.state.end = end
-    world.state.left = world.state.dt
-    world.state.impacts = 0
+    state.time = (state.steps_done + 1) * state.whole - (state.left - state.dt)
+    return True
 
 
 def mark_fast(world: World, duration: float) -> bool:
@@ -78,10 +91,14 @@ def way_of(body: BodyRow, duration: float) -> float:
 def time_to_impact(world: World, broad_phase: BroadPhase, duration: float) -> float:
     """Return how long the world may move until its first fast body is just in another one, s.
 
-    Pairs that overlap already are left to the solver: they are contacts.
+    Pairs that overlap already are left to the solver: they are contacts. When the table of pairs is
+    too small, that is noted, and the answer means nothing.
     """
     bound_way(world, duration)
-    find_pairs(world, broad_phase)
+    has_room = seek_pairs(world, broad_phase)
+    world.state.has_pairs = False  # these are not the pairs of the step
+    if not has_room:
+        return duration
     earliest = duration
     for k in range(world.state.pair_count):
         a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]

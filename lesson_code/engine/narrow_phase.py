@@ -8,10 +8,10 @@ from lesson_code.geometry.manifold import collide_rows
 from lesson_code.geometry.rows import ManifoldRow
 
 
-def find_contacts(world: World) -> None:
+def find_contacts(world: World) -> bool:
     """Write the contacts of all candidate pairs, in the order of the pairs.
 
-    The table must have room for two contacts a pair.
+    Returns whether the table had room for them.
     """
     state, m = world.state, world.manifold
     count = 0
@@ -21,6 +21,9 @@ def find_contacts(world: World) -> None:
         collide_rows(world.corners, a, b, m)
         if m.count == 0:
             continue
+        if count + m.count > len(world.contacts):
+            state.contacts_wanted = count + m.count
+            return False
         restitution = combined(state.restitution_rule, a.restitution, b.restitution)
         friction = combined(state.friction_rule, a.friction, b.friction)
         for point in range(m.count):
@@ -30,6 +33,7 @@ def find_contacts(world: World) -> None:
             write_point(contact, m, point)
             count += 1
     state.contact_count = count
+    return True
 
 
 def write_point(contact: ContactRow, m: ManifoldRow, point: int) -> None:

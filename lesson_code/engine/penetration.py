@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.narrow_phase import find_contacts
+from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import World
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
@@ -27,8 +28,8 @@ def deepest_overlaps(
             body.angle = float(angles[frame, n])
             turn_with_angle(world, body)
         bound(world)
-        find_pairs(world, broad_phase)
-        find_contacts(world)
+        while not (find_pairs(world, broad_phase) and find_contacts(world)):
+            make_room(world)
         depths[frame] = _deepest(world)
     return depths
 

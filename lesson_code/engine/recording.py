@@ -36,14 +36,14 @@ class Stepper(Protocol):
 
     dt: float
 
-    def step(self) -> None:
-        """Advance by dt."""
+    def advance(self, steps: int) -> None:
+        """Advance by so many steps of dt."""
 
-    def states(self) -> list[tuple[float, float, float, float, float, float]]:
-        """Return x, y, angle, vx, vy, w of every body."""
+    def states(self) -> NDArray[np.float64]:
+        """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
 
-    def events(self) -> list[Event]:
-        """Return the impulses of all steps so far."""
+    def events(self) -> NDArray[np.float64]:
+        """Return the impulses of all steps so far, shape (K, 10); see :data:`Event`."""
 
 
 @dataclass(frozen=True)
@@ -69,21 +69,15 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan
     frames = np.zeros((len(moments), len(scene.bodies), STATE_NUMBERS))
     done = 0
     for frame, moment in sorted(enumerate(moments), key=lambda item: item[1].time):
-        for _ in range(moment.steps - done):
-            stepper.step()
+        stepper.advance(max(moment.steps - done, 0))
         done = max(done, moment.steps)
-        states = stepper.states()
-        if states:
-            frames[frame] = states
+        frames[frame] = stepper.states()
         frames[frame, :, 0:3] += moment.rest * frames[frame, :, 3:6]
-    for _ in range(whole_parts(duration, stepper.dt) - done):
-        stepper.step()
+    stepper.advance(whole_parts(duration, stepper.dt) - done)
     return run_of(scene, [moment.time for moment in moments], frames, stepper.events(), plan)
 
 
-def run_of(
-    scene: Scene, times: Sequence[float], frames: Any, events: list[Event], plan: Plan
-) -> Run:
+def run_of(scene: Scene, times: Sequence[float], frames: Any, events: Any, plan: Plan) -> Run:
     """Return a run from the states of all bodies, shape (F, N, 6), at F times.
 
     Raises
@@ -151,9 +145,9 @@ def _require_finite(frames: NDArray[np.float64], times: Sequence[float]) -> None
         )
 
 
-def _events(events: list[Event]) -> ImpulseEvents:
-    """Return the impulses as arrays."""
-    table = np.array(events, dtype=float).reshape(-1, EVENT_NUMBERS)
+def _events(events: Any) -> ImpulseEvents:
+    """Return the impulses, shape (K, 10), as columns."""
+    table = np.asarray(events, dtype=float).reshape(-1, EVENT_NUMBERS)
     return ImpulseEvents(
         time=_frozen(table[:, 0]),
         body_a=_frozen(table[:, 1].astype(np.int64)),

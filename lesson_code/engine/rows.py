@@ -18,44 +18,43 @@ from lesson_code.geometry.rows import Corner, ManifoldRow
 
 @dataclass(slots=True)
 class BodyRow:
-    """A body as it moves. Fields up to `corner_count` are what the narrow phase reads."""
+    """A body as it moves. What is used together stands together, eight numbers to a block."""
+
+    vx: float = 0.0  # m/s
+    vy: float = 0.0
+    w: float = 0.0  # rad/s, counter-clockwise
+    inv_m: float = 0.0  # 1/kg, 0 for a body that nothing can push
+    inv_i: float = 0.0  # 1/(kg m^2), 0 for a body that nothing can turn
+    push_vx: float = 0.0  # m/s, moves the body out of an overlap in the next step, then is 0
+    push_vy: float = 0.0
+    push_w: float = 0.0  # rad/s, likewise
 
     x: float = 0.0  # m, centre of mass
     y: float = 0.0
     cos: float = 1.0  # of the angle; follows it
     sin: float = 0.0
+    angle: float = 0.0  # rad, counter-clockwise
     radius: float = 0.0  # m, of a circle, or a segment's half thickness; 0 for a polygon
+    extent: float = 0.0  # m, smallest width; the scale for what overlap is small
     first_corner: int = 0  # where the outline begins in the table of corners
     corner_count: int = 0  # 0 circle, 2 segment, 3 and more polygon
 
-    angle: float = 0.0  # rad, counter-clockwise
-    vx: float = 0.0  # m/s
-    vy: float = 0.0
-    w: float = 0.0  # rad/s, counter-clockwise
-    push_vx: float = 0.0  # m/s, moves the body out of an overlap in the next step, then is 0
-    push_vy: float = 0.0
-    push_w: float = 0.0  # rad/s, likewise
-
-    inv_m: float = 0.0  # 1/kg, 0 for a body that nothing can push
-    inv_i: float = 0.0  # 1/(kg m^2), 0 for a body that nothing can turn
-    restitution: float = -1.0  # negative: left to the other body
-    friction: float = -1.0  # negative: left to the other body
-    extent: float = 0.0  # m, smallest width; the scale for what overlap is small
-
-    thickness: float = math.inf  # m, smallest width of its matter; infinite: nothing pushes it
-    reach: float = 0.0  # m, distance of its farthest point from the centre of mass
-    is_fast: bool = False  # whether it may pass through another body within this step
-    waits: bool = False  # whether it stays where it is for what is left of this step
-
-    min_x: float = 0.0  # m, the box around the shape, parallel to the axes
+    min_x: float = 0.0  # m, the box drawn around the shape, parallel to the axes
     min_y: float = 0.0
     max_x: float = 0.0
     max_y: float = 0.0
-
     cell_x: int = 0  # the grid cell that holds the box's lower left corner
     cell_y: int = 0
     next_in_cell: int = -1  # the next body in the same slot of the grid; -1 for the last
     tally: int = 0  # counter for sorting the pairs
+
+    restitution: float = -1.0  # negative: left to the other body
+    friction: float = -1.0  # negative: left to the other body
+    thickness: float = math.inf  # m, smallest width of its matter; infinite: nothing pushes it
+    reach: float = 0.0  # m, distance of its farthest point from the centre of mass
+    is_large: bool = False  # whether its box is too large for the grid
+    is_fast: bool = False  # whether it may pass through another body within this step
+    waits: bool = False  # whether it stays where it is for what is left of this step
 
 
 @dataclass(slots=True)
@@ -67,8 +66,21 @@ class PairRow:
 
 
 @dataclass(slots=True)
+class BoxRow:
+    """The box around a body, in the order of the grid's slots."""
+
+    min_x: float = 0.0  # m
+    min_y: float = 0.0
+    max_x: float = 0.0
+    max_y: float = 0.0
+    cell_x: int = 0
+    cell_y: int = 0
+    body: int = 0
+
+
+@dataclass(slots=True)
 class IndexRow:
-    """A whole number in a table: a body in the order of a sweep, or the first in a grid slot."""
+    """A whole number in a table: a body in the order of a sweep, or the first in a slot."""
 
     index: int = -1
 
@@ -79,27 +91,28 @@ class ContactRow:
 
     a: int = 0  # bodies, a < b
     b: int = 0
-    feature: int = 0  # which features of the shapes touch; the same in the next step
     nx: float = 0.0  # unit normal from a to b
     ny: float = 0.0
     ax: float = 0.0  # m, lever arm on a: from its centre of mass to the point on its surface
     ay: float = 0.0
     bx: float = 0.0  # m, lever arm on b
     by: float = 0.0
-    penetration: float = 0.0  # m, > 0
-    restitution: float = 0.0  # of the pair
-    friction: float = 0.0  # of the pair
 
-    is_block: bool = False  # whether this row and the next are solved together: one manifold
-    coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
     normal_mass: float = 0.0  # kg, effective mass along the normal
     tangent_mass: float = 0.0  # kg, along the tangent, which is the normal turned by +90 degrees
+    skew: float = 0.0  # 1/kg, the tangent velocity that 1 N s along the normal makes
     target_vn: float = 0.0  # m/s, relative normal velocity to reach at least: the bounce
-    push_speed: float = 0.0  # m/s, >= 0, speed at which the overlap is to be undone
-
+    friction: float = 0.0  # of the pair
     normal_impulse: float = 0.0  # N s, >= 0, received by b along the normal so far
     tangent_impulse: float = 0.0  # N s, received by b along the tangent so far
+
+    push_speed: float = 0.0  # m/s, speed at which the overlap is still to be undone
     push_impulse: float = 0.0  # N s, >= 0, of the position correction; never enters v
+    penetration: float = 0.0  # m, > 0
+    restitution: float = 0.0  # of the pair
+    coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
+    feature: int = 0  # which features of the shapes touch; the same in the next step
+    is_block: bool = False  # whether this row and the next are solved together: one manifold
 
 
 @dataclass(slots=True)
@@ -114,15 +127,34 @@ class MemoryRow:
 
 
 @dataclass(slots=True)
+class ImpulseRow:
+    """The impulse of one contact point in one step, written down for the record."""
+
+    time: float = 0.0  # s, end of the step
+    a: int = 0
+    b: int = 0
+    x: float = 0.0  # m, midway between the two surfaces
+    y: float = 0.0
+    nx: float = 0.0
+    ny: float = 0.0
+    normal_impulse: float = 0.0
+    tangent_impulse: float = 0.0
+    penetration: float = 0.0
+
+
+@dataclass(slots=True)
 class State:
     """The one row that belongs to the whole world: its settings and its counts."""
 
-    dt: float = 0.0  # s, of the step, or of the part of it that is made now
-    dt_before: float = 0.0  # s, of the step before; 0: there was none
-    time: float = 0.0  # s, at the end of the step, or of the part of it that is made now
-    end: float = 0.0  # s, at the end of the whole step
-    left: float = 0.0  # s, of the step that is split at impacts
+    whole: float = 0.0  # s, of a whole step
+    steps_done: int = 0  # whole steps
+    steps_left: int = 0  # whole steps that are to be made
+    left: float = 0.0  # s, of the step that is being made; 0: none is
     impacts: int = 0  # parts that it has been split into
+    dt: float = 0.0  # s, of the part that is made now
+    dt_before: float = 0.0  # s, of the one before; 0: there was none
+    time: float = 0.0  # s, at the end of the part that is made now
+    has_moved: bool = False  # whether its bodies have moved already
     thinnest: float = math.inf  # m, the least thickness of all bodies
     gravity_x: float = 0.0  # m/s^2
     gravity_y: float = 0.0
@@ -131,10 +163,21 @@ class State:
     restitution_rule: int = 0  # how the pair's value comes from two bodies' (combination.py)
     friction_rule: int = 0
     cell_size: float = 1.0  # m, of the grid
+    slot_count: int = 1  # slots of the grid, a power of two
+    row_stride: int = 1  # slots from a cell to the one above it
+    box_count: int = 0  # boxes in the grid
+    has_small_fixed: bool = False  # whether the grid holds bodies that nothing can push
+    has_pairs: bool = False  # whether the pairs are those of the boxes as they are drawn
 
     pair_count: int = 0  # rows in use
     contact_count: int = 0
     memory_count: int = 0
+    impulse_count: int = 0
+
+    pairs_wanted: int = 0  # rows that a table was too small for; 0: it was not
+    contacts_wanted: int = 0
+    impulses_wanted: int = 0
+    lost_body: int = -1  # one that has left the range of floating point
 
 
 class World(NamedTuple):
@@ -146,7 +189,10 @@ class World(NamedTuple):
     pairs: list[PairRow]
     sorted_pairs: list[PairRow]  # scratch for the sort
     order: list[IndexRow]  # bodies sorted along x, for the sweep
-    slots: list[IndexRow]  # of the grid: the first body in each
+    boxes: list[BoxRow]  # of the bodies that can be pushed, sorted by slot
+    slots: list[IndexRow]  # of the grid: where the boxes of each begin
+    fixed_slots: list[IndexRow]  # the first body in each that nothing can push
     contacts: list[ContactRow]
     memory: list[MemoryRow]
+    impulses: list[ImpulseRow]  # the record, until somebody takes it away
     manifold: ManifoldRow  # scratch for the narrow phase

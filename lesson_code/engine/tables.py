@@ -5,15 +5,21 @@ from __future__ import annotations
 import math
 import statistics
 
-from lesson_code.engine.broad_phase import all_pairs, sweep_and_prune, uniform_grid
+from lesson_code.engine.broad_phase import (
+    all_pairs,
+    row_stride_for,
+    slots_for,
+    sweep_and_prune,
+    uniform_grid,
+)
 from lesson_code.engine.combination import RULES, UNSPECIFIED, Combination
 from lesson_code.engine.constants import (
     CELL_MARGIN,
     FEWEST_FOR_GRID,
     LARGEST_IN_GRID,
-    SLOTS_PER_BODY,
+    MOST_MARGIN,
 )
-from lesson_code.engine.rows import BodyRow, IndexRow, State, World
+from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, State, World
 from lesson_code.engine.scene import Body, Scene
 from lesson_code.engine.world import BroadPhase, turn_with_angle
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
@@ -31,7 +37,9 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
     """Return the tables of a scene, its bodies where they begin."""
     corners: list[Corner] = []
     bodies = [_row(body, corners) for body in scene.bodies]
+    slots = slots_for(len(bodies))
     state = State(
+        whole=dt,
         dt=dt,
         gravity_x=scene.gravity[0],
         gravity_y=scene.gravity[1],
@@ -40,6 +48,8 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
         cell_size=_cell_size(scene),
+        slot_count=slots,
+        row_stride=row_stride_for(slots),
         thinnest=min((row.thickness for row in bodies), default=math.inf),
     )
     world = World(
@@ -49,9 +59,12 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         pairs=[],
         sorted_pairs=[],
         order=[IndexRow(index) for index in range(len(bodies))],
-        slots=[IndexRow() for _ in range(SLOTS_PER_BODY * len(bodies) + 1)],
+        boxes=[BoxRow() for _ in bodies],
+        slots=[IndexRow() for _ in range(slots + 1)],  # one more, for where the last one ends
+        fixed_slots=[IndexRow() for _ in range(slots)],
         contacts=[],
         memory=[],
+        impulses=[],
         manifold=ManifoldRow(),
     )
     for body in bodies:
@@ -95,8 +108,11 @@ def _thickness(body: Body) -> float:
 
 
 def _cell_size(scene: Scene) -> float:
-    """Return the width of a grid cell, m: the largest body's, the few much larger ones left out."""
-    sizes = [2 * body.shape.bounding_radius for body in scene.bodies]
+    """Return the width of a grid cell, m: the largest box's, the few much larger ones left out."""
+    sizes = [
+        2 * body.shape.bounding_radius + 2 * MOST_MARGIN * body.shape.extent
+        for body in scene.bodies
+    ]
     if not sizes:
         return 1.0
     limit = LARGEST_IN_GRID * statistics.median_low(sizes)

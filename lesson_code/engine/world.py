@@ -16,9 +16,9 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple, Protocol, TypeAlias
 
-from lesson_code.engine.broad_phase import bound, most_pairs
+from lesson_code.engine.broad_phase import bound, has_left_box
+from lesson_code.engine.impulse_record import has_room_for_record, record_impulses
 from lesson_code.engine.narrow_phase import find_contacts
-from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import BodyRow, World
 from lesson_code.geometry.rows import turn
 
@@ -35,6 +35,7 @@ class ContactSolver(NamedTuple):
     prepare: Stage
     warm_start: Stage
     solve: Stage
+    has_overlap_to_undo: Callable[[World], bool]
     correct: Stage
     store: Stage
 
@@ -49,37 +50,58 @@ class Listener(Protocol):
         """Hear of the contacts again, now with their impulses."""
 
 
-def step(
-    world: World, broad_phase: BroadPhase, solver: ContactSolver, listener: Listener | None = None
-) -> None:
-    """Let one time step pass."""
-    move(world)  # 1
-    bound(world)  # 2
-    find_pairs(world, broad_phase)
-    find_contacts(world)  # 3
-    if listener is not None:
-        listener.before_impulses(world)
+class Pipeline(NamedTuple):
+    """What the stages of a run are: chosen once, before it begins."""
+
+    broad_phase: BroadPhase
+    solver: ContactSolver
+    listener: Listener | None = None
+    is_continuous: bool = True  # whether a step is split at the impacts of fast bodies
+    keeps_impulses: bool = True  # whether every impulse is written down
+
+
+def step(world: World, pipeline: Pipeline) -> bool:
+    """Let one time step pass, and return whether it has.
+
+    It has not when a table was too small or a body was lost. Once there is room, the next call
+    goes on where this one stopped.
+    """
+    state, solver = world.state, pipeline.solver
+    if not state.has_moved:
+        move(world)  # 1
+    if state.lost_body >= 0:
+        return False
+    if not find_pairs(world, pipeline.broad_phase):  # 2
+        return False
+    if not find_contacts(world):  # 3
+        return False
+    if pipeline.keeps_impulses and not has_room_for_record(world):
+        return False
+    if pipeline.listener is not None:
+        pipeline.listener.before_impulses(world)
     solver.prepare(world)  # 4
     accelerate(world)  # 5
     solver.warm_start(world)  # 6
-    for _ in range(world.state.iterations):
+    for _ in range(state.iterations):
         solver.solve(world)  # 7
-    if has_overlap_to_undo(world):
-        for _ in range(world.state.iterations):
+    if solver.has_overlap_to_undo(world):
+        for _ in range(state.iterations):
             solver.correct(world)  # 8
     solver.store(world)  # 9
-    if listener is not None:
-        listener.after_impulses(world)  # 10
+    if pipeline.listener is not None:
+        pipeline.listener.after_impulses(world)  # 10
+    if pipeline.keeps_impulses:
+        record_impulses(world)
+    state.has_moved = False
+    return True
 
 
 def move(world: World) -> None:
     """Move every body by its velocity and by the push out of an overlap, which is then spent.
 
-    Raises
-    ------
-    FloatingPointError
-        A body has left the range of floating point.
+    A body that leaves the range of floating point is noted as lost.
     """
+    world.state.has_moved = True
     dt = world.state.dt
     for number, body in enumerate(world.bodies):
         if body.waits:
@@ -89,7 +111,8 @@ def move(world: World) -> None:
         spin = body.w + body.push_w
         body.angle += spin * dt
         if not math.isfinite(body.x + body.y + body.angle):
-            raise FloatingPointError(f"body {number} has left the range of floating point")
+            world.state.lost_body = number
+            return
         if spin != 0.0:
             turn_with_angle(world, body)
         body.push_vx = 0.0
@@ -104,25 +127,28 @@ def turn_with_angle(world: World, body: BodyRow) -> None:
     turn(world.corners, body)
 
 
-def find_pairs(world: World, broad_phase: BroadPhase) -> None:
-    """Find the candidate pairs; when the tables have no room for them all, make it.
+def find_pairs(world: World, broad_phase: BroadPhase) -> bool:
+    """Find the candidate pairs, and return whether the table had room for them.
 
-    Raises
-    ------
-    ValueError
-        The bodies overlap in so many pairs that no memory would hold them.
+    The pairs of an earlier step serve as long as every body is in the box that was drawn then.
     """
+    state = world.state
+    if state.has_pairs and not has_left_box(world):
+        return True
+    bound(world)
+    return seek_pairs(world, broad_phase)
+
+
+def seek_pairs(world: World, broad_phase: BroadPhase) -> bool:
+    """Find the pairs of the boxes as they are drawn; return whether the table had room."""
+    state = world.state
     count = broad_phase(world)
-    if count > len(world.pairs):
-        bodies = len(world.bodies)
-        if count > most_pairs(bodies):
-            raise ValueError(
-                "bodies must not be heaped into one another: "
-                f"{bodies} of them overlap in {count} pairs or more"
-            )
-        make_room(world, count)
-        count = broad_phase(world)
-    world.state.pair_count = count
+    state.has_pairs = count <= len(world.pairs)
+    if state.has_pairs:
+        state.pair_count = count
+    else:
+        state.pairs_wanted = count
+    return state.has_pairs
 
 
 def accelerate(world: World) -> None:
@@ -134,11 +160,3 @@ def accelerate(world: World) -> None:
             body.vx = body.vx * remaining + state.gravity_x * state.dt
             body.vy = body.vy * remaining + state.gravity_y * state.dt
             body.w = body.w * remaining
-
-
-def has_overlap_to_undo(world: World) -> bool:
-    """Return whether any contact overlaps by more than the slop."""
-    for k in range(world.state.contact_count):  # noqa: SIM110 - a loop is what a compiler takes
-        if world.contacts[k].push_speed > 0.0:
-            return True
-    return False

@@ -13,6 +13,9 @@ from lesson_code.geometry.edges import direction
 from lesson_code.geometry.rows import Corner, ManifoldRow, PlacedBody, following
 from lesson_code.geometry.sat import TIE, least_overlap, lengths_involved
 
+FAR = 1.0 + 1e-15
+"""Of the square of the reach: beyond it there is no overlap, and no root needs to be taken."""
+
 
 def collide_circles(a: PlacedBody, b: PlacedBody, m: ManifoldRow) -> None:
     """Fill the manifold of two circles.
@@ -21,8 +24,11 @@ def collide_circles(a: PlacedBody, b: PlacedBody, m: ManifoldRow) -> None:
 
     d leads from A's centre to B's. Coincident centres get the normal (1, 0).
     """
-    distance, nx, ny = direction(b.x - a.x, b.y - a.y, 1.0, 0.0)
-    penetration = a.radius + b.radius - distance
+    dx, dy, reach = b.x - a.x, b.y - a.y, a.radius + b.radius
+    if dx * dx + dy * dy > FAR * reach * reach:
+        return
+    distance, nx, ny = direction(dx, dy, 1.0, 0.0)
+    penetration = reach - distance
     if penetration > 0.0:
         fill_single(m, nx, ny, nx * a.radius, ny * a.radius, b.radius, penetration)
 

@@ -12,6 +12,7 @@ import math
 
 from lesson_code.engine.broad_phase import slot_of
 from lesson_code.engine.event_driven.rows import DiscRow, Tables
+from lesson_code.engine.rows import IndexRow
 
 
 def enter_cell(tables: Tables, i: int) -> None:
@@ -22,10 +23,15 @@ def enter_cell(tables: Tables, i: int) -> None:
     put_into_slot(tables, i)
 
 
+def slot_under(tables: Tables, disc: DiscRow) -> IndexRow:
+    """Return the slot of a disc's cell."""
+    return tables.slots[slot_of(tables.state, disc.cell_x, disc.cell_y)]
+
+
 def put_into_slot(tables: Tables, i: int) -> None:
     """Put a disc before the others in the slot of its cell."""
     disc = tables.discs[i]
-    slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
+    slot = slot_under(tables, disc)
     disc.next_in_slot = slot.index
     slot.index = i
 
@@ -33,7 +39,7 @@ def put_into_slot(tables: Tables, i: int) -> None:
 def leave_cell(tables: Tables, i: int) -> None:
     """Take a disc out of its cell."""
     disc = tables.discs[i]
-    slot = tables.slots[slot_of(disc.cell_x, disc.cell_y, len(tables.slots))]
+    slot = slot_under(tables, disc)
     if slot.index == i:
         slot.index = disc.next_in_slot
         return

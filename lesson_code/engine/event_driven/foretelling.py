@@ -71,7 +71,7 @@ def foretell_discs(tables: Tables, i: int) -> None:
     for dx in range(-around, around + 1):
         for dy in range(-around, around + 1):
             cell_x, cell_y = disc.cell_x + dx, disc.cell_y + dy
-            j = slots[slot_of(cell_x, cell_y, len(slots))].index
+            j = slots[slot_of(tables.state, cell_x, cell_y)].index
             while j >= 0:
                 other = discs[j]
                 if j != i and other.cell_x == cell_x and other.cell_y == cell_y:
@@ -127,8 +127,7 @@ def impact_after(
 
 def foretell_obstacles(tables: Tables, disc: DiscRow) -> None:
     """Find the first hit with an obstacle near the disc; the one it rests on is none."""
-    slots = tables.near_slots
-    n = slots[slot_of(disc.cell_x, disc.cell_y, len(slots))].index
+    n = tables.near_slots[slot_of(tables.state, disc.cell_x, disc.cell_y)].index
     while n >= 0:
         near = tables.near[n]
         if near.cell_x == disc.cell_x and near.cell_y == disc.cell_y:

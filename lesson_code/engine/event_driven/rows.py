@@ -73,6 +73,8 @@ class ExactState:
     restitution_rule: int = 0  # how the pair's value comes from two bodies' (combination.py)
     friction_rule: int = 0
     cell_size: float = 1.0  # m, width of a grid cell: no disc is wider; infinite: one cell
+    slot_count: int = 1  # of the grid, a power of two
+    row_stride: int = 1  # slots from a cell to the one above it
     first_x: int = 0  # the outermost cells, which have no outer border
     last_x: int = 0
     first_y: int = 0

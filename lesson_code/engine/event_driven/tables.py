@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.broad_phase import slot_of
+from lesson_code.engine.broad_phase import row_stride_for, slot_of, slots_for
 from lesson_code.engine.combination import RULES, Combination
-from lesson_code.engine.constants import SLOTS_PER_BODY
 from lesson_code.engine.event_driven.cells import enter_cell
 from lesson_code.engine.event_driven.constants import (
     CELL_MARGIN,
@@ -33,9 +32,9 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
     fixed = [n for n, body in enumerate(scene.bodies) if body.is_static]
     world = world_of(scene, dt=1.0, iterations=0, combine=combine)  # its bodies, as rows
     discs = [_disc(n, world.bodies[n]) for n in free]
-    slots = SLOTS_PER_BODY * len(discs) + 1
+    slots = slots_for(len(discs))
     tables = Tables(
-        state=_state(scene, combine),
+        state=_state(scene, combine, slots),
         discs=discs,
         obstacles=[world.bodies[n] for n in fixed],
         obstacle_bodies=[IndexRow(n) for n in fixed],
@@ -75,7 +74,7 @@ def _disc(number: int, row: BodyRow) -> DiscRow:
     )
 
 
-def _state(scene: Scene, combine: Combination) -> ExactState:
+def _state(scene: Scene, combine: Combination, slots: int) -> ExactState:
     """Return the settings, the small speeds in proportion to those of the scene."""
     radii = [body.shape.bounding_radius for body in scene.bodies if not body.is_static]
     largest = max(radii, default=1.0)
@@ -86,6 +85,8 @@ def _state(scene: Scene, combine: Combination) -> ExactState:
     return ExactState(
         gravity_x=scene.gravity[0],
         gravity_y=scene.gravity[1],
+        slot_count=slots,
+        row_stride=row_stride_for(slots),
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
         cell_size=math.inf if len(radii) <= FEW_DISCS else 2 * largest * (1 + CELL_MARGIN),
@@ -129,7 +130,7 @@ def _note_obstacle(tables: Tables, k: int) -> None:
         return
     for cell_x in columns:
         for cell_y in lines:
-            slot = tables.near_slots[slot_of(cell_x, cell_y, len(tables.near_slots))]
+            slot = tables.near_slots[slot_of(tables.state, cell_x, cell_y)]
             tables.near.append(NearRow(k, cell_x, cell_y, slot.index))
             slot.index = len(tables.near) - 1
 

@@ -20,15 +20,17 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pymunk
+from numpy.typing import NDArray
 
 from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.combination import RULES as COMBINATION_RULES
 from lesson_code.engine.combination import UNSPECIFIED, Combination, combined
-from lesson_code.engine.recording import Event
+from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
+from lesson_code.engine.room import refuse_heap
 from lesson_code.engine.scene import Body, Material, Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
-from lesson_code.engine.world import find_pairs
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 
@@ -81,23 +83,21 @@ class PymunkStepper:
         self._set_coefficients()
         self.space.on_collision(None, None, post_solve=self._note)
 
-    def step(self) -> None:
-        """Advance by dt."""
-        for _ in range(self._substeps):
+    def advance(self, steps: int) -> None:
+        """Advance by so many steps of dt."""
+        for _ in range(steps * self._substeps):
             self._substeps_done += 1
             self.visited.clear()
             self.space.step(self.dt / self._substeps)
 
-    def states(self) -> list[tuple[float, float, float, float, float, float]]:
-        """Return x, y, angle, vx, vy, w of every body."""
-        return [
-            (*body.position, body.angle, *body.velocity, body.angular_velocity)
-            for body in self.bodies
-        ]
+    def states(self) -> NDArray[np.float64]:
+        """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
+        rows = [(*b.position, b.angle, *b.velocity, b.angular_velocity) for b in self.bodies]
+        return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
 
-    def events(self) -> list[Event]:
-        """Return the impulses of all steps so far."""
-        return self._events
+    def events(self) -> NDArray[np.float64]:
+        """Return the impulses of all steps so far, shape (K, 10)."""
+        return np.array(self._events, dtype=float).reshape(-1, EVENT_NUMBERS)
 
     def _set_coefficients(self) -> None:
         """Give pymunk the pairs' coefficients: its own product where that is right, else ours."""
@@ -158,7 +158,7 @@ def _refuse_heap(scene: Scene) -> None:
     """Refuse bodies heaped into one another: pymunk would go on until the memory is full."""
     world = world_of(scene, dt=1.0, iterations=0, combine=Combination())
     bound(world)
-    find_pairs(world, BROAD_PHASES[broad_phase_for(scene)])
+    refuse_heap(len(world.bodies), BROAD_PHASES[broad_phase_for(scene)](world))
 
 
 def _add(space: pymunk.Space, body: Body) -> pymunk.Body:

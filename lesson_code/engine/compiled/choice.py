@@ -1,0 +1,64 @@
+"""Whether a run is worth compiling: its work in plain Python against the time of a compiler."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from lesson_code.engine.compiled.library import is_kept, why_no_compiler
+
+WORTH_LOADING = 2.0
+"""s, of work in plain Python: from here on it pays to load a program that is kept, which takes
+half a second; with less the gain is not noticed."""
+
+WORTH_COMPILING = 30.0
+"""s, likewise: from here on it pays to compile one, which takes some ten seconds."""
+
+
+class Choice(NamedTuple):
+    """Whether a run is compiled, and why."""
+
+    compiled: bool
+    reason: str
+
+
+def choose(asked: bool | None, seconds: float, source: str, never: str = "") -> Choice:
+    """Return whether to compile a program.
+
+    Parameters
+    ----------
+    asked : bool or None
+        What the user has asked for; None leaves it to the work.
+    seconds : float
+        Of work in plain Python, about.
+    source : str
+        The program.
+    never : str
+        Why this run cannot be compiled, in words; "" when it can.
+
+    Raises
+    ------
+    ValueError
+        It was asked for, and cannot be done.
+
+    Examples
+    --------
+    >>> choose(None, 0.1, "")
+    Choice(compiled=False, reason='a small run')
+    """
+    never = never or why_no_compiler()
+    if asked is None:
+        return _by_work(seconds, source, never)
+    if asked and never:
+        raise ValueError(f"compiled must be False or None here: {never}")
+    return Choice(asked, "asked for")
+
+
+def _by_work(seconds: float, source: str, never: str) -> Choice:
+    """Return the choice that the work suggests."""
+    if seconds < WORTH_LOADING:
+        return Choice(False, "a small run")
+    if never:
+        return Choice(False, never)
+    if seconds >= WORTH_COMPILING or is_kept(source):
+        return Choice(True, "a large run")
+    return Choice(False, "a run too small to wait for a compiler")

@@ -1,0 +1,121 @@
+"""Compiling a program, and keeping its machine code.
+
+A program is one module that holds all it needs, constants too. It is written into a folder of the
+user's, under a name made from its text, and Numba keeps the machine code beside it. So a change of
+any function or constant makes another program, and what was kept for the old one is never used
+again. (Numba alone looks at the file of the function that is called: it would not notice a
+change in another file, nor another value of a constant.)
+
+Compiled programs cannot allocate memory, and do not count references: they get their tables and
+give them back.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import os
+import sys
+import tempfile
+import types
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+PROGRAMS_KEPT = 64
+"""In the folder: the ones that were used longest ago are deleted, so that it does not grow."""
+
+FOLDER_VARIABLE = "WORKBOOK_CACHE"
+"""Environment variable that names another folder for compiled programs."""
+
+
+def why_no_compiler() -> str:
+    """Return why nothing can be compiled here, in words; "" when it can."""
+    if importlib.util.find_spec("numba") is None:
+        return "Numba is not installed"
+    return ""
+
+
+def folder() -> Path:
+    """Return the folder that compiled programs are kept in."""
+    import platformdirs
+
+    named = os.environ.get(FOLDER_VARIABLE)
+    return Path(named) if named else platformdirs.user_cache_path("collision-workbook")
+
+
+def is_kept(source: str) -> bool:
+    """Return whether a program has been compiled before, so that it only needs to be loaded."""
+    return any((folder() / "__pycache__").glob(f"{_name_of(source)}.*.nbc"))
+
+
+@cache
+def compiled(source: str, entry: str) -> Callable[..., Any]:
+    """Return the entry function of a program, compiled on its first call or loaded if it is kept.
+
+    Parameters
+    ----------
+    source : str
+        A module, from :func:`lesson_code.engine.compiled.linker.link`.
+    entry : str
+        The name of the function in it that is called.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        Numba is not installed.
+    """
+    import numba
+
+    module, keeps = _load(source)
+    functions = {n: f for n, f in vars(module).items() if isinstance(f, types.FunctionType)}
+    options = {"error_model": "numpy", "_nrt": False}
+    inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    for name, function in functions.items():
+        if name != entry:
+            setattr(module, name, numba.njit(**options, **inner)(function))
+    start: Callable[..., Any] = numba.njit(**options, cache=keeps)(functions[entry])
+    return start
+
+
+def _load(source: str) -> tuple[types.ModuleType, bool]:
+    """Return a program as a module, and whether its machine code can be kept."""
+    name = _name_of(source)
+    try:
+        path, keeps = _written(folder(), name, source), True
+    except OSError:  # a home that cannot be written to
+        path, keeps = _written(Path(tempfile.mkdtemp()), name, source), False
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:  # pragma: no cover - the name ends in .py
+        raise ImportError(f"{path} must be a module")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module, keeps
+
+
+def _name_of(source: str) -> str:
+    """Return a name for a program: another text, another name."""
+    return "program_" + hashlib.sha256(source.encode()).hexdigest()[:20]
+
+
+def _written(place: Path, name: str, source: str) -> Path:
+    """Return the path of a program's file; several processes may write it at once."""
+    path = place / f"{name}.py"
+    if path.exists() and path.read_text() == source:
+        return path
+    place.mkdir(parents=True, exist_ok=True)
+    _forget_oldest(place)
+    with tempfile.NamedTemporaryFile("w", dir=place, suffix=".tmp", delete=False) as file:
+        file.write(source)
+    os.replace(file.name, path)
+    return path
+
+
+def _forget_oldest(place: Path) -> None:
+    """Delete the programs that were made longest ago."""
+    programs = sorted(place.glob("program_*.py"), key=lambda path: path.stat().st_mtime)
+    for path in programs[: max(len(programs) - PROGRAMS_KEPT + 1, 0)]:
+        for kept in (path, *(place / "__pycache__").glob(f"{path.stem}.*")):
+            kept.unlink(missing_ok=True)

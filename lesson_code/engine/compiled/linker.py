@@ -1,0 +1,279 @@
+"""The linker: one program out of the engine's functions, as readable source.
+
+A run needs few of the engine's functions: one broad phase, one solver, perhaps no listener. The
+linker begins at one function, follows every call, and writes the functions that it meets into one
+module, each after those that it calls. What is decided before the run is worked out:
+
+- an argument that is bound to a function, a tuple of stages or None disappears, and a call of it
+  becomes a call of that function;
+- a branch that can not be reached any more disappears too;
+- constants stand at the top of the module, with the values that they have now.
+
+Nothing else is changed. A function in which nothing had to be worked out is copied as it stands,
+comments and all, so that the program is made of the very lines that the lesson shows.
+"""
+
+from __future__ import annotations
+
+import ast
+import functools
+import inspect
+import math
+import sys
+import types
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from lesson_code.engine.compiled.known import is_stage, known_value
+
+PROJECT = "lesson_code."
+"""Functions of modules whose names begin so are taken into a program; others stay outside."""
+
+Names = Mapping[str, Any]
+
+
+def link(entry: Callable[..., Any], **bound: Any) -> str:
+    """Return the source of the program that a function needs, some of its arguments bound.
+
+    Parameters
+    ----------
+    entry : callable
+        Where the program begins: a function of a module of this project. It keeps its name.
+    **bound : object
+        Values for some of its parameters: functions, named tuples of functions and flags, None.
+
+    Returns
+    -------
+    str
+        A module in which `entry` has lost the parameters that are bound.
+
+    Raises
+    ------
+    TypeError
+        A function uses a name that stands for neither a function, a class nor a constant.
+
+    Examples
+    --------
+    >>> from lesson_code.engine.event_driven.motion import velocity_at
+    >>> print(link(velocity_at))
+    from __future__ import annotations
+    <BLANKLINE>
+    <BLANKLINE>
+    def velocity_at(disc: DiscRow, time: float) -> Pair:
+        \"\"\"Return a disc's velocity at a time, m/s.\"\"\"
+        t = time - disc.time
+        return disc.vx + disc.ax * t, disc.vy + disc.ay * t
+    <BLANKLINE>
+    """
+    program = _Program()
+    program.add(entry, bound)
+    return program.source()
+
+
+class _Program:
+    """A module to be: its imports, constants and functions, each once."""
+
+    def __init__(self) -> None:
+        self._imports: set[str] = set()
+        self._constants: dict[str, Any] = {}
+        self._functions: dict[str, str] = {}
+        self._names: dict[Any, str] = {}
+
+    def source(self) -> str:
+        """Return the module as text."""
+        head = "\n".join(["from __future__ import annotations", "", *sorted(self._imports)])
+        constants = "\n".join(f"{name} = {_text(v)}" for name, v in self._constants.items())
+        top = "\n\n".join(part for part in (head.rstrip(), constants) if part)
+        return "\n\n\n".join([top, *self._functions.values()]) + "\n"
+
+    def add(self, function: Any, bound: Names) -> str:
+        """Add a function and all that it calls; return its name in the program."""
+        function = inspect.unwrap(function)
+        key = function, tuple((name, id(value)) for name, value in sorted(bound.items()))
+        if key not in self._names:
+            self._names[key] = name = self._free_name(function)
+            text, tree = _definition(function)
+            before = ast.dump(tree)
+            tree.name = name
+            _Specialised(self, function, bound, tree).rewrite()
+            self._functions[name] = text if ast.dump(tree) == before else ast.unparse(tree)
+        return self._names[key]
+
+    def use(self, name: str, value: Any, user: str) -> None:
+        """Take a name that a function uses into the program."""
+        if isinstance(value, types.ModuleType):
+            self._imports.add(f"import {value.__name__}")
+        elif isinstance(value, type):
+            self._imports.add(f"from {value.__module__} import {value.__name__}")
+        elif not isinstance(value, (bool, int, float, str, tuple)):
+            raise TypeError(f"{name} in {user} must be a function, class or constant: {value!r}")
+        elif self._constants.setdefault(name, value) != value:
+            raise TypeError(f"{name} in {user} must have one value in the whole program: {value!r}")
+
+    def _free_name(self, function: Any) -> str:
+        """Return a function's name; if it is taken, with that of its module in front."""
+        name = function.__name__
+        while name in self._names.values():
+            name = f"{function.__module__.rpartition('.')[2]}_{name}"
+        return name
+
+
+class _Specialised(ast.NodeTransformer):
+    """Rewrites one function for the values that some of its names are bound to."""
+
+    def __init__(
+        self, program: _Program, function: Any, bound: Names, tree: ast.FunctionDef
+    ) -> None:
+        self._program, self._function, self._tree = program, function, tree
+        local = set(_names_set_in(tree)) | {arg.arg for arg in tree.args.args}
+        self._global = {n: v for n, v in function.__globals__.items() if n not in local}
+        self._known = self._global | dict(bound)
+        self._bound = bound
+
+    def rewrite(self) -> None:
+        """Rewrite the function in place."""
+        arguments = self._tree.args
+        kept = [arg for arg in arguments.args if arg.arg not in self._bound]
+        free = len(arguments.args) - len(arguments.defaults)
+        has_default = {arg.arg for arg in arguments.args[free:]}
+        arguments.defaults = [
+            default
+            for arg, default in zip(arguments.args[free:], arguments.defaults, strict=True)
+            if arg in kept and arg.arg in has_default
+        ]
+        arguments.args = kept
+        self._tree.body = self._block(self._tree.body)
+
+    def _block(self, body: list[ast.stmt]) -> list[ast.stmt]:
+        """Return the statements of a block that are left over."""
+        kept: list[ast.stmt] = []
+        for statement in body:
+            if isinstance(statement, ast.If) and (test := self._value(statement.test)):
+                kept += self._block(statement.body if test.value else statement.orelse)
+            elif not (isinstance(statement, ast.Assign) and self._is_about_stages(statement)):
+                kept.append(self.visit(statement))
+        return kept
+
+    def _is_about_stages(self, node: ast.Assign) -> bool:
+        """Take note of names for stages; return whether nothing is left of an assignment."""
+        (target,) = node.targets
+        pairs = [(target, node.value)]
+        if isinstance(target, ast.Tuple) and isinstance(node.value, ast.Tuple):
+            pairs = list(zip(target.elts, node.value.elts, strict=True))
+        left = []
+        for name, value in pairs:
+            if isinstance(name, ast.Name) and self._is_stage(value):
+                self._known[name.id] = known_value(value, self._known).value  # type: ignore[union-attr]
+            else:
+                left.append((name, value))
+        if len(left) == 1 and len(pairs) > 1:
+            (node.targets, node.value) = ([left[0][0]], left[0][1])
+        elif len(left) < len(pairs):
+            node.targets = [ast.Tuple([name for name, _ in left], ast.Store())]
+            node.value = ast.Tuple([value for _, value in left], ast.Load())
+        return not left
+
+    def _value(self, node: ast.expr) -> Any:
+        """Return what is known of an expression."""
+        return known_value(node, self._known)
+
+    def _is_stage(self, node: ast.expr) -> bool:
+        """Return whether an expression stands for a function or a tuple of stages."""
+        found = None if isinstance(node, ast.Constant) else self._value(node)
+        return found is not None and is_stage(found.value)
+
+    # What ast.NodeTransformer calls, by the kind of node
+
+    def generic_visit(self, node: ast.AST) -> ast.AST:
+        """Visit the parts of a node; its blocks of statements as blocks."""
+        for name, part in ast.iter_fields(node):
+            if isinstance(part, list) and part and isinstance(part[0], ast.stmt):
+                block = self._block(part)
+                setattr(node, name, block or ([ast.Pass()] if name == "body" else []))
+            elif isinstance(part, list):
+                part[:] = [self.visit(item) for item in part]
+            elif isinstance(part, ast.AST) and name not in ("annotation", "returns"):
+                setattr(node, name, self.visit(part))
+        return node
+
+    def visit_BoolOp(self, node: ast.BoolOp) -> ast.expr:  # noqa: N802 - named by the ast module
+        """Leave out of `and` and `or` what is known and does not decide."""
+        if found := self._value(node):
+            return ast.Constant(found.value)
+        node.values = [self.visit(part) for part in node.values if not self._value(part)]
+        return node if len(node.values) > 1 else node.values[0]
+
+    def visit_IfExp(self, node: ast.IfExp) -> ast.AST:  # noqa: N802
+        """Choose a branch that is known."""
+        if test := self._value(node.test):
+            chosen: ast.AST = self.visit(node.body if test.value else node.orelse)
+            return chosen
+        return self.generic_visit(node)
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:  # noqa: N802
+        """Call the function of the program that a call of the project's stands for."""
+        found = self._value(node.func)
+        if not (found and isinstance(found.value, types.FunctionType) and _is_ours(found.value)):
+            return self.generic_visit(node)
+        called = inspect.unwrap(found.value)
+        parameters = inspect.signature(called).parameters
+        given = list(zip(parameters, node.args, strict=False))
+        bound = {name: self._value(arg).value for name, arg in given if self._is_stage(arg)}
+        node.args = [self.visit(arg) for name, arg in given if name not in bound]
+        for keyword in node.keywords:
+            keyword.value = self.visit(keyword.value)
+        name = self._program.add(called, bound)
+        if not (isinstance(node.func, ast.Name) and node.func.id == name):
+            node.func = ast.Name(name, ast.Load())
+        return node
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:  # noqa: N802
+        """Write a flag of a tuple of stages as its value."""
+        owner = self._value(node.value)
+        if owner and hasattr(owner.value, "_fields"):
+            return ast.Constant(getattr(owner.value, node.attr))
+        return self.generic_visit(node)
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:  # noqa: N802
+        """Take a name of the function's module into the program."""
+        if isinstance(node.ctx, ast.Load) and node.id in self._global:
+            self._program.use(node.id, self._global[node.id], self._function.__name__)
+        return node
+
+
+def _is_ours(function: Any) -> bool:
+    """Return whether a function belongs to this project."""
+    return str(function.__module__).startswith(PROJECT)
+
+
+def _names_set_in(tree: ast.AST) -> Iterator[str]:
+    """Yield the names that a function gives values to."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+
+
+def _definition(function: Any) -> tuple[str, ast.FunctionDef]:
+    """Return a function's source from its `def` on, and its tree."""
+    text = _functions_of(function.__module__)[function.__name__]
+    (tree,) = ast.parse(text).body
+    if not isinstance(tree, ast.FunctionDef):  # pragma: no cover - it was found as one
+        raise TypeError(f"{function.__name__} must be a function")
+    return text, tree
+
+
+@functools.cache
+def _functions_of(module: str) -> dict[str, str]:
+    """Return the sources of a module's functions, without decorators, by name."""
+    text = inspect.getsource(sys.modules[module])
+    lines = text.splitlines()
+    return {
+        node.name: "\n".join(lines[node.lineno - 1 : node.end_lineno])
+        for node in ast.parse(text).body
+        if isinstance(node, ast.FunctionDef)
+    }
+
+
+def _text(value: Any) -> str:
+    """Return a constant as source; infinity has no literal of its own."""
+    return "float('inf')" if value == math.inf else repr(value)
