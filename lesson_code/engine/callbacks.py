@@ -19,7 +19,7 @@ class Touch:
     Attributes
     ----------
     time : float
-        End of the step, s.
+        End of the step, s; its beginning in the solver with sub-steps, which finds contacts there.
     body_a, body_b : int
         The bodies' places in the scene, a < b.
     normal : (float, float)

@@ -54,3 +54,28 @@ many digits as this has zeros. Box2D, with the 7 digits of single precision, tak
 points 1 cm apart on a body of 1 m would then be solved in turn, and the answer would hang on
 which comes first.
 """
+
+SOFT_FREQUENCY = 0.25
+"""Of the rate of the sub-steps: how fast a soft contact would swing, were it not damped.
+
+A load of F sinks by F h^2 / (m (2 pi 0.25)^2) until the contact carries it, h the sub-step. At 0.2
+the bottom of a stack of 20 sinks so far that the stack leans and falls; at 0.35 the contacts are
+stiffer than one sweep can follow, and the same stack shakes itself down. Box2D v3 has 30 Hz, and
+no more than this share.
+"""
+
+SOFT_DAMPING = 10.0
+"""Damping ratio of a soft contact; 1 would just not swing. 10 is Box2D's value.
+
+With 7 % of the overlap a sub-step it is undone slowly. At 1 it is 44 %, and a stack of 20 that
+does not stand straight shakes for seconds.
+"""
+
+IMPACT_SWEEPS = 20
+"""Sweeps over the contacts in which an impact is solved, at the most; two discs need one.
+
+At 4 a dense gas with e = 1 loses 4 % of its energy in 10 s, at 10 still 0.06 %.
+"""
+
+IMPACT_ROUNDING = 1e-12
+"""m/s: what rounding leaves of a velocity is no impact. Slower is a millimetre in 30 years."""

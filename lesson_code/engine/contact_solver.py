@@ -31,6 +31,7 @@ from lesson_code.engine.constants import PUSH_SHARE, SLOP
 from lesson_code.engine.contact_motion import (
     apply_impulse,
     apply_push,
+    bring_to_total,
     mass_along,
     missing_push,
     missing_velocity,
@@ -66,7 +67,12 @@ def prepare(world: World) -> None:
 def warm_start(world: World) -> None:
     """Give each contact the impulse that it needed in the last step."""
     recall(world)
-    longer = world.state.dt / world.state.dt_before if world.state.dt_before > 0.0 else 1.0
+    give_again(world)
+
+
+def give_again(world: World) -> None:
+    """Apply the impulse that each contact needed in the step before, for a step as long as this."""
+    longer = longer_than_before(world)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -74,6 +80,11 @@ def warm_start(world: World) -> None:
         c.tangent_impulse *= longer
         apply_impulse(c, a, b, normal_of(c), c.normal_impulse)
         apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
+
+
+def longer_than_before(world: World) -> float:
+    """Return the length of this step over that of the step before; 1 for the first."""
+    return world.state.dt / world.state.dt_before if world.state.dt_before > 0.0 else 1.0
 
 
 def recall(world: World) -> None:
@@ -127,8 +138,7 @@ def is_second_of_block(world: World, k: int) -> bool:
 def solve_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Bring the normal velocity to its target, by an impulse that in total only pushes."""
     total = normal_impulse(missing_velocity(c, a, b), c.normal_mass, 0.0, c.normal_impulse)
-    apply_impulse(c, a, b, normal_of(c), total - c.normal_impulse)
-    c.normal_impulse = total
+    bring_to_total(c, a, b, total)
 
 
 def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

@@ -31,8 +31,18 @@ def step_to_impacts(
     Returns whether the step has come to its end. What is left of it stands in ``state.left``;
     :func:`begin_step` sets that to a whole step.
     """
+    whole = world.state.dt
+    part = part_to_impact(world, broad_phase)
+    world.state.dt = part
+    step(world, broad_phase, solver, listener)
+    world.state.dt = whole
+    world.state.left -= part
+    return world.state.left <= 0.0
+
+
+def part_to_impact(world: World, broad_phase: BroadPhase) -> float:
+    """Return how much of a step to make now, s: all that is left, or until a fast body hits."""
     state = world.state
-    whole = state.dt
     part = state.left
     if mark_fast(world, part):
         part = time_to_impact(world, broad_phase, part)
@@ -40,12 +50,8 @@ def step_to_impacts(
         if part < state.left and state.impacts > MOST_IMPACTS:
             part = state.left
             let_fast_wait(world)
-    state.dt = part
     state.time = state.end if part == state.left else state.time + part
-    step(world, broad_phase, solver, listener)
-    state.dt = whole
-    state.left -= part
-    return state.left <= 0.0
+    return part
 
 
 def begin_step(world: World, end: float) -> None:

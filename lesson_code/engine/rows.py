@@ -101,6 +101,14 @@ class ContactRow:
     tangent_impulse: float = 0.0  # N s, received by b along the tangent so far
     push_impulse: float = 0.0  # N s, >= 0, of the position correction; never enters v
 
+    # Of the solver with sub-steps; there the impulses above are those of one sub-step
+    gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles
+    soft_mass: float = 0.0  # kg, effective mass along the normal of a contact that gives way
+    softness: float = 0.0  # 1/kg, >= 0: speed by which it gives way for 1 N s that it carries
+    soft_vn: float = 0.0  # m/s, relative normal velocity to reach at least, but for giving way
+    normal_total: float = 0.0  # N s, of the impact and of the sub-steps of this step so far
+    tangent_total: float = 0.0  # N s
+
 
 @dataclass(slots=True)
 class MemoryRow:
@@ -135,6 +143,8 @@ class State:
     pair_count: int = 0  # rows in use
     contact_count: int = 0
     memory_count: int = 0
+
+    substeps: int = 1  # motions in a step for one contact finding; during them dt is that of one
 
 
 class World(NamedTuple):

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from lesson_code.engine import contact_solver, naive_solver
+from lesson_code.engine import contact_solver, naive_solver, substep_solver
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.continuous import begin_step, step_to_impacts
 from lesson_code.engine.recording import Event
 from lesson_code.engine.scene import Scene
+from lesson_code.engine.soft_step import soft_step
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.touches import TouchListener
 from lesson_code.engine.world import ContactSolver, step
@@ -19,6 +20,13 @@ SOLVERS = {
         contact_solver.solve,
         contact_solver.correct,
         contact_solver.store,
+    ),
+    "substep": ContactSolver(
+        substep_solver.prepare,
+        substep_solver.warm_start,
+        substep_solver.solve,
+        substep_solver.correct,
+        substep_solver.store,
     ),
     "naive": ContactSolver(
         naive_solver.prepare,
@@ -39,13 +47,13 @@ class EngineStepper:
     scene : Scene
         What is simulated.
     solver : str
-        "sequential" or "naive".
+        "sequential", "substep" or "naive".
     dt : float
         s, > 0.
     iterations : int
         Sweeps over the contacts in each sub-step.
     substeps : int
-        Parts of a step.
+        Parts of a step; for "substep" with one finding of contacts for all of them.
     combine : Combination
         How a pair's coefficients come from its bodies'.
     """
@@ -63,8 +71,10 @@ class EngineStepper:
         self.dt = dt
         self.broad_phase = BROAD_PHASES[broad_phase_for(scene)]
         self._continuous = solver != "naive"
-        self.world = world_of(scene, dt / substeps, iterations, combine)
-        self._substeps = substeps
+        self._advance = soft_step if solver == "substep" else step_to_impacts
+        self._substeps = 1 if solver == "substep" else substeps
+        self.world = world_of(scene, dt / self._substeps, iterations, combine)
+        self.world.state.substeps = substeps
         self._solver = SOLVERS[solver]
         self._listener = TouchListener(scene.callbacks) if scene.callbacks.wanted else None
         self._events: list[Event] = []
@@ -88,7 +98,7 @@ class EngineStepper:
         begin_step(self.world, end)
         ended = False
         while not ended:
-            ended = step_to_impacts(self.world, self.broad_phase, self._solver, self._listener)
+            ended = self._advance(self.world, self.broad_phase, self._solver, self._listener)
             self._note_events()
 
     def states(self) -> list[tuple[float, float, float, float, float, float]]:
