@@ -104,6 +104,7 @@ class ContactRow:
     # Of the solver with sub-steps; there the impulses above are those of one sub-step
     gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles
     soft_mass: float = 0.0  # kg, effective mass along the normal of a contact that gives way
+    slack_vn: float = 0.0  # m/s, <= 0, normal velocity that impacts have left to the next step
     softness: float = 0.0  # 1/kg, >= 0: speed by which it gives way for 1 N s that it carries
     soft_vn: float = 0.0  # m/s, relative normal velocity to reach at least, but for giving way
     normal_total: float = 0.0  # N s, of the impact and of the sub-steps of this step so far
@@ -145,6 +146,7 @@ class State:
     memory_count: int = 0
 
     substeps: int = 1  # motions in a step for one contact finding; during them dt is that of one
+    omega: float = 0.0  # rad/s, natural frequency of soft contacts
 
 
 class World(NamedTuple):

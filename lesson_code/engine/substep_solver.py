@@ -67,28 +67,20 @@ from lesson_code.engine.two_points import two_impulses
 from lesson_code.engine.world import has_overlap_to_undo
 from lesson_code.formulas.arithmetic import clamp, cross
 
-OMEGA_H = 2 * math.pi * SOFT_FREQUENCY
-"""rad, omega h: how far the spring would swing in a sub-step."""
-
-STIFFNESS = OMEGA_H * (2 * SOFT_DAMPING + OMEGA_H)
-"""1 / (m_eff gamma): the spring's part in the velocity, for one part of giving way."""
-
-BETA = OMEGA_H / (2 * SOFT_DAMPING + OMEGA_H)
-"""Share of the overlap that is undone in a sub-step, of a contact without a load."""
-
-
 # Once a step
 
 
 def prepare(world: World) -> None:
     """Compute what stays the same during the sub-steps, and let impacts and deep overlaps pass."""
     contact_solver.prepare(world)
+    world.state.omega = 2 * math.pi * SOFT_FREQUENCY / world.state.dt
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
         c.gap_origin = -c.penetration - way_apart(c, a, b)
         if c.target_vn > 0.0:
             c.target_vn -= clamp(gain_from_gravity(world, c, a, b), -c.target_vn, c.target_vn)
+        c.slack_vn = min(c.target_vn, 0.0)
     solve_impacts(world)
     begin_totals(world)
     push_deep(world)
@@ -123,6 +115,9 @@ def solve_impacts(world: World) -> None:
 
     A body at rest gains g h in a sub-step. Slower than that there is no impact to solve: a bounce
     would be over after two sub-steps. Without gravity the slowest impact counts.
+
+    A pair that parts may be pressed together by a third body, up to e times its speed. It then
+    approaches, and bounces in the next step.
     """
     state = world.state
     gravity = math.sqrt(state.gravity_x * state.gravity_x + state.gravity_y * state.gravity_y)
@@ -165,16 +160,19 @@ def push_deep(world: World) -> None:
     longer = longer_than_before(world)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
-        left = soft_depth(world, c, longer * c.normal_impulse)
-        c.push_speed = PUSH_SHARE * max(c.penetration - left, 0.0) / world.state.dt
+        deep = max(c.penetration - soft_depth(world, c, longer * c.normal_impulse), 0.0)
+        vn = velocity_along(c, world.bodies[c.a], world.bodies[c.b], normal_of(c))
+        later = max(vn, 0.0) * world.state.dt * (world.state.substeps - 1)
+        c.push_speed = max(PUSH_SHARE * deep - later, 0.0) / world.state.dt
     if has_overlap_to_undo(world):
         for _ in range(world.state.substeps * world.state.iterations):
             contact_solver.correct(world)
 
 
 def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
-    """Return the overlap that is left to the spring, m: its sinking under the load, and the slop."""
-    sinking = impulse * world.state.dt / (c.normal_mass * OMEGA_H * OMEGA_H)
+    """Return the overlap that is left to the spring, m: what its load sinks by, and the slop."""
+    state = world.state
+    sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
     return sinking + SLOP * min(world.bodies[c.a].extent, world.bodies[c.b].extent)
 
 
@@ -195,16 +193,17 @@ def warm_start(world: World) -> None:
 
 def soften(world: World, c: ContactRow) -> None:
     """Set the spring of a contact by its overlap; where there is a gap, it is rigid."""
+    h, omega = world.state.dt, world.state.omega
     gap = c.gap_origin + way_apart(c, world.bodies[c.a], world.bodies[c.b])
+    c.target_vn = min(c.slack_vn, -max(gap, 0.0) / h)
     if gap > 0.0:
-        c.target_vn = -gap / world.state.dt
         c.soft_vn, c.softness, c.soft_mass = c.target_vn, 0.0, c.normal_mass
     else:
+        damping = 2 * SOFT_DAMPING + omega * h
         overlap = min(-gap, soft_depth(world, c, c.normal_impulse))
-        c.target_vn = 0.0
-        c.soft_vn = BETA * overlap / world.state.dt
-        c.softness = 1 / (c.normal_mass * STIFFNESS)
-        c.soft_mass = c.normal_mass * STIFFNESS / (1 + STIFFNESS)
+        c.soft_vn = omega * overlap / damping  # beta overlap / h
+        c.softness = 1 / (c.normal_mass * omega * h * damping)  # gamma
+        c.soft_mass = 1 / (1 / c.normal_mass + c.softness)
 
 
 def solve(world: World) -> None:
