@@ -15,6 +15,7 @@ from lesson_code.engine.stepper import EngineStepper
 from lesson_code.engine.substep_solver import soften, way_apart
 from lesson_code.engine.tables import world_of
 from lesson_code.evidence import scenes
+from lesson_code.reference.rigid_body_closed_forms import slide_down
 
 ROUNDING = 1e-12
 """Of numbers near 1: some thousand operations."""
@@ -309,6 +310,29 @@ def test_tower_that_is_not_straight_stands_where_the_sequential_one_falls(count:
     if count == 20:
         fallen = simulate(tower([1.0] * count, 0.01), 20.0, iterations=8, sample="end")
         assert fallen.positions[-1, count, 1] < count / 2
+
+
+def test_box_stands_on_a_slope_that_friction_just_holds() -> None:
+    """Tan 30 degrees is 0.57735: at 0.578 it stands, at 0.577 it slides as the closed form says.
+
+    In the impact that begins it, and in the springs' settling, friction lags by 1 cm/s.
+    """
+    slope = math.radians(30)
+    standing, sliding = (
+        soft(scenes.box_on_incline(slope, friction), 2.0, sample="end")
+        for friction in (0.578, 0.577)
+    )
+    assert np.hypot(*standing.velocities[-1, 1]) <= 1e-8
+    exact = 2 * slide_down(slope, 0.577, G)
+    assert np.hypot(*sliding.velocities[-1, 1]) == pytest.approx(exact, abs=0.01)
+
+
+def test_pyramid_comes_to_rest_with_overlaps_of_a_millimetre() -> None:
+    """15 boxes in 5 rows: after 10 s they move no more, and have hardly moved sideways."""
+    run = soft(scenes.box_pyramid(5), 10.0, sample="end")
+    assert np.abs(run.velocities[-1]).max() <= SETTLED
+    assert np.abs(run.positions[-1] - run.positions[0])[:, 0].max() < 5e-3
+    assert run.max_penetration[-1] < 1e-3
 
 
 def test_contacts_of_a_stack_carry_what_is_above_them() -> None:
