@@ -23,8 +23,8 @@ def simulate(
     *,
     solver: str = "auto",
     dt: float = 1 / 60,
-    iterations: int = 10,
-    substeps: int = 1,
+    iterations: int | None = None,
+    substeps: int | None = None,
     combine: str | Combination = "workbook",
     sample: Sample = None,
 ) -> Run:
@@ -38,6 +38,7 @@ def simulate(
         s, >= 0.
     solver : str
         "sequential": sequential impulses, the solver of chapters 04 to 06.
+        "substep": soft contacts in sub-steps; for high stacks and heavy bodies on light ones.
         "naive": the first attempt, faults included.
         "exact": from collision to collision, with no time step; for discs among bodies that do
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
@@ -45,10 +46,12 @@ def simulate(
         "auto": the one that suits the scene; at present always "sequential".
     dt : float
         The time step, s, > 0. All steps have this length.
-    iterations : int
-        Sweeps over the contacts in each step, >= 1. The naive solver makes one.
-    substeps : int
-        Equal parts that a step is made in, >= 1, each with its own contacts and sweeps.
+    iterations : int, optional
+        Sweeps over the contacts in each step, >= 1; 10 unless given. For "substep": sweeps before
+        and again after each of its motions; 1 unless given. The naive solver makes one.
+    substeps : int, optional
+        Equal parts that a step is made in, >= 1, each with its own contacts and sweeps; 1 unless
+        given. For "substep": motions in a step, for which contacts are found once; 4 unless given.
     combine : str or Combination
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
@@ -93,11 +96,12 @@ def simulate(
         raise ValueError(f"solver must be one of {', '.join(NAMES)}, got {solver!r}")
     duration = one_number("duration", duration, non_negative)
     chosen = "sequential" if solver == "auto" else solver
-    sweeps = _count("iterations", iterations)
+    sweeps, parts = (1, 4) if chosen == "substep" else (10, 1)
+    sweeps = _count("iterations", sweeps if iterations is None else iterations)
     settings: dict[str, Any] = {
         "dt": one_number("dt", dt, positive),
         "iterations": 1 if chosen == "naive" else sweeps,
-        "substeps": _count("substeps", substeps),
+        "substeps": _count("substeps", parts if substeps is None else substeps),
         "combine": combination(combine),
     }
     plan = _plan(solver, chosen)

@@ -27,7 +27,7 @@ from lesson_code.simulation import NAMES
 ROUNDING = 1e-14
 """m/s: one impact, a dozen operations."""
 
-OURS = ("sequential", "naive")
+OURS = ("sequential", "substep", "naive")
 STEPPERS = ("auto", *OURS, "pymunk")
 DISC = Circle(0.5)
 
@@ -139,9 +139,12 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"substeps": 2.5}, "substeps must be a whole number, got 2.5"),
     (
         {"solver": "fast"},
-        "solver must be one of auto, sequential, naive, exact, pymunk, got 'fast'",
+        "solver must be one of auto, sequential, substep, naive, exact, pymunk, got 'fast'",
     ),
-    ({"solver": None}, "solver must be one of auto, sequential, naive, exact, pymunk, got None"),
+    (
+        {"solver": None},
+        "solver must be one of auto, sequential, substep, naive, exact, pymunk, got None",
+    ),
     ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a Combination"),
     ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a Combination"),
     ({"combine": ["min", "max"]}, "combine must be one of workbook, pymunk, box2d or a Comb"),
@@ -159,12 +162,12 @@ WRONG_KINDS: list[tuple[dict[str, Any], str]] = [
     ({"duration": None}, "duration must be a real number or an array of them, got None"),
     ({"dt": "1/60"}, "dt must be a real number or an array of them, got '1/60'"),
     ({"iterations": "fast"}, "iterations must be a real number or an array of them, got 'fast'"),
-    ({"substeps": None}, "substeps must be a real number or an array of them, got None"),
+    ({"substeps": "few"}, "substeps must be a real number or an array of them, got 'few'"),
     ({"sample": ["now"]}, "sample must be a real number or an array of them"),
 ]
 
 
-@pytest.mark.parametrize("solver", ["sequential", "exact", "pymunk"])
+@pytest.mark.parametrize("solver", ["sequential", "substep", "exact", "pymunk"])
 @pytest.mark.parametrize(("wrong", "message"), WRONG_VALUES)
 def test_argument_out_of_range_is_refused_by_name(
     wrong: dict[str, Any], message: str, solver: str

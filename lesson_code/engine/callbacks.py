@@ -19,7 +19,8 @@ class Touch:
     Attributes
     ----------
     time : float
-        End of the step, s.
+        End of the step, s. Before the impulses the solver with sub-steps tells its beginning: it
+        finds contacts there.
     body_a, body_b : int
         The bodies' places in the scene, a < b.
     normal : (float, float)

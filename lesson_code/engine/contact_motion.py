@@ -120,6 +120,12 @@ def apply_vector(c: ContactRow, a: MovingBody, b: MovingBody, jx: float, jy: flo
     b.w += cross((c.bx, c.by), (jx, jy)) * b.inv_i
 
 
+def bring_to_total(c: ContactRow, a: BodyRow, b: BodyRow, total: float) -> None:
+    """Apply what a contact's normal impulse still lacks of a total, or has too much, N s."""
+    apply_impulse(c, a, b, normal_of(c), total - c.normal_impulse)
+    c.normal_impulse = total
+
+
 def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: XY, j: float) -> None:
     """Change the velocities of the position correction by an impulse j along u, N s."""
     jx, jy = j * u[0], j * u[1]

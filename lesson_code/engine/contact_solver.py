@@ -81,7 +81,12 @@ def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
 def warm_start(world: World) -> None:
     """Give each contact the impulse that it needed in the last step."""
     recall(world)
-    longer = world.state.dt / world.state.dt_before if world.state.dt_before > 0.0 else 1.0
+    give_again(world)
+
+
+def give_again(world: World) -> None:
+    """Apply the impulse that each contact needed in the step before, for a step as long as this."""
+    longer = longer_than_before(world)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -89,6 +94,11 @@ def warm_start(world: World) -> None:
         c.tangent_impulse *= longer
         apply_impulse(c, a, b, normal_of(c), c.normal_impulse)
         apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
+
+
+def longer_than_before(world: World) -> float:
+    """Return the length of this step over that of the step before; 1 for the first."""
+    return world.state.dt / world.state.dt_before if world.state.dt_before > 0.0 else 1.0
 
 
 def recall(world: World) -> None:

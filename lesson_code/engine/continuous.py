@@ -31,32 +31,35 @@ def advance(world: World, pipeline: Pipeline) -> bool:
     """
     state = world.state
     while state.steps_left > 0:
-        if not make_step(world, pipeline):
-            return False
+        if state.left == 0.0:
+            state.left, state.impacts = state.whole, 0
+        while state.left > 0.0:
+            if not pipeline.make_part(world, pipeline):
+                return False
+            state.left -= state.dt
         state.steps_done += 1
         state.steps_left -= 1
     return True
 
 
-def make_step(world: World, pipeline: Pipeline) -> bool:
-    """Make one whole step, in parts where a fast body hits something; return whether it is made."""
-    state = world.state
-    if state.left == 0.0:
-        state.left, state.impacts = state.whole, 0
-    while state.left > 0.0:
-        if not state.has_moved and not choose_part(world, pipeline):
-            return False
-        if not step(world, pipeline):
-            return False
-        state.left -= state.dt
-    return True
+def rigid_part(world: World, pipeline: Pipeline) -> bool:
+    """Make a step, or the part of it until a fast body has hit something; return if it is made."""
+    if not world.state.has_moved and not choose_part(world, pipeline):
+        return False
+    return step(world, pipeline)
 
 
 def choose_part(world: World, pipeline: Pipeline) -> bool:
-    """Choose how much of what is left of the step is made now; return whether that was possible."""
+    """Choose how much of what is left of the step is made now; return whether that was possible.
+
+    All of it, or as much as passes until a fast body hits something.
+    """
     state = world.state
     state.dt = state.left
     if pipeline.is_continuous and mark_fast(world, state.left):
+        if not pipeline.splits_steps:
+            state.has_fast = True
+            return False
         state.dt = time_to_impact(world, pipeline.broad_phase, state.left)
         if state.pairs_wanted > 0:
             return False

@@ -1,4 +1,4 @@
-"""Post-processing: writes down the impulses of each step, in a table that is emptied now and then."""
+"""Post-processing: the impulses of each step, in a table that is emptied now and then."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ def shift_if_free(body: BodyRow, dx: float, dy: float) -> None:
         body.y += dy
 
 
-def has_overlap_to_undo(world: World) -> bool:
+def has_overlap_to_undo(_: World) -> bool:
     """Look for none: each pair has been pushed apart when it was visited."""
     return False
 

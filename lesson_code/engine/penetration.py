@@ -29,7 +29,7 @@ def deepest_overlaps(
             turn_with_angle(world, body)
         bound(world)
         while not (find_pairs(world, broad_phase) and find_contacts(world)):
-            make_room(world)
+            world = make_room(world)
         depths[frame] = _deepest(world)
     return depths
 

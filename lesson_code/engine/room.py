@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from lesson_code.engine.broad_phase import most_pairs
+from lesson_code.engine.compiled.arrays import lengthened
 from lesson_code.engine.rows import ContactRow, ImpulseRow, MemoryRow, PairRow, World
 
 SPARE = 1.5
@@ -18,8 +21,8 @@ FEWEST_ROWS = 16
 """Rows that a table grows to at least."""
 
 
-def make_room(world: World) -> None:
-    """Let each table that was too small hold what it is to hold, with room to grow into.
+def make_room(world: World) -> World:
+    """Return the tables, each that was too small with the rows it needs and some to grow into.
 
     Raises
     ------
@@ -28,12 +31,15 @@ def make_room(world: World) -> None:
     """
     state = world.state
     refuse_heap(len(world.bodies), state.pairs_wanted)
-    lengthen(world.pairs, state.pairs_wanted, PairRow)
-    lengthen(world.sorted_pairs, state.pairs_wanted, PairRow)
-    lengthen(world.contacts, state.contacts_wanted, ContactRow)
-    lengthen(world.memory, state.contacts_wanted, MemoryRow)
-    lengthen(world.impulses, state.impulses_wanted, ImpulseRow)
+    world = world._replace(
+        pairs=longer(world.pairs, state.pairs_wanted, PairRow),
+        sorted_pairs=longer(world.sorted_pairs, state.pairs_wanted, PairRow),
+        contacts=longer(world.contacts, state.contacts_wanted, ContactRow),
+        memory=longer(world.memory, state.contacts_wanted, MemoryRow),
+        impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow),
+    )
     state.pairs_wanted = state.contacts_wanted = state.impulses_wanted = 0
+    return world
 
 
 def refuse_heap(bodies: int, pairs: int) -> None:
@@ -50,6 +56,10 @@ def rows_for(wanted: int) -> int:
     return max(FEWEST_ROWS, int(SPARE * wanted)) if wanted > 0 else 0
 
 
-def lengthen(table: list[Any], wanted: int, row: type) -> None:
-    """Let a table hold the rows that are wanted."""
-    table.extend(row() for _ in range(rows_for(wanted) - len(table)))
+def longer(table: Any, wanted: int, row: type) -> Any:
+    """Return a table with the rows that are wanted: the same list, or another array."""
+    rows = rows_for(wanted)
+    if isinstance(table, np.ndarray):
+        return lengthened(table, rows)
+    table.extend(row() for _ in range(rows - len(table)))
+    return table

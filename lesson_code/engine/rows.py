@@ -114,6 +114,15 @@ class ContactRow:
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_block: bool = False  # whether this row and the next are solved together: one manifold
 
+    # Of the solver with sub-steps; there the impulses above are those of one sub-step
+    gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles
+    soft_mass: float = 0.0  # kg, effective mass along the normal of a contact that gives way
+    slack_vn: float = 0.0  # m/s, <= 0, normal velocity that impacts have left to the next step
+    softness: float = 0.0  # 1/kg, >= 0: speed by which it gives way for 1 N s that it carries
+    soft_vn: float = 0.0  # m/s, relative normal velocity to reach at least, but for giving way
+    normal_total: float = 0.0  # N s, of the impact and of the sub-steps of this step so far
+    tangent_total: float = 0.0  # N s
+
 
 @dataclass(slots=True)
 class MemoryRow:
@@ -155,6 +164,8 @@ class State:
     dt_before: float = 0.0  # s, of the one before; 0: there was none
     time: float = 0.0  # s, at the end of the part that is made now
     has_moved: bool = False  # whether its bodies have moved already
+    is_prepared: bool = False  # whether the contacts of the part are ready (sub-steps)
+    has_fast: bool = False  # whether a fast body has stopped a run that splits no steps
     thinnest: float = math.inf  # m, the least thickness of all bodies
     gravity_x: float = 0.0  # m/s^2
     gravity_y: float = 0.0
@@ -178,6 +189,9 @@ class State:
     contacts_wanted: int = 0
     impulses_wanted: int = 0
     lost_body: int = -1  # one that has left the range of floating point
+
+    substeps: int = 1  # motions in a step for one contact finding; during them dt is that of one
+    omega: float = 0.0  # rad/s, natural frequency of soft contacts
 
 
 class World(NamedTuple):

@@ -52,6 +52,7 @@ class TouchListener:
         """Call `post_solve` for each pair that touches, then `separate` for those that parted."""
         for pair, contacts in _by_pair(world):
             touch = self._touching[pair]
+            touch.time = world.state.time
             touch.normal_impulse = sum(contact.normal_impulse for contact in contacts)
             touch.tangent_impulse = sum(contact.tangent_impulse for contact in contacts)
             _call(self._callbacks.post_solve, touch)

@@ -22,8 +22,8 @@ from typing import TypeAlias
 
 from lesson_code.engine.constants import LEAST_DETERMINANT
 from lesson_code.engine.contact_motion import (
-    apply_impulse,
     apply_push,
+    bring_to_total,
     missing_push,
     missing_velocity,
     normal_of,
@@ -32,6 +32,7 @@ from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.formulas.arithmetic import cross
 
 Two: TypeAlias = tuple[float, float]
+Three: TypeAlias = tuple[float, float, float]
 
 
 def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -46,24 +47,28 @@ def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
 def solve_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Bring both normal velocities to their targets, by impulses that only push."""
     missing = missing_velocity(c, a, b), missing_velocity(d, a, b)
-    totals = two_impulses(c, d, missing, (c.normal_impulse, d.normal_impulse))
-    apply_impulse(c, a, b, normal_of(c), totals[0] - c.normal_impulse)
-    apply_impulse(d, a, b, normal_of(d), totals[1] - d.normal_impulse)
-    c.normal_impulse, d.normal_impulse = totals
+    totals = two_impulses(compliances(c, d), missing, (c.normal_impulse, d.normal_impulse))
+    bring_to_total(c, a, b, totals[0])
+    bring_to_total(d, a, b, totals[1])
 
 
 def solve_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Undo the overlap at both points."""
     missing = missing_push(c, a, b), missing_push(d, a, b)
-    totals = two_impulses(c, d, missing, (c.push_impulse, d.push_impulse))
+    totals = two_impulses(compliances(c, d), missing, (c.push_impulse, d.push_impulse))
     apply_push(c, a, b, normal_of(c), totals[0] - c.push_impulse)
     apply_push(d, a, b, normal_of(d), totals[1] - d.push_impulse)
     c.push_impulse, d.push_impulse = totals
 
 
-def two_impulses(c: ContactRow, d: ContactRow, missing: Two, before: Two) -> Two:
+def compliances(c: ContactRow, d: ContactRow) -> Three:
+    """Return k11, k12 and k22, 1/kg: the velocity at a point from 1 N s there or at the other."""
+    return 1 / c.normal_mass, c.coupling, 1 / d.normal_mass
+
+
+def two_impulses(k: Three, missing: Two, before: Two) -> Two:
     """Return the total impulses of two points, from what is missing after those so far."""
-    k11, k12, k22 = 1 / c.normal_mass, c.coupling, 1 / d.normal_mass
+    k11, k12, k22 = k
     b1 = missing[0] - (k11 * before[0] + k12 * before[1])
     b2 = missing[1] - (k12 * before[0] + k22 * before[1])
     determinant = k11 * k22 - k12 * k12

@@ -53,10 +53,12 @@ class Listener(Protocol):
 class Pipeline(NamedTuple):
     """What the stages of a run are: chosen once, before it begins."""
 
+    make_part: Callable[[World, Pipeline], bool]  # a step, or the part of it until an impact
     broad_phase: BroadPhase
     solver: ContactSolver
     listener: Listener | None = None
-    is_continuous: bool = True  # whether a step is split at the impacts of fast bodies
+    is_continuous: bool = True  # whether fast bodies are looked for
+    splits_steps: bool = True  # whether a step is split at their impacts; else the run stops there
     keeps_impulses: bool = True  # whether every impulse is written down
 
 
@@ -69,6 +71,7 @@ def step(world: World, pipeline: Pipeline) -> bool:
     state, solver = world.state, pipeline.solver
     if not state.has_moved:
         move(world)  # 1
+        state.has_moved = True
     if state.lost_body >= 0:
         return False
     if not find_pairs(world, pipeline.broad_phase):  # 2
@@ -101,7 +104,6 @@ def move(world: World) -> None:
 
     A body that leaves the range of floating point is noted as lost.
     """
-    world.state.has_moved = True
     dt = world.state.dt
     for number, body in enumerate(world.bodies):
         if body.waits:

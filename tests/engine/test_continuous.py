@@ -14,6 +14,8 @@ from lesson_code.engine.constants import MOST_IMPACTS, SLOP
 
 BALL = Material(1.0, 0.0)
 
+SOLVERS = ["sequential", "substep"]
+
 SPEEDS = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6]
 """m/s; at 1/60 s the fastest moves by 17 km in a step."""
 
@@ -29,10 +31,13 @@ def room(half: float = 1.0) -> list[Body]:
     return [Body(Segment(a, b)) for a, b in zip(corners, corners[1:] + corners[:1], strict=True)]
 
 
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("speed", SPEEDS)
 @pytest.mark.parametrize("thickness", [0.001, 0.03, 1.0])
 @pytest.mark.parametrize("radius", [0.001, 0.1])
-def test_ball_never_passes_through_a_wall(speed: float, thickness: float, radius: float) -> None:
+def test_ball_never_passes_through_a_wall(
+    speed: float, thickness: float, radius: float, solver: str
+) -> None:
     """From 1 to 1e6 m/s, walls from 1 mm to 1 m, several places in the step: it always bounces."""
     rng = np.random.default_rng(seed=1)
     for _ in range(3):
@@ -42,7 +47,7 @@ def test_ball_never_passes_through_a_wall(speed: float, thickness: float, radius
             velocity=(speed, speed * rng.uniform(-0.2, 0.2)),
         )
         scene = Scene([Body(Polygon.box(thickness, 4)), thrown])
-        run = simulate(scene, 2.5 / speed + 0.05, sample="end")
+        run = simulate(scene, 2.5 / speed + 0.05, sample="end", solver=solver)
         assert run.positions[-1, 1, 0] < 0
         assert run.velocities[-1, 1, 0] == pytest.approx(-speed, rel=1e-9)
 
@@ -54,11 +59,12 @@ def test_pymunks_ball_passes_through_a_thin_wall() -> None:
     assert simulate(scene, 0.1).positions[-1, 1, 0] < 0
 
 
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("speed", [10.0, 1e3, 1e6])
-def test_ball_stays_in_its_room_with_its_energy(speed: float) -> None:
+def test_ball_stays_in_its_room_with_its_energy(speed: float, solver: str) -> None:
     """Several impacts in one step, and more than the limit: it never leaves the room."""
     scene = Scene([*room(), ball(0.05, velocity=(speed, 0.7 * speed))])
-    run = simulate(scene, 0.5)
+    run = simulate(scene, 0.5, solver=solver)
     assert np.abs(run.positions[:, 4]).max() <= 0.95 + SLOP * 0.1
     assert run.kinetic_energy == pytest.approx(run.kinetic_energy[0], rel=1e-12)
 
@@ -74,22 +80,26 @@ def test_step_is_finished_after_the_impact() -> None:
     assert run.positions[-1, 4, 0] == pytest.approx(back, abs=2 * SLOP * 0.1)
 
 
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("spin", [2.0, 10.0, 40.0, 200.0])
-def test_turning_rod_misses_no_ball(spin: float) -> None:
+def test_turning_rod_misses_no_ball(spin: float, solver: str) -> None:
     """A thin rod sweeps over a ball: at every speed of turning it hits."""
     rod = Body(Segment((-2, 0), (2, 0)), angular_velocity=spin, mass=100.0)
     for place in np.arange(0.3, 1.4, 0.11).tolist():
         target = ball(0.1, position=(1.5 * math.cos(place), 1.5 * math.sin(place)))
-        run = simulate(Scene([rod, target]), math.pi / spin + 0.05)
+        run = simulate(Scene([rod, target]), math.pi / spin + 0.05, solver=solver)
         assert len(run.contacts) > 0
 
 
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("speed", [100.0, 1e4, 1e6])
-def test_fast_ball_misses_no_moving_plate(speed: float) -> None:
+def test_fast_ball_misses_no_moving_plate(speed: float, solver: str) -> None:
     """Both can be pushed, and momentum is kept."""
     plate = Body(Polygon.box(0.01, 1), mass=1.0, velocity=(-3, 0), material=BALL)
     for start in (-1.0, -1.37, -1.74):
-        run = simulate(Scene([plate, ball(0.01, position=(start, 0), velocity=(speed, 0))]), 0.1)
+        run = simulate(
+            Scene([plate, ball(0.01, position=(start, 0), velocity=(speed, 0))]), 0.1, solver=solver
+        )
         assert len(run.contacts) > 0
         assert run.momentum[-1] == pytest.approx(run.momentum[0], rel=1e-12)
 
@@ -133,12 +143,13 @@ def test_impact_is_written_down_at_its_own_time() -> None:
     assert first == pytest.approx(0.95 / 100, abs=SLOP * 0.1 / 100)
 
 
-def test_resting_bodies_stay_at_rest_while_a_step_is_split() -> None:
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_resting_bodies_stay_at_rest_while_a_step_is_split(solver: str) -> None:
     """Remembered impulses are scaled to the length of the part: a stack does not jump."""
     stack = [Body(Polygon.box(1, 1), position=(3, -4.5 + n), mass=1.0) for n in range(3)]
     scene = Scene([*room(5.0), *stack], gravity=(0, -10))
     fast = ball(0.05, position=(-2, 3), velocity=(0, 500))
-    calm = simulate(scene, 3.0)
-    shaken = simulate(Scene([*scene.bodies, fast], gravity=(0, -10)), 3.0)
+    calm = simulate(scene, 3.0, solver=solver)
+    shaken = simulate(Scene([*scene.bodies, fast], gravity=(0, -10)), 3.0, solver=solver)
     assert np.abs(calm.velocities[-1, 4:7]).max() < 1e-9
     assert shaken.positions[-1, 4:7] == pytest.approx(calm.positions[-1, 4:7], abs=1e-2)

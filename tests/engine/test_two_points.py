@@ -10,7 +10,13 @@ from hypothesis import strategies as st
 from lesson_code.engine.constants import LEAST_DETERMINANT
 from lesson_code.engine.contact_motion import mass_along, normal_of
 from lesson_code.engine.rows import BodyRow, ContactRow
-from lesson_code.engine.two_points import couple, solve_normals, solve_pushes, two_impulses
+from lesson_code.engine.two_points import (
+    compliances,
+    couple,
+    solve_normals,
+    solve_pushes,
+    two_impulses,
+)
 
 ROUNDING = 1e-9
 """m/s and N s, of numbers up to 1e3: the equations for two lose up to six digits here."""
@@ -20,7 +26,7 @@ NARROW = 1e-6
 
 velocities = st.floats(-10, 10)
 impulses = st.floats(0, 10)
-compliances = st.floats(0.1, 10)
+inverse_masses = st.floats(0.1, 10)
 shares = st.floats(-0.99, 0.99)
 
 
@@ -46,13 +52,13 @@ def test_impulses_worked_by_hand_are_found(
     missing: tuple[float, float], expected: tuple[float, float]
 ) -> None:
     """2 x 2 linear equations, or one."""
-    c, d = points(2, 1, 2)
-    assert two_impulses(c, d, missing, (0.0, 0.0)) == pytest.approx(expected)
+    k = compliances(*points(2, 1, 2))
+    assert two_impulses(k, missing, (0.0, 0.0)) == pytest.approx(expected)
 
 
 @given(
-    k11=compliances,
-    k22=compliances,
+    k11=inverse_masses,
+    k22=inverse_masses,
     share=shares,
     missing=st.tuples(velocities, velocities),
     before=st.tuples(impulses, impulses),
@@ -66,7 +72,7 @@ def test_impulses_of_two_points_solve_their_complementarity_problem(
 ) -> None:
     """Impulses x >= 0, velocities w >= 0, and where x > 0 there w = 0: they push or they open."""
     k = np.array([[k11, share * np.sqrt(k11 * k22)], [share * np.sqrt(k11 * k22), k22]])
-    x = np.array(two_impulses(*points(k11, k[0, 1], k22), missing, before))
+    x = np.array(two_impulses(compliances(*points(k11, k[0, 1], k22)), missing, before))
     w = missing + k @ (x - before)
     assert (x >= 0).all()
     assert (w >= -ROUNDING).all()

@@ -23,6 +23,8 @@ from lesson_code.reference.rigid_body_closed_forms import (
     wedge_forces,
 )
 
+SOLVERS = ["sequential", "substep", "pymunk"]
+
 ROUNDING = 1e-12
 """Hundreds of steps, each with some roundings of 1e-16 of numbers near 1."""
 
@@ -48,7 +50,7 @@ def forces(run: Run, body: int) -> Any:
     return events.normal_impulse[last] * 60
 
 
-@pytest.mark.parametrize("solver", ["sequential", "pymunk"])
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("inertia_ratio", [1 / 2, 1.0], ids=["disc", "hoop"])
 def test_sliding_body_ends_rolling_at_the_closed_forms_speed(
     inertia_ratio: float, solver: str
@@ -63,7 +65,7 @@ def test_sliding_body_ends_rolling_at_the_closed_forms_speed(
     assert run.angular_velocities[[60, 240], 1] == pytest.approx(spin, abs=ROUNDING)
 
 
-@pytest.mark.parametrize("solver", ["sequential", "pymunk"])
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("friction", [0.0, 0.2, 0.4])
 def test_box_slides_down_an_incline_with_the_closed_forms_acceleration(
     friction: float, solver: str
@@ -85,7 +87,7 @@ def test_box_stands_on_an_incline_where_friction_exceeds_its_tangent() -> None:
     assert speed_at_end(sliding, 2.0) == pytest.approx(exact, abs=SINKING)
 
 
-@pytest.mark.parametrize("solver", ["sequential", "pymunk"])
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("share", [0.5, 0.9, 1.1, 2.0])
 def test_disc_rolls_or_slips_down_an_incline(share: float, solver: str) -> None:
     """It rolls from mu = tan/3 on; below that its rim slips. Both have closed forms."""
@@ -105,7 +107,7 @@ def test_tall_box_tips_at_the_closed_forms_angle(offset: float, falls: bool) -> 
     assert bool(run.angles[-1, 1] - angle > 0.5) is falls
 
 
-@pytest.mark.parametrize("solver", ["sequential", "pymunk"])
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("degrees", [(45, 45), (30, 60), (20, 40)])
 def test_walls_of_a_wedge_carry_the_disc_between_them(
     degrees: tuple[int, int], solver: str
@@ -117,7 +119,7 @@ def test_walls_of_a_wedge_carry_the_disc_between_them(
     assert forces(run, body=2) == pytest.approx(expected, rel=1e-9)
 
 
-@pytest.mark.parametrize("solver", ["sequential", "pymunk"])
+@pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("arm", [0.0, 0.5, 1.5])
 def test_ball_off_the_middle_of_a_plank_turns_it(arm: float, solver: str) -> None:
     """Momentum, angular momentum and restitution give all three velocities; none is sideways."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
@@ -21,7 +22,9 @@ class Choice(NamedTuple):
     reason: str
 
 
-def choose(asked: bool | None, seconds: float, source: str, never: str = "") -> Choice:
+def choose(
+    asked: bool | None, seconds: float, program: Callable[[], str], never: str = ""
+) -> Choice:
     """Return whether to compile a program.
 
     Parameters
@@ -30,8 +33,8 @@ def choose(asked: bool | None, seconds: float, source: str, never: str = "") -> 
         What the user has asked for; None leaves it to the work.
     seconds : float
         Of work in plain Python, about.
-    source : str
-        The program.
+    program : callable
+        Returns the source; called only if the run is worth a look at it.
     never : str
         Why this run cannot be compiled, in words; "" when it can.
 
@@ -42,23 +45,23 @@ def choose(asked: bool | None, seconds: float, source: str, never: str = "") -> 
 
     Examples
     --------
-    >>> choose(None, 0.1, "")
+    >>> choose(None, 0.1, lambda: "")
     Choice(compiled=False, reason='a small run')
     """
     never = never or why_no_compiler()
     if asked is None:
-        return _by_work(seconds, source, never)
+        return _by_work(seconds, program, never)
     if asked and never:
         raise ValueError(f"compiled must be False or None here: {never}")
     return Choice(asked, "asked for")
 
 
-def _by_work(seconds: float, source: str, never: str) -> Choice:
+def _by_work(seconds: float, program: Callable[[], str], never: str) -> Choice:
     """Return the choice that the work suggests."""
     if seconds < WORTH_LOADING:
         return Choice(False, "a small run")
     if never:
         return Choice(False, never)
-    if seconds >= WORTH_COMPILING or is_kept(source):
+    if seconds >= WORTH_COMPILING or is_kept(program()):
         return Choice(True, "a large run")
     return Choice(False, "a run too small to wait for a compiler")

@@ -51,7 +51,7 @@ def is_kept(source: str) -> bool:
 
 
 @cache
-def compiled(source: str, entry: str) -> Callable[..., Any]:
+def compiled_function(source: str, entry: str) -> Callable[..., Any]:
     """Return the entry function of a program, compiled on its first call or loaded if it is kept.
 
     Parameters
@@ -66,16 +66,16 @@ def compiled(source: str, entry: str) -> Callable[..., Any]:
     ModuleNotFoundError
         Numba is not installed.
     """
-    import numba
+    from numba import njit
 
     module, keeps = _load(source)
     functions = {n: f for n, f in vars(module).items() if isinstance(f, types.FunctionType)}
-    options = {"error_model": "numpy", "_nrt": False}
-    inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    options: dict[str, Any] = {"error_model": "numpy", "_nrt": False}
+    inner: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     for name, function in functions.items():
         if name != entry:
-            setattr(module, name, numba.njit(**options, **inner)(function))
-    start: Callable[..., Any] = numba.njit(**options, cache=keeps)(functions[entry])
+            setattr(module, name, njit(**options, **inner)(function))
+    start: Callable[..., Any] = njit(**options, cache=keeps)(functions[entry])
     return start
 
 
@@ -109,7 +109,7 @@ def _written(place: Path, name: str, source: str) -> Path:
     _forget_oldest(place)
     with tempfile.NamedTemporaryFile("w", dir=place, suffix=".tmp", delete=False) as file:
         file.write(source)
-    os.replace(file.name, path)
+    Path(file.name).replace(path)
     return path
 
 

@@ -77,7 +77,7 @@ class _Program:
         self._imports: set[str] = set()
         self._constants: dict[str, Any] = {}
         self._functions: dict[str, str] = {}
-        self._names: dict[Any, str] = {}
+        self._names: dict[tuple[Any, ...], str] = {}
 
     def source(self) -> str:
         """Return the module as text."""
@@ -91,7 +91,7 @@ class _Program:
         function = inspect.unwrap(function)
         key = function, tuple((name, id(value)) for name, value in sorted(bound.items()))
         if key not in self._names:
-            self._names[key] = name = self._free_name(function)
+            name = self._names[key] = self._free_name(function)
             text, tree = _definition(function)
             before = ast.dump(tree)
             tree.name = name
@@ -156,6 +156,8 @@ class _Specialised(ast.NodeTransformer):
 
     def _is_about_stages(self, node: ast.Assign) -> bool:
         """Take note of names for stages; return whether nothing is left of an assignment."""
+        if len(node.targets) > 1:  # a = b = value
+            return False
         (target,) = node.targets
         pairs = [(target, node.value)]
         if isinstance(target, ast.Tuple) and isinstance(node.value, ast.Tuple):
@@ -167,7 +169,7 @@ class _Specialised(ast.NodeTransformer):
             else:
                 left.append((name, value))
         if len(left) == 1 and len(pairs) > 1:
-            (node.targets, node.value) = ([left[0][0]], left[0][1])
+            node.targets, node.value = [left[0][0]], left[0][1]
         elif len(left) < len(pairs):
             node.targets = [ast.Tuple([name for name, _ in left], ast.Store())]
             node.value = ast.Tuple([value for _, value in left], ast.Load())
@@ -196,21 +198,21 @@ class _Specialised(ast.NodeTransformer):
                 setattr(node, name, self.visit(part))
         return node
 
-    def visit_BoolOp(self, node: ast.BoolOp) -> ast.expr:  # noqa: N802 - named by the ast module
+    def visit_BoolOp(self, node: ast.BoolOp) -> ast.expr:
         """Leave out of `and` and `or` what is known and does not decide."""
         if found := self._value(node):
             return ast.Constant(found.value)
         node.values = [self.visit(part) for part in node.values if not self._value(part)]
         return node if len(node.values) > 1 else node.values[0]
 
-    def visit_IfExp(self, node: ast.IfExp) -> ast.AST:  # noqa: N802
+    def visit_IfExp(self, node: ast.IfExp) -> ast.AST:
         """Choose a branch that is known."""
         if test := self._value(node.test):
             chosen: ast.AST = self.visit(node.body if test.value else node.orelse)
             return chosen
         return self.generic_visit(node)
 
-    def visit_Call(self, node: ast.Call) -> ast.AST:  # noqa: N802
+    def visit_Call(self, node: ast.Call) -> ast.AST:
         """Call the function of the program that a call of the project's stands for."""
         found = self._value(node.func)
         if not (found and isinstance(found.value, types.FunctionType) and _is_ours(found.value)):
@@ -227,14 +229,14 @@ class _Specialised(ast.NodeTransformer):
             node.func = ast.Name(name, ast.Load())
         return node
 
-    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:  # noqa: N802
+    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
         """Write a flag of a tuple of stages as its value."""
         owner = self._value(node.value)
         if owner and hasattr(owner.value, "_fields"):
             return ast.Constant(getattr(owner.value, node.attr))
         return self.generic_visit(node)
 
-    def visit_Name(self, node: ast.Name) -> ast.Name:  # noqa: N802
+    def visit_Name(self, node: ast.Name) -> ast.Name:
         """Take a name of the function's module into the program."""
         if isinstance(node.ctx, ast.Load) and node.id in self._global:
             self._program.use(node.id, self._global[node.id], self._function.__name__)
