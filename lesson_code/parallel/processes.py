@@ -49,7 +49,7 @@ def in_processes(
     waiting, deaths = deque(range(len(tasks))), Counter[int]()
     crew: list[_Worker] = []
     try:
-        crew += [_Worker(packed) for _ in range(workers)]
+        crew.extend(_Worker(packed) for _ in range(workers))  # one by one: Ctrl-C may come between
         while waiting or any(worker.is_busy for worker in crew):
             for worker in crew:
                 yield from _hand_next(worker, waiting, tasks, names)
