@@ -3,6 +3,8 @@
 The folders are the wings of the house. Data flows one way, and each wing imports only from
 the wings above it in this list (a test holds it to that):
 
+parallel
+    independent tasks over several cores, or a cluster
 formulas
     the lesson's equations: pure functions of numbers
 geometry
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
     from lesson_code.engine.combination import Combination
     from lesson_code.engine.run import Run
     from lesson_code.engine.scene import Body, Material, Scene
+    from lesson_code.evidence.ensembles import simulate_many
     from lesson_code.geometry.shapes import Circle, Polygon, Segment
     from lesson_code.simulation import simulate
 
@@ -51,6 +54,7 @@ __all__ = [
     "Scene",
     "Segment",
     "simulate",
+    "simulate_many",
 ]
 
 __version__ = "0.1.0"
@@ -66,6 +70,7 @@ _WHERE = {
     "Scene": "engine.scene",
     "Segment": "geometry.shapes",
     "simulate": "simulation",
+    "simulate_many": "evidence.ensembles",
 }
 
 

@@ -29,11 +29,24 @@ app = typer.Typer(
 )
 play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 app.add_typer(play, name="play")
+measure = typer.Typer(no_args_is_help=True, help="Measure what the workbook says of itself.")
+app.add_typer(measure, name="measure")
 
 console = Console()
 errors = Console(stderr=True)
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
+Workers = Annotated[
+    int | None,
+    typer.Option(min=1, help="Processes that share the work; one for each core by default."),
+]
+Cluster = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS",
+        help='Let a dask cluster do the work: tcp://HOST:PORT, or "local" to start one here.',
+    ),
+]
 
 
 def main() -> None:
@@ -262,6 +275,24 @@ def play_billiards(
             raise ValueError("--headless needs --frames: without a window nobody can close it")
         outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
     console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
+
+
+@measure.command("chaos")
+def measure_chaos(
+    runs: Annotated[int, typer.Option(min=1, help="How many disturbed runs.")] = 28,
+    workers: Workers = None,
+    cluster: Cluster = None,
+    as_json: AsJson = False,
+) -> None:
+    """How fast two gases of discs part that began almost alike."""
+    from lesson_code.evidence import chaos
+
+    with _clear_errors():
+        measured = chaos.measure_chaos(runs, workers=workers, cluster=cluster, progress="runs")
+    if as_json:
+        _print_json(measured.as_dict())
+    else:
+        console.print(measured.as_table())
 
 
 @app.command()

@@ -26,7 +26,7 @@ from lesson_code.notebook_tools.nbval_run import CellResult
 from lesson_code.quiz.bank import chapter_numbers
 
 ROOT = Path(__file__).parents[1]
-COMMANDS = ["open", "check", "grade", "merge", "quiz", "regenerate", "play"]
+COMMANDS = ["open", "check", "grade", "merge", "quiz", "regenerate", "play", "measure"]
 ALL_IS_WELL, SOMETHING_IS_NOT, NOT_DONE = 0, 1, 2
 HEAVY = ("matplotlib", "pygame", "pymunk", "IPython", "nbformat", "jupytext", "numpy", "pytest")
 
@@ -72,7 +72,9 @@ def test_help_lists_every_command() -> None:
         assert f" {name} " in result.output
 
 
-@pytest.mark.parametrize("command", [*([name] for name in COMMANDS), ["play", "billiards"]])
+@pytest.mark.parametrize(
+    "command", [*([name] for name in COMMANDS), ["play", "billiards"], ["measure", "chaos"]]
+)
 def test_every_command_has_help(command: list[str]) -> None:
     """Each says in a sentence what it does."""
     result = workbook(*command, "--help")
@@ -80,7 +82,7 @@ def test_every_command_has_help(command: list[str]) -> None:
     assert f"Usage: {' '.join(['root', *command])}" in result.output
 
 
-@pytest.mark.parametrize("arguments", [[], ["play"]])
+@pytest.mark.parametrize("arguments", [[], ["play"], ["measure"]])
 def test_command_without_a_subcommand_shows_its_help(arguments: list[str]) -> None:
     """Nothing to do is answered with what there is to do."""
     result = workbook(*arguments)
@@ -288,6 +290,47 @@ def test_billiards_that_cannot_be_played_end_with_2(options: list[str], words: s
     assert result.exit_code == NOT_DONE
     assert words in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+# measure
+
+
+def test_measure_chaos_prints_one_json_object_whoever_does_the_work() -> None:
+    """The bytes are the same for one worker and for two, and nothing else is printed."""
+    one, two = (
+        workbook("measure", "chaos", "--json", "--runs", "2", "--workers", workers)
+        for workers in ("1", "2")
+    )
+    assert one.exit_code == two.exit_code == ALL_IS_WELL
+    assert (one.stdout, one.stderr) == (two.stdout, "")
+    report = json.loads(one.stdout)
+    assert (report["version"], report["command"], report["runs"]) == (1, "measure chaos", 2)
+    assert report["growth_rate_per_collision"]["median"] > 0
+
+
+def test_measure_chaos_prints_a_table() -> None:
+    """A row for each displacement, and one for all."""
+    result = workbook("measure", "chaos", "--runs", "2", "--workers", "1")
+    assert result.exit_code == ALL_IS_WELL
+    for words in ("64 discs", "1e-12", "1e-11", "all"):
+        assert words in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--runs", "0"], "Invalid value for '--runs'"),
+        (["--workers", "0"], "Invalid value for '--workers'"),
+        (["--cluster", "here"], 'cluster must be "local" or an address such as tcp://'),
+    ],
+)
+def test_measure_chaos_with_options_out_of_range_ends_with_2(
+    options: list[str], words: str
+) -> None:
+    """The error names the option."""
+    result = workbook("measure", "chaos", *options)
+    assert result.exit_code == NOT_DONE
+    assert words in " ".join(result.stderr.split())
 
 
 # regenerate

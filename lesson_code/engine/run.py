@@ -54,6 +54,10 @@ class ImpulseEvents:
         """Return the number of entries."""
         return len(self.time)
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take over what has come from another process, or from a file."""
+        self.__dict__.update(_frozen_again(state))
+
 
 @dataclass(frozen=True, eq=False)
 class Run:
@@ -88,6 +92,10 @@ class Run:
         """Return what the run holds, in a line: the arrays would fill pages."""
         bodies, states, impulses = len(self.scene.bodies), len(self.times), len(self.contacts)
         return f"<Run: bodies {bodies}, states {states}, impulses {impulses}; {self.plan}>"
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take over what has come from another process, or from a file."""
+        self.__dict__.update(_frozen_again(state))
 
     @cached_property
     def momentum(self) -> Floats:
@@ -163,3 +171,11 @@ class Run:
         array = np.asarray(values, dtype=float)
         array.setflags(write=False)
         return array
+
+
+def _frozen_again(state: dict[str, Any]) -> dict[str, Any]:
+    """Return fields whose arrays nobody can change by accident: pickle forgets that."""
+    for value in state.values():
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+    return state

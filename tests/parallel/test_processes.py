@@ -1,0 +1,128 @@
+"""Workers that die, calls that are interrupted: nothing is lost, and nobody is left behind."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from lesson_code.parallel import Outcome, WorkerDiedError, iter_tasks, map_tasks
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
+
+HANG = 60.0
+"""s: whatever takes longer would have waited for ever."""
+
+AT_ONCE = 5.0
+"""s: the end of a call that is interrupted, on a machine with much else to do; the tasks that it
+interrupts would take 600 s."""
+
+
+def by_place(outcomes: list[Outcome]) -> list[Outcome]:
+    """Return outcomes in the order of their tasks."""
+    return sorted(outcomes, key=lambda outcome: outcome.index)
+
+
+def is_gone(pid: int) -> bool:
+    """Return whether a process has ended, or ends within some seconds."""
+    until = time.monotonic() + AT_ONCE
+    while time.monotonic() < until:
+        try:
+            os.kill(pid, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.02)
+    return False
+
+
+# Death
+
+
+def test_task_whose_worker_was_killed_is_done_again(chores: ModuleType, tmp_path: Path) -> None:
+    """One death may be chance: all results are there, in their places."""
+    tasks = [(tmp_path / "mark" if n == 3 else None, n) for n in range(10)]
+    assert map_tasks(chores.dies_once, tasks, workers=2) == list(range(10))
+    assert (tmp_path / "mark").exists()
+
+
+@pytest.mark.parametrize(
+    ("way", "words"), [("exit", "at last by exit code 0"), ("kill", "at last by signal 9")]
+)
+def test_task_that_kills_its_worker_twice_is_named_and_no_other_is_lost(
+    chores: ModuleType, way: str, words: str
+) -> None:
+    """Also where the worker ends with code 0, as if all were well."""
+    tasks = [(way if n == 4 else "live", n) for n in range(12)]
+    outcomes = by_place(list(iter_tasks(chores.dies, tasks, workers=2)))
+    assert [outcome.index for outcome in outcomes if outcome.error] == [4]
+    assert [outcome.result for outcome in outcomes if not outcome.error] == [
+        n for n in range(12) if n != 4
+    ]
+    assert isinstance(outcomes[4].error, WorkerDiedError)
+    assert f"its worker died 2 times, {words}" in str(outcomes[4].error)
+    assert "in task 4" in outcomes[4].error.__notes__
+
+
+def test_tasks_that_all_kill_their_workers_come_to_an_end(chores: ModuleType) -> None:
+    """Each is named; nothing hangs."""
+    outcomes = list(iter_tasks(chores.dies, [("kill", n) for n in range(4)], workers=2))
+    assert sorted(outcome.index for outcome in outcomes) == [0, 1, 2, 3]
+    assert all(isinstance(outcome.error, WorkerDiedError) for outcome in outcomes)
+
+
+# Interruption
+
+
+SLEEPERS = """
+from pathlib import Path
+import chores
+from lesson_code.parallel import map_tasks
+map_tasks(chores.writes_itself_down, [Path("pids")] * 4, workers=2)
+"""
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_workers_end_with_the_process_that_started_them(tmp_path: Path, stop: int) -> None:
+    """A signal to the whole group, as Ctrl-C in a terminal is, ends all of it at once.
+
+    Ctrl-C is told in one traceback, and not in one from each worker.
+    """
+    pids = tmp_path / "pids"
+    pids.mkdir()
+    command = [sys.executable, "-c", SLEEPERS]
+    paths = os.pathsep.join([str(Path(__file__).parent), *filter(None, sys.path)])
+    with subprocess.Popen(
+        command,
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": paths},
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    ) as process:
+        until = time.monotonic() + HANG
+        while len(list(pids.iterdir())) < 2 and time.monotonic() < until:
+            time.sleep(0.02)
+        workers = [int(path.name) for path in pids.iterdir()]
+        assert len(workers) == 2
+        os.killpg(process.pid, stop)
+        assert process.wait(AT_ONCE) != 0
+        assert all(is_gone(pid) for pid in workers)
+        told = process.stderr.read() if process.stderr else ""
+    if stop == signal.SIGINT:
+        assert told.count("Traceback") == 1
+        assert told.rstrip().endswith("KeyboardInterrupt")
+
+
+def test_workers_end_when_the_results_are_no_longer_wanted() -> None:
+    """Leaving iter_tasks early stops those that are at a long task."""
+    outcomes = iter_tasks(time.sleep, [0, 600], workers=2)
+    assert next(outcomes).index == 0
+    started = time.monotonic()
+    outcomes.close()  # type: ignore[attr-defined]
+    assert time.monotonic() - started < AT_ONCE
