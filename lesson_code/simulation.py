@@ -1,4 +1,4 @@
-"""simulate(): one door to every solver, ours and pymunk's."""
+"""simulate(): one door to every solver, ours, pymunk's and Box2D's."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from lesson_code.engine.scene import Scene
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.formulas.validation import non_negative, one_number, positive
 
-NAMES = ("auto", *SOLVERS, "exact", "pymunk")
+NAMES = ("auto", *SOLVERS, "exact", "pymunk", "box2d")
 """The solvers that a scene can be given to."""
 
 
@@ -42,6 +42,7 @@ def simulate(
         "exact": from collision to collision, with no time step; for discs among bodies that do
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
+        "box2d": the same scene, stepped by Box2D, where that is installed.
         "auto": the one that suits the scene; at present always "sequential".
     dt : float
         The time step, s, > 0. All steps have this length.
@@ -72,6 +73,8 @@ def simulate(
         A body has left the range of floating point.
     RuntimeError
         The exact solver finds no end of the collisions at one instant.
+    ModuleNotFoundError
+        Box2D is asked for and not installed.
 
     Examples
     --------
@@ -108,11 +111,15 @@ def simulate(
 
 
 def _stepper(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
-    """Return a solver at work on a scene; pymunk is loaded only when it is asked for."""
+    """Return a solver at work on a scene; other engines are loaded only when asked for."""
     if solver == "pymunk":
         from lesson_code.reference.pymunk_reference import PymunkStepper
 
         return PymunkStepper(scene, **settings)
+    if solver == "box2d":
+        from lesson_code.reference.box2d_reference import Box2DStepper
+
+        return Box2DStepper(scene, **settings)
     return EngineStepper(scene, solver=solver, **settings)
 
 
