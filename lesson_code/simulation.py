@@ -1,4 +1,4 @@
-"""simulate(): one door to every solver, ours and pymunk's."""
+"""simulate(): one door to every solver, ours, pymunk's and Box2D's."""
 
 from __future__ import annotations
 
@@ -10,10 +10,13 @@ from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import Sample, Stepper, record
 from lesson_code.engine.run import Run
 from lesson_code.engine.scene import Scene
-from lesson_code.engine.stepper import SOLVERS, EngineStepper
+from lesson_code.engine.stepper import SOLVERS, EngineStepper, choose_code
 from lesson_code.formulas.validation import non_negative, one_number, positive
 
-NAMES = ("auto", *SOLVERS, "exact", "pymunk")
+OTHERS = {"pymunk": ("C", "pymunk's own"), "box2d": ("C++", "Box2D's own")}
+"""Engines that are not ours, and what their code is."""
+
+NAMES = ("auto", *SOLVERS, "exact", *OTHERS)
 """The solvers that a scene can be given to."""
 
 
@@ -26,6 +29,7 @@ def simulate(
     iterations: int | None = None,
     substeps: int | None = None,
     combine: str | Combination = "workbook",
+    compiled: bool | None = None,
     sample: Sample = None,
 ) -> Run:
     """Let a scene run for a while, and return what happened.
@@ -43,6 +47,7 @@ def simulate(
         "exact": from collision to collision, with no time step; for discs among bodies that do
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
+        "box2d": the same scene, stepped by Box2D, where that is installed.
         "auto": the one that suits the scene; at present always "sequential".
     dt : float
         The time step, s, > 0. All steps have this length.
@@ -55,6 +60,9 @@ def simulate(
     combine : str or Combination
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
+    compiled : bool, optional
+        Whether our own stages run as machine code, which Numba makes of them; the results are the
+        same to the last bit. None: if the run is large enough to repay it, and can be compiled.
     sample : None, "end" or array_like, shape (F,)
         Which states to record: those after every step (for "exact", after every collision) and
         the last; only the first and the last; or those at given times, s.
@@ -75,6 +83,8 @@ def simulate(
         A body has left the range of floating point.
     RuntimeError
         The exact solver finds no end of the collisions at one instant.
+    ModuleNotFoundError
+        Box2D is asked for and not installed.
 
     Examples
     --------
@@ -104,20 +114,31 @@ def simulate(
         "substeps": _count("substeps", parts if substeps is None else substeps),
         "combine": combination(combine),
     }
-    plan = _plan(solver, chosen)
+    reason = "asked for" if solver == chosen else "it solves every scene"
     if chosen == "exact":
         exact = ExactSolver(scene, combine=settings["combine"])
-        return record_exact(exact, duration, sample, plan)
-    return record(_stepper(chosen, scene, settings), scene, duration, sample, plan)
+        return record_exact(exact, duration, sample, Plan(chosen, reason))
+    if chosen in OTHERS:
+        if compiled is not None:
+            raise ValueError(f"compiled must be None for {chosen}, got {compiled!r}")
+        plan = Plan(chosen, reason, *OTHERS[chosen])
+        return record(_other(chosen, scene, settings), scene, duration, sample, plan)
+    steps = duration / settings["dt"]
+    code = choose_code(scene, chosen, steps, settings["iterations"], compiled)
+    stepper = EngineStepper(scene, solver=chosen, compiled=code.compiled, **settings)
+    plan = Plan(chosen, reason, code.code, code.reason)
+    return record(stepper, scene, duration, sample, plan)
 
 
-def _stepper(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
-    """Return a solver at work on a scene; pymunk is loaded only when it is asked for."""
+def _other(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
+    """Return another engine at work on a scene; it is loaded only when asked for."""
     if solver == "pymunk":
         from lesson_code.reference.pymunk_reference import PymunkStepper
 
         return PymunkStepper(scene, **settings)
-    return EngineStepper(scene, solver=solver, **settings)
+    from lesson_code.reference.box2d_reference import Box2DStepper
+
+    return Box2DStepper(scene, **settings)
 
 
 def _count(name: str, value: int) -> int:
@@ -126,9 +147,3 @@ def _count(name: str, value: int) -> int:
     if not number.is_integer():
         raise ValueError(f"{name} must be a whole number, got {value!r}")
     return int(number)
-
-
-def _plan(asked: str, chosen: str) -> Plan:
-    """Return how a scene is simulated."""
-    reason = "asked for" if asked == chosen else "it solves every scene"
-    return Plan(chosen, reason)

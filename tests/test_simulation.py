@@ -29,6 +29,9 @@ ROUNDING = 1e-14
 
 OURS = ("sequential", "substep", "naive")
 STEPPERS = ("auto", *OURS, "pymunk")
+DOUBLE = tuple(name for name in NAMES if name != "box2d")
+"""The solvers that work in double precision, and are always there."""
+
 DISC = Circle(0.5)
 
 
@@ -59,7 +62,7 @@ def is_finite(run: Run) -> bool:
 # The solvers
 
 
-@pytest.mark.parametrize("solver", NAMES)
+@pytest.mark.parametrize("solver", DOUBLE)
 def test_impact_worked_by_hand_is_found_by_every_solver(solver: str) -> None:
     """-1.825 and 0.275 m/s, from momentum and Newton's rule."""
     run = simulate(head_on(), 1.0, solver=solver)
@@ -84,7 +87,7 @@ def test_run_of_the_exact_solver_has_a_frame_for_each_collision() -> None:
     assert run.positions.shape == (3, 2, 2)
 
 
-@pytest.mark.parametrize("solver", NAMES)
+@pytest.mark.parametrize("solver", DOUBLE)
 def test_run_of_every_solver_has_the_frames_that_are_asked_for(solver: str) -> None:
     """Times between two steps or collisions are as good as any."""
     run = simulate(head_on(), 0.5, solver=solver, sample=[0.1, 0.4, 0.5])
@@ -139,12 +142,9 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"substeps": 2.5}, "substeps must be a whole number, got 2.5"),
     (
         {"solver": "fast"},
-        "solver must be one of auto, sequential, substep, naive, exact, pymunk, got 'fast'",
+        "solver must be one of auto, sequential, substep, naive, exact, pymunk, box2d, got 'fast'",
     ),
-    (
-        {"solver": None},
-        "solver must be one of auto, sequential, substep, naive, exact, pymunk, got None",
-    ),
+    ({"solver": None}, "solver must be one of .*, exact, pymunk, box2d, got None"),
     ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a Combination"),
     ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a Combination"),
     ({"combine": ["min", "max"]}, "combine must be one of workbook, pymunk, box2d or a Comb"),
@@ -194,7 +194,7 @@ def test_settings_are_given_by_name_only() -> None:
 # The scene stays as it is
 
 
-@pytest.mark.parametrize("solver", NAMES)
+@pytest.mark.parametrize("solver", DOUBLE)
 def test_scene_is_not_changed_by_a_run(solver: str) -> None:
     """And gives the same bits when it is run again."""
     scene = floor_and_ball()
@@ -209,7 +209,7 @@ def test_scene_is_not_changed_by_a_run(solver: str) -> None:
 # Scenes that are not right
 
 
-@pytest.mark.parametrize("solver", NAMES)
+@pytest.mark.parametrize("solver", DOUBLE)
 @pytest.mark.parametrize("duration", [0, 0.5])
 def test_empty_scene_runs_and_nothing_happens(solver: str, duration: float) -> None:
     """Frames without bodies, sums of 0, no impulses."""
@@ -220,7 +220,7 @@ def test_empty_scene_runs_and_nothing_happens(solver: str, duration: float) -> N
     assert len(run.contacts) == 0
 
 
-@pytest.mark.parametrize("solver", NAMES)
+@pytest.mark.parametrize("solver", DOUBLE)
 def test_run_of_no_time_is_the_scene_itself(solver: str) -> None:
     """One frame: where everything begins."""
     run = simulate(head_on(), 0, solver=solver)
@@ -355,6 +355,6 @@ def test_combination_of_own_rules_is_used_by_every_solver() -> None:
         Body(DISC, mass=1, position=(-v, 0), velocity=(v, 0), material=Material(e))
         for v, e in ((1, 0.5), (-1, 0.8))
     ]
-    for solver in NAMES:
+    for solver in DOUBLE:
         run = simulate(Scene(bodies), 1.0, solver=solver, combine=Combination("mean", "min"))
         np.testing.assert_allclose(run.velocities[-1, :, 0], [-0.65, 0.65], rtol=ROUNDING)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import astuple
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine import contact_solver, naive_solver, substep_solver
 from lesson_code.engine.combination import Combination
-from lesson_code.engine.compiled import as_arrays, compiled_function, link
+from lesson_code.engine.compiled import Choice, as_arrays, choose, compiled_function, link
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
@@ -64,6 +65,25 @@ def pipeline_for(scene: Scene, solver: str, keep_impulses: bool) -> Pipeline:
         is_continuous=solver != "naive",
         keeps_impulses=keep_impulses,
     )
+
+
+BODY_SECONDS, VISIT_SECONDS = 8e-6, 4e-6
+"""s, of plain Python: for a body in a step, and for a visit to a contact."""
+
+CONTACTS_PER_BODY = 2
+"""In a pile, about; without gravity there are few."""
+
+
+def choose_code(
+    scene: Scene, solver: str, steps: float, iterations: int, asked: bool | None
+) -> Choice:
+    """Return whether to compile a run, from what has been asked for or from the work there is."""
+    visits = CONTACTS_PER_BODY * iterations if any(scene.gravity) else 0
+    seconds = steps * len(scene.bodies) * (BODY_SECONDS + visits * VISIT_SECONDS)
+    never = "callbacks are Python functions" if scene.callbacks.wanted else ""
+    pipeline = pipeline_for(scene, solver, keep_impulses=True)
+    program = partial(link, advance, pipeline=pipeline._replace(splits_steps=False))
+    return choose(asked, seconds, program, never)
 
 
 class EngineStepper:

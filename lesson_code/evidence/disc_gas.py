@@ -51,16 +51,47 @@ def disc_gas(side: int, covered: float, *, seed: int) -> Scene:
     >>> len(gas.bodies) - WALLS
     64
     """
-    length = side * DIAMETER * math.sqrt(math.pi / 4 / one_number("covered", covered, positive))
-    if not (side >= 2 and length > side * DIAMETER):
-        raise ValueError(f"covered must be < pi/4 and side >= 2, got {covered} and {side}")
+    return gas_of(side * side, covered, seed=seed)
+
+
+def gas_of(count: int, covered: float, *, seed: int) -> Scene:
+    """Return a gas of any number of discs; where they fill no square, the last row is shorter.
+
+    Parameters
+    ----------
+    count : int
+        Discs, >= 2.
+    covered : float
+        Share of the box that discs cover, > 0, and so small that rows and columns fit.
+    seed : int
+        Draws the velocities.
+
+    Raises
+    ------
+    ValueError
+        So many rows cannot cover that share.
+
+    Examples
+    --------
+    >>> len(gas_of(10, covered=0.3, seed=1).bodies) - WALLS
+    10
+    """
+    share = one_number("covered", covered, positive)
+    length = math.sqrt(count) * DIAMETER * math.sqrt(math.pi / 4 / share)
+    side = math.ceil(math.sqrt(count))
+    if not (count >= 2 and length > side * DIAMETER):
+        raise ValueError(
+            f"covered must be so small that rows of {side} fit, and the discs at least 2, "
+            f"got {covered} and {count}"
+        )
     places = ((np.arange(side) + 0.5) * (length / side)).tolist()
-    v = np.random.default_rng(seed).uniform(-1, 1, (side * side, 2))
+    v = np.random.default_rng(seed).uniform(-1, 1, (count, 2))
     v -= v.mean(axis=0)
     v *= math.sqrt(2 * ENERGY / MASS * len(v) / (v * v).sum())
-    starts = zip([(x, y) for x in places for y in places], v.tolist(), strict=True)
+    starts = zip([(x, y) for x in places for y in places][:count], v.tolist(), strict=True)
+    shape = Circle(DIAMETER / 2)
     discs = [
-        Body(Circle(DIAMETER / 2), mass=MASS, position=place, velocity=way, material=ELASTIC)
+        Body(shape, mass=MASS, position=place, velocity=way, material=ELASTIC)
         for place, way in starts
     ]
     return Scene([*box(length, length), *discs])

@@ -1,1 +1,1 @@
-"""Answers that are not ours: closed forms, and pymunk."""
+"""Answers that are not ours: closed forms, pymunk and Box2D."""

@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.combination import combination
+from lesson_code.evidence import scenes
+from lesson_code.evidence.disc_scenes import row_of_discs
 from lesson_code.reference.pymunk_reference import PymunkStepper
 
 ROUNDING = 1e-12
 """Some 60 steps, each with a rounding of 1e-16 of numbers near 1."""
 
 
-def stepper(scene: Scene, combine: str = "workbook", substeps: int = 1) -> PymunkStepper:
+def stepper(scene: Scene, combine: str = "workbook", **settings: Any) -> PymunkStepper:
     """Return pymunk at work on a scene, in steps of 1/60 s."""
-    return PymunkStepper(
-        scene, dt=1 / 60, iterations=10, substeps=substeps, combine=combination(combine)
-    )
+    usual = {"dt": 1 / 60, "iterations": 10, "substeps": 1, "combine": combination(combine)}
+    return PymunkStepper(scene, **(usual | settings))
 
 
 def head_on(first: Material, second: Material) -> Scene:
@@ -68,6 +70,60 @@ def test_pymunks_own_product_is_used_without_a_callback() -> None:
     scene = head_on(Material(0.4, 0.5), Material(0.8, 0.5))
     assert not stepper(scene, combine="pymunk").corrects_coefficients
     assert stepper(scene, combine="workbook").corrects_coefficients
+
+
+def test_run_without_impulses_is_the_same_run() -> None:
+    """Nothing is written down, no contact is called for, and not one bit of the run differs."""
+    scene = scenes.box_pyramid(4, friction=0.5625)
+    kept, lean = stepper(scene), stepper(scene, keep_impulses=False)
+    for engine in (kept, lean):
+        engine.advance(60)
+    assert not lean.corrects_coefficients
+    assert kept.states() == lean.states()
+    assert len(kept.events()) > 0
+    assert (lean.events(), lean.visited) == ([], [])
+
+
+def test_advance_makes_many_steps_in_one_call() -> None:
+    """And leaves the bodies where as many single steps do."""
+    at_once, singly = stepper(scenes.box_stack(3)), stepper(scenes.box_stack(3))
+    at_once.advance(30)
+    for _ in range(30):
+        singly.step()
+    assert at_once.states() == singly.states()
+
+
+def test_broad_phases_find_the_same_contacts() -> None:
+    """Pymunk's hash meets the pairs in another order, but a row of discs has but one."""
+    scene = row_of_discs(12, gap=0.1)
+    tree, grid = stepper(scene), stepper(scene, broad_phase="hash")
+    for engine in (tree, grid):
+        engine.advance(300)
+    assert tree.states()[-1][3] > 0.5
+    np.testing.assert_allclose(tree.states(), grid.states(), rtol=0, atol=ROUNDING)
+
+
+@pytest.mark.parametrize(("slop", "depth"), [(None, 0.1), (0.005, 0.005)])
+def test_disc_rests_at_the_slop_that_is_asked_for(slop: float | None, depth: float) -> None:
+    """It is pushed out of the floor as far as that; pymunk's own is a tenth of a metre."""
+    ball = Body(Circle(0.5), position=(0, 0.3), mass=1.0)
+    resting = stepper(Scene([Body(Segment((-9, 0), (9, 0))), ball], gravity=(0, -10)), slop=slop)
+    resting.advance(600)
+    assert 0.5 - resting.states()[1][1] == pytest.approx(depth, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"slop": -0.1}, "slop must be >= 0 and finite, got -0.1"),
+        ({"slop": math.nan}, "slop must be >= 0 and finite, got nan"),
+        ({"broad_phase": "grid"}, "broad_phase must be tree or hash, got 'grid'"),
+    ],
+)
+def test_setting_out_of_range_is_refused_by_name(wrong: dict[str, Any], message: str) -> None:
+    """Before pymunk sees it, which would end the process or go on with nan."""
+    with pytest.raises(ValueError, match=message):
+        stepper(Scene(), **wrong)
 
 
 def test_static_body_with_a_velocity_keeps_it() -> None:

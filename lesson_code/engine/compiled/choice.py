@@ -21,6 +21,11 @@ class Choice(NamedTuple):
     compiled: bool
     reason: str
 
+    @property
+    def code(self) -> str:
+        """What a run is made of, in words."""
+        return "compiled" if self.compiled else "plain Python"
+
 
 def choose(
     asked: bool | None, seconds: float, program: Callable[[], str], never: str = ""

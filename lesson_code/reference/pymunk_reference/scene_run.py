@@ -3,35 +3,41 @@
 ==========================  ==============================================================
 ours                        pymunk's
 ==========================  ==============================================================
-the pair's coefficients     set on each contact by a callback before it is solved, unless
-                            pymunk's own rule, the product, is asked for
+the pair's coefficients     each body is given values whose product, pymunk's own rule, is the
+                            pair's; where there are none, set on each contact by a callback
 static body                 static, or kinematic when it has a velocity
 damping rate c, 1/s         ``space.damping`` = exp(-c), the share of speed left after 1 s
 polygon's vertices          unchanged; the mass and moment of inertia are given, not derived
 normal, from a to b         turned round where pymunk lists the bodies the other way
 ==========================  ==============================================================
 
-Everything else is pymunk's default: in particular its slop of 0.1 m, which is large for a
-small body. Callbacks of a scene are not called: they belong to our engine.
+Everything else is pymunk's default unless it is asked for: in particular its slop of 0.1 m, which
+is large for a small body. Callbacks of a scene are not called: they belong to our engine.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+import statistics
+from typing import Any, Literal
 
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
 
-from lesson_code.engine.broad_phase import bound
-from lesson_code.engine.combination import RULES as COMBINATION_RULES
-from lesson_code.engine.combination import UNSPECIFIED, Combination, combined
+from lesson_code.engine.combination import COMBINATIONS, Combination
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
-from lesson_code.engine.room import refuse_heap
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.scene import Body, Scene
+from lesson_code.formulas.validation import non_negative, one_number
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
+from lesson_code.reference.scene_mapping import coefficients, own_values, refuse_heap
+
+CELL_WIDTH, CELLS_PER_BODY = 3.0, 1
+"""Of pymunk's spatial hash: the width of a cell, in widths of the median body, and how many cells.
+
+Its manual suggests 1 and 10: with those a gas of 1,000 discs takes a fifth longer, one of 100,000
+nearly twice as long, and a pile as long as with these.
+"""
 
 
 class PymunkStepper:
@@ -49,11 +55,19 @@ class PymunkStepper:
         Parts of a step.
     combine : Combination
         How a pair's coefficients come from its bodies'.
+    keep_impulses : bool
+        Whether to write down what each pair receives. It costs a call for each pair and step:
+        without it there are no events, nothing is `visited`, and pymunk runs as fast as it can.
+    broad_phase : "tree" or "hash"
+        How pymunk finds the pairs: by its tree of boxes, or by a grid whose cells are three times
+        as wide as the median body.
+    slop : float, optional
+        Overlap that pymunk leaves alone, m, >= 0. None, the default, is pymunk's own: 0.1 m.
 
     Raises
     ------
     ValueError
-        The bodies are heaped into one another.
+        The bodies are heaped into one another, or an argument is out of range.
 
     Attributes
     ----------
@@ -64,31 +78,39 @@ class PymunkStepper:
     """
 
     def __init__(
-        self, scene: Scene, *, dt: float, iterations: int, substeps: int, combine: Combination
+        self,
+        scene: Scene,
+        *,
+        dt: float,
+        iterations: int,
+        substeps: int,
+        combine: Combination,
+        keep_impulses: bool = True,
+        broad_phase: Literal["tree", "hash"] = "tree",
+        slop: float | None = None,
     ) -> None:
-        _refuse_heap(scene)
+        refuse_heap(scene)
         self.dt = dt
         self._substeps = substeps
         self._substeps_done = 0
         self._combine = combine
         self._materials = [body.material for body in scene.bodies]
-        self.space = pymunk.Space()
-        self.space.iterations = iterations
-        self.space.gravity = scene.gravity
-        self.space.damping = math.exp(-scene.damping)
+        self.space = _space(scene, iterations, broad_phase, slop)
         self.bodies = [_add(self.space, body) for body in scene.bodies]
         self._number = {body: number for number, body in enumerate(self.bodies)}
         self.visited: list[tuple[int, int]] = []
         self._events: list[Event] = []
-        self._set_coefficients()
-        self.space.on_collision(None, None, post_solve=self._note)
+        self._set_coefficients(scene)
+        if keep_impulses:
+            self.space.on_collision(None, None, post_solve=self._note)
 
     def advance(self, steps: int) -> None:
         """Advance by so many steps of dt."""
+        part = self.dt / self._substeps
         for _ in range(steps * self._substeps):
             self._substeps_done += 1
             self.visited.clear()
-            self.space.step(self.dt / self._substeps)
+            self.space.step(part)
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
@@ -99,37 +121,21 @@ class PymunkStepper:
         """Return the impulses of all steps so far, shape (K, 10)."""
         return np.array(self._events, dtype=float).reshape(-1, EVENT_NUMBERS)
 
-    def _set_coefficients(self) -> None:
-        """Give pymunk the pairs' coefficients: its own product where that is right, else ours."""
-        materials = sorted(set(self._materials), key=repr)
-        pairs = [(a, b) for a in materials for b in materials]
-        for body, material in zip(self.bodies, self._materials, strict=True):
-            (shape,) = body.shapes
-            shape.elasticity = _or_one(material.restitution)
-            shape.friction = _or_one(material.friction)
-        self.corrects_coefficients = any(self._pair(a, b) != _product(a, b) for a, b in pairs)
-        if self.corrects_coefficients:
+    def _set_coefficients(self, scene: Scene) -> None:
+        """Give pymunk the pairs' coefficients: by its own product where that can be, else ours."""
+        values = own_values(scene.bodies, self._combine, COMBINATIONS["pymunk"])
+        self.corrects_coefficients = values is None
+        if values is None:
             self.space.on_collision(None, None, pre_solve=self._correct)
-
-    def _pair(self, a: Material, b: Material) -> tuple[float, float]:
-        """Return the restitution and the friction of a pair, by our rule."""
-        return (
-            combined(
-                COMBINATION_RULES[self._combine.restitution],
-                _or_unspecified(a.restitution),
-                _or_unspecified(b.restitution),
-            ),
-            combined(
-                COMBINATION_RULES[self._combine.friction],
-                _or_unspecified(a.friction),
-                _or_unspecified(b.friction),
-            ),
-        )
+            return
+        for body, (restitution, friction) in zip(self.bodies, values, strict=True):
+            (shape,) = body.shapes
+            shape.elasticity, shape.friction = restitution, friction
 
     def _correct(self, arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
         """Set a contact's coefficients before it is solved."""
         a, b = (self._materials[self._number[body]] for body in arbiter.bodies)
-        arbiter.restitution, arbiter.friction = self._pair(a, b)
+        arbiter.restitution, arbiter.friction = coefficients(self._combine, a, b)
 
     def _note(self, arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
         """Write down what a pair has received in this step, at the middle of its points."""
@@ -154,11 +160,22 @@ class PymunkStepper:
         )
 
 
-def _refuse_heap(scene: Scene) -> None:
-    """Refuse bodies heaped into one another: pymunk would go on until the memory is full."""
-    world = world_of(scene, dt=1.0, iterations=0, combine=Combination())
-    bound(world)
-    refuse_heap(len(world.bodies), BROAD_PHASES[broad_phase_for(scene)](world))
+def _space(
+    scene: Scene, iterations: int, broad_phase: Literal["tree", "hash"], slop: float | None
+) -> pymunk.Space:
+    """Return an empty space with a scene's surroundings and pymunk's settings."""
+    space = pymunk.Space()
+    space.iterations = iterations
+    space.gravity = scene.gravity
+    space.damping = math.exp(-scene.damping)
+    if slop is not None:
+        space.collision_slop = one_number("slop", slop, non_negative)
+    if broad_phase not in ("tree", "hash"):
+        raise ValueError(f"broad_phase must be tree or hash, got {broad_phase!r}")
+    if broad_phase == "hash" and scene.bodies:
+        width = statistics.median(body.shape.extent for body in scene.bodies)
+        space.use_spatial_hash(CELL_WIDTH * width, CELLS_PER_BODY * len(scene.bodies))
+    return space
 
 
 def _add(space: pymunk.Space, body: Body) -> pymunk.Body:
@@ -184,21 +201,3 @@ def _shape(body: pymunk.Body, shape: Shape) -> pymunk.Shape:
             return pymunk.Segment(body, shape.start, shape.end, shape.radius)
         case Polygon():
             return pymunk.Poly(body, shape.vertices)
-
-
-def _product(a: Material, b: Material) -> tuple[float, float]:
-    """Return the restitution and the friction that pymunk's own rule gives a pair."""
-    return (
-        _or_one(a.restitution) * _or_one(b.restitution),
-        _or_one(a.friction) * _or_one(b.friction),
-    )
-
-
-def _or_one(coefficient: float | None) -> float:
-    """Return a coefficient; one that is left to the other body is 1, which changes no product."""
-    return 1.0 if coefficient is None else coefficient
-
-
-def _or_unspecified(coefficient: float | None) -> float:
-    """Return a coefficient as our tables hold it."""
-    return UNSPECIFIED if coefficient is None else coefficient

@@ -1,0 +1,17 @@
+"""Reference: what Box2D makes of the lesson's scenes.
+
+This is the only package that imports Box2D, and it does so when a scene is run: Box2D is an extra,
+and who does without it misses nothing else. The binding on PyPI is of Box2D 2.3, in single
+precision: seven digits.
+
+library
+    Box2D itself, or what to install
+fixtures
+    our shapes as Box2D's
+scene_run
+    a whole scene, stepped by Box2D with every convention mapped
+"""
+
+from lesson_code.reference.box2d_reference.scene_run import Box2DStepper
+
+__all__ = ["Box2DStepper"]
