@@ -14,6 +14,7 @@ from lesson_code.engine import contact_solver, naive_solver, substep_solver
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import Choice, as_arrays, choose, compiled_function, link
 from lesson_code.engine.continuous import advance, rigid_part
+from lesson_code.engine.effects import effects_of
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
 from lesson_code.engine.scene import Scene
@@ -62,6 +63,7 @@ def pipeline_for(scene: Scene, solver: str, keep_impulses: bool) -> Pipeline:
         broad_phase=BROAD_PHASES[broad_phase_for(scene)],
         solver=SOLVERS[solver],
         listener=TouchListener(scene.callbacks) if scene.callbacks.wanted else None,
+        effects=effects_of(scene),
         is_continuous=solver != "naive",
         keeps_impulses=keep_impulses,
     )
