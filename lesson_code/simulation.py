@@ -16,6 +16,12 @@ from lesson_code.formulas.validation import non_negative, one_number, positive
 NAMES = ("auto", *SOLVERS, "exact", "pymunk")
 """The solvers that a scene can be given to."""
 
+IMPACT_CHOICES = {
+    "impacts": ("simultaneous", "sequential"),
+    "restitution_law": ("newton", "energetic"),
+}
+"""What may be said of impacts; the first is what every solver does."""
+
 
 def simulate(
     scene: Scene,
@@ -26,6 +32,8 @@ def simulate(
     iterations: int = 10,
     substeps: int = 1,
     combine: str | Combination = "workbook",
+    impacts: str = "simultaneous",
+    restitution_law: str = "newton",
     sample: Sample = None,
 ) -> Run:
     """Let a scene run for a while, and return what happened.
@@ -39,6 +47,8 @@ def simulate(
     solver : str
         "sequential": sequential impulses, the solver of chapters 04 to 06.
         "naive": the first attempt, faults included.
+        "direct": the contacts of bodies that touch are solved together, exactly; for great mass
+        ratios, tall stacks and even loads. `iterations` means nothing to it.
         "exact": from collision to collision, with no time step; for discs among bodies that do
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
@@ -52,6 +62,12 @@ def simulate(
     combine : str or Combination
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
+    impacts : str
+        Where bodies that touch are struck together: "simultaneous", all bounce at once, or
+        "sequential", one pair after the other. A choice that only "direct" offers.
+    restitution_law : str
+        "newton": e is a ratio of velocities. "energetic": Stronge's, a ratio of work, which gains
+        no energy where there is friction too. A choice that only "direct" offers.
     sample : None, "end" or array_like, shape (F,)
         Which states to record: those after every step (for "exact", after every collision) and
         the last; only the first and the last; or those at given times, s.
@@ -96,10 +112,11 @@ def simulate(
     sweeps = _count("iterations", iterations)
     settings: dict[str, Any] = {
         "dt": one_number("dt", dt, positive),
-        "iterations": 1 if chosen == "naive" else sweeps,
+        "iterations": 1 if chosen in ("naive", "direct") else sweeps,
         "substeps": _count("substeps", substeps),
         "combine": combination(combine),
     }
+    settings |= _impact_rules(chosen, impacts, restitution_law)
     plan = _plan(solver, chosen)
     if chosen == "exact":
         exact = ExactSolver(scene, combine=settings["combine"])
@@ -114,6 +131,20 @@ def _stepper(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
 
         return PymunkStepper(scene, **settings)
     return EngineStepper(scene, solver=solver, **settings)
+
+
+def _impact_rules(solver: str, impacts: str, restitution_law: str) -> dict[str, str]:
+    """Return what the direct solver is to be told of impacts, or refuse what a solver has not."""
+    chosen = {"impacts": impacts, "restitution_law": restitution_law}
+    for name, value in chosen.items():
+        first, *_ = IMPACT_CHOICES[name]
+        if value not in IMPACT_CHOICES[name]:
+            raise ValueError(
+                f"{name} must be one of {', '.join(IMPACT_CHOICES[name])}, got {value!r}"
+            )
+        if solver != "direct" and value != first:
+            raise ValueError(f"{name} must be {first!r} unless solver is 'direct', got {value!r}")
+    return chosen if solver == "direct" else {}
 
 
 def _count(name: str, value: int) -> int:

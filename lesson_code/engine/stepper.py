@@ -6,6 +6,7 @@ from lesson_code.engine import contact_solver, naive_solver
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.continuous import begin_step, step_to_impacts
+from lesson_code.engine.direct_solver import direct_solver
 from lesson_code.engine.recording import Event
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
@@ -27,6 +28,7 @@ SOLVERS = {
         naive_solver.correct,
         naive_solver.store,
     ),
+    "direct": direct_solver("simultaneous", "newton"),
 }
 """The engine's contact solvers, by name."""
 
@@ -39,7 +41,7 @@ class EngineStepper:
     scene : Scene
         What is simulated.
     solver : str
-        "sequential" or "naive".
+        "sequential", "naive" or "direct".
     dt : float
         s, > 0.
     iterations : int
@@ -48,6 +50,8 @@ class EngineStepper:
         Parts of a step.
     combine : Combination
         How a pair's coefficients come from its bodies'.
+    impacts, restitution_law : str
+        How the direct solver treats impacts; the others know only the rules that are the default.
     """
 
     def __init__(
@@ -59,13 +63,17 @@ class EngineStepper:
         iterations: int,
         substeps: int,
         combine: Combination,
+        impacts: str = "simultaneous",
+        restitution_law: str = "newton",
     ) -> None:
         self.dt = dt
         self.broad_phase = BROAD_PHASES[broad_phase_for(scene)]
         self._continuous = solver != "naive"
         self.world = world_of(scene, dt / substeps, iterations, combine)
         self._substeps = substeps
-        self._solver = SOLVERS[solver]
+        self._solver = (
+            direct_solver(impacts, restitution_law) if solver == "direct" else SOLVERS[solver]
+        )
         self._listener = TouchListener(scene.callbacks) if scene.callbacks.wanted else None
         self._events: list[Event] = []
         self._substeps_done = 0
