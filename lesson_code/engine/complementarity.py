@@ -57,13 +57,20 @@ SOFT = 1e-3
 """The same for a problem without an answer: bodies give way by a thousandth of the velocity."""
 
 SOLVED = 1e-12
-"""Of the largest velocity in b: the complementarity error at which a problem counts as solved."""
+"""Of the largest velocity in b: the complementarity error that is as good as none."""
+
+ENOUGH = 1e-7
+"""Of the same: the error that is left where contacts on the brink of opening or sliding have
+been given the wrong case. No other method is tried for it; the next step starts anew."""
 
 ROUNDING = 1e-14
 """Of the largest term in K x: what rounding leaves of velocities that cancel."""
 
 ROUNDS, PATIENCE = 60, 4
 """Rounds of pivoting; rounds without fewer misfits after which one case changes at a time."""
+
+MOST_FOR_LEMKE = 300
+"""Contacts of an island for which Lemke's method is tried; with more it takes seconds."""
 
 REFINEMENTS = 40
 """Times that the error of the spring is taken out; two or three are usual."""
@@ -122,12 +129,11 @@ def solve_contacts(problem: Problem) -> Answer:
         if single is not None:
             return Answer(single, complementarity_error(problem, single), "one")
     best = _by_pivoting(problem, _guess(problem))
-    if _is_solved(problem, best):
-        return best
-    other = _by_lemke(problem)
-    if _is_solved(problem, other):
-        return other
-    return min(best, other, _softened(problem), key=lambda answer: answer.error)
+    if not _is_solved(problem, best) and m <= MOST_FOR_LEMKE:
+        best = min(best, _by_lemke(problem), key=_error)
+    if not _is_solved(problem, best):
+        best = min(best, _softened(problem), key=_error)
+    return best
 
 
 def complementarity_error(problem: Problem, x: Floats) -> float:
@@ -152,9 +158,16 @@ def complementarity_error(problem: Problem, x: Floats) -> float:
     return float(np.abs(np.concatenate((normal, tangent)) * own).max(initial=0.0))
 
 
+def _error(answer: Answer) -> float:
+    """Return how far an answer is from solving its problem, m/s."""
+    return answer.error
+
+
 def _is_solved(problem: Problem, answer: Answer) -> bool:
-    """Return whether nothing but rounding is left of the error."""
-    return answer.error <= _tolerance(problem, answer.impulses)
+    """Return whether so little is left of the error that no other method is worth trying."""
+    return answer.error <= max(
+        ENOUGH * float(np.abs(problem.velocity).max()), _tolerance(problem, answer.impulses)
+    )
 
 
 def _tolerance(problem: Problem, x: Floats) -> float:
@@ -205,7 +218,7 @@ def _by_pivoting(problem: Problem, cases: Cases) -> Answer:
         error = complementarity_error(problem, centre)
         gained = error < 0.5 * best.error
         best = Answer(centre, error, "pivoting") if error < best.error else best
-        if _is_solved(problem, best) or not (fits and gained):
+        if best.error <= _tolerance(problem, best.impulses) or not (fits and gained):
             break
     return best
 

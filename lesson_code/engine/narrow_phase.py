@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from lesson_code.engine.combination import combined
 from lesson_code.engine.rows import ContactRow, World
+from lesson_code.engine.seams import drop_seams
 from lesson_code.geometry.manifold import collide_rows
 from lesson_code.geometry.rows import ManifoldRow
 
 
 def find_contacts(world: World) -> None:
-    """Write the contacts of all candidate pairs, in the order of the pairs.
+    """Write the contacts of all candidate pairs, in the order of the pairs, without seams.
 
     The table must have room for two contacts a pair.
     """
+    find_overlaps(world)
+    drop_seams(world)
+
+
+def find_overlaps(world: World) -> None:
+    """Write the contacts of all candidate pairs."""
     state, m = world.state, world.manifold
     count = 0
     for k in range(state.pair_count):

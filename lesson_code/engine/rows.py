@@ -56,6 +56,7 @@ class BodyRow:
     cell_y: int = 0
     next_in_cell: int = -1  # the next body in the same slot of the grid; -1 for the last
     tally: int = 0  # counter for sorting the pairs
+    static_contact: int = -1  # the last contact with a static body; -1: none, or not looked for
 
 
 @dataclass(slots=True)
@@ -89,6 +90,9 @@ class ContactRow:
     penetration: float = 0.0  # m, > 0
     restitution: float = 0.0  # of the pair
     friction: float = 0.0  # of the pair
+
+    next_static: int = -1  # the one before among the pushed body's contacts with static bodies
+    is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
 
     is_block: bool = False  # whether this row and the next are solved together: one manifold
     coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
