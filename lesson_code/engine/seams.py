@@ -14,8 +14,9 @@ than the seam's tolerance is a step, and a wall is a wall.
 from __future__ import annotations
 
 from lesson_code.engine.constants import SEAM
-from lesson_code.engine.rows import ContactRow, World
+from lesson_code.engine.rows import BodyRow, ContactRow, World
 from lesson_code.geometry.clipping import facing_edge
+from lesson_code.geometry.edges import closest_on_edge
 from lesson_code.geometry.rows import following
 
 CROSSWISE = 0.5
@@ -91,9 +92,41 @@ def covers(world: World, d: ContactRow, c: ContactRow, pushed: int) -> bool:
     mx, my = towards(d, pushed)
     nx, ny = towards(c, pushed)
     if body.corner_count > 0 and mx * nx + my * ny > CROSSWISE:
-        return False
+        return is_rounded_end(world, c, pushed) and lies_in_rod(world, c, d, pushed)
     px, py = static_point(world, d, pushed)
     return height(world, c, pushed, mx, my) - (px * mx + py * my) <= SEAM * body.extent
+
+
+def is_rounded_end(world: World, c: ContactRow, pushed: int) -> bool:
+    """Return whether the round end of a static segment is hit."""
+    static = static_body(world, c, pushed)
+    nx, ny = towards(c, pushed)
+    return static.radius > 0.0 and static.corner_count == 2 and facing(world, static, nx, ny) < 0
+
+
+def lies_in_rod(world: World, c: ContactRow, d: ContactRow, pushed: int) -> bool:
+    """Return whether the point that is hit lies in the other static body, a segment with ends."""
+    body, static = world.bodies[pushed], static_body(world, d, pushed)
+    if static.corner_count != 2:
+        return False
+    px, py = static_point(world, c, pushed)
+    x, y = px + body.x - static.x, py + body.y - static.y
+    start, end = world.corners[static.first_corner], world.corners[static.first_corner + 1]
+    cx, cy = closest_on_edge(x, y, start.x, start.y, end.x, end.y, -start.ny, start.nx)
+    reach = static.radius + SEAM * body.extent
+    return (x - cx) * (x - cx) + (y - cy) * (y - cy) <= reach * reach
+
+
+def static_body(world: World, c: ContactRow, pushed: int) -> BodyRow:
+    """Return the body of a contact that nothing can push."""
+    return world.bodies[c.a] if c.b == pushed else world.bodies[c.b]
+
+
+def facing(world: World, static: BodyRow, nx: float, ny: float) -> int:
+    """Return the edge whose normal is (nx, ny), as its first corner in the table; -1: none."""
+    edge = facing_edge(world.corners, static, nx, ny)
+    corner = world.corners[edge]
+    return edge if corner.nx * nx + corner.ny * ny > ALONG else -1
 
 
 def towards(c: ContactRow, pushed: int) -> tuple[float, float]:
@@ -114,17 +147,16 @@ def height(world: World, c: ContactRow, pushed: int, mx: float, my: float) -> fl
 
     Seen from the pushed body's position, m.
     """
-    body, static = world.bodies[pushed], world.bodies[c.a if c.b == pushed else c.b]
+    body, static = world.bodies[pushed], static_body(world, c, pushed)
+    nx, ny = towards(c, pushed)
     px, py = static_point(world, c, pushed)
     reached = px * mx + py * my
-    if static.corner_count > 0:
-        nx, ny = towards(c, pushed)
-        edge = facing_edge(world.corners, static, nx, ny)
+    edge = facing(world, static, nx, ny) if static.corner_count > 0 else -1
+    if edge >= 0:
         start, end = world.corners[edge], world.corners[following(static, edge)]
-        if start.nx * nx + start.ny * ny > ALONG:
-            x, y = static.x - body.x + nx * static.radius, static.y - body.y + ny * static.radius
-            reached = max(reached, (x + start.x) * mx + (y + start.y) * my)
-            reached = max(reached, (x + end.x) * mx + (y + end.y) * my)
+        x, y = static.x - body.x + nx * static.radius, static.y - body.y + ny * static.radius
+        reached = max(reached, (x + start.x) * mx + (y + start.y) * my)
+        reached = max(reached, (x + end.x) * mx + (y + end.y) * my)
     return reached
 
 
