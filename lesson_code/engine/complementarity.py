@@ -49,9 +49,9 @@ Cases: TypeAlias = NDArray[np.int64]
 BACKWARD, STICK, FORWARD, OPEN = -1, 0, 1, 2
 """What a contact does; where it slides, the number is the sign of its friction impulse."""
 
-SPRING = 1e-9
+SPRING = 1e-8
 """Of the mean of K's diagonal: what is added to it to make the equations solvable. The error that
-it makes is taken out again; at 1e-12 rounding would show in how two corners share a load."""
+it makes is taken out again; the smaller it is, the more does rounding show in how posts share a load."""
 
 SOFT = 1e-3
 """The same for a problem without an answer: bodies give way by a thousandth of the velocity."""
@@ -68,6 +68,10 @@ ROUNDING = 1e-14
 
 ROUNDS, PATIENCE = 60, 4
 """Rounds of pivoting; rounds without fewer misfits after which one case changes at a time."""
+
+MUCH_BETTER = 0.1
+"""Of the softened answer's error: an answer that is not exact must be so much nearer to it. Where
+there is none, the other methods find impulses that are as wrong, and a million times as large."""
 
 MOST_FOR_LEMKE = 300
 """Contacts of an island for which Lemke's method is tried; with more it takes seconds."""
@@ -131,9 +135,10 @@ def solve_contacts(problem: Problem) -> Answer:
     best = _by_pivoting(problem, _guess(problem))
     if not _is_solved(problem, best) and m <= MOST_FOR_LEMKE:
         best = min(best, _by_lemke(problem), key=_error)
-    if not _is_solved(problem, best):
-        best = min(best, _softened(problem), key=_error)
-    return best
+    if _is_solved(problem, best):
+        return best
+    softened = _softened(problem)
+    return best if best.error < MUCH_BETTER * softened.error else softened
 
 
 def complementarity_error(problem: Problem, x: Floats) -> float:
