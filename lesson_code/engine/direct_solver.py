@@ -8,10 +8,10 @@ answer of one complementarity problem (``complementarity``), whatever the masses
 stage          what it does
 =============  ==============================================================================
 `prepare`      the bounce to reach, the overlap to undo: as the sequential solver does
-`warm_start`   nothing: an exact answer needs no hint, and does not depend on the step before
+`warm_start`   recalls what each contact did in the last step: opened, stuck or slid
 `solve`        finds the impulses of each island, and gives them
 `correct`      finds the pushes that undo the overlaps of each island, and gives them
-`store`        nothing
+`store`        remembers the impulses, of which that can be read
 =============  ==============================================================================
 
 `solve` and `correct` add what is missing to what has been given; a second call adds nothing.
@@ -29,9 +29,17 @@ from functools import partial
 import numpy as np
 
 from lesson_code.engine import contact_solver
-from lesson_code.engine.complementarity import Problem, solve_contacts
+from lesson_code.engine.complementarity import solve_contacts
 from lesson_code.engine.constants import FINE_SLOP, PUSH_SHARE
 from lesson_code.engine.contact_motion import apply_impulse, normal_of, tangent_of
+from lesson_code.engine.contact_problem import (
+    BACKWARD,
+    FORWARD,
+    OPEN,
+    STICK,
+    UNKNOWN,
+    Problem,
+)
 from lesson_code.engine.impact_rules import STRIKE_RULES, StrikeRule, quiet_speed
 from lesson_code.engine.islands import (
     Floats,
@@ -46,6 +54,15 @@ from lesson_code.engine.islands import (
 from lesson_code.engine.rows import ContactRow, World
 from lesson_code.engine.world import ContactSolver
 
+store = contact_solver.store
+
+NEW = -1.0
+"""What stands in a contact's impulse until the memory has been asked."""
+
+ALMOST = 1.0 - 1e-9
+"""Of mu jn: a friction impulse that is no smaller is at the limit, but for rounding."""
+
+
 def prepare(world: World) -> None:
     """Prepare as the sequential solver does, but for a finer slop."""
     contact_solver.prepare(world)
@@ -55,7 +72,34 @@ def prepare(world: World) -> None:
 
 
 def warm_start(world: World) -> None:
-    """Begin without impulses."""
+    """Begin without impulses, but with the cases of the last step.
+
+    They are the first guess, whatever the length of that step was; the answer is exact without it.
+    """
+    recall_cases(world)
+
+
+def recall_cases(world: World) -> None:
+    """Let every contact know its case in the last step; the impulses that it has got stay."""
+    contacts = world.contacts[: world.state.contact_count]
+    given = [(c.normal_impulse, c.tangent_impulse) for c in contacts]
+    for c in contacts:
+        c.normal_impulse = NEW
+    contact_solver.recall(world)
+    for c, impulses in zip(contacts, given, strict=True):
+        c.case = case_of(c)
+        c.normal_impulse, c.tangent_impulse = impulses
+
+
+def case_of(c: ContactRow) -> int:
+    """Return the case that a contact's impulses belong to."""
+    if c.normal_impulse == NEW:
+        return UNKNOWN
+    if c.normal_impulse <= 0.0:
+        return OPEN
+    if abs(c.tangent_impulse) < c.friction * c.normal_impulse * ALMOST:
+        return STICK
+    return FORWARD if c.tangent_impulse > 0.0 else BACKWARD
 
 
 def solve(world: World) -> None:
@@ -64,7 +108,8 @@ def solve(world: World) -> None:
         island = island_of(world, contacts)
         missing = velocities(island)
         missing[: len(contacts)] -= [c.target_vn for c in contacts]
-        x = solve_contacts(Problem(island.compliance, missing, island.friction)).impulses
+        problem = Problem(island.compliance, missing, island.friction)
+        x = solve_contacts(problem, np.array([c.case for c in contacts])).impulses
         apply_impulses(island, x)
         note_impulses(contacts, x)
 
@@ -78,10 +123,6 @@ def correct(world: World) -> None:
             apply_pushes(island, x)
             for k, c in enumerate(contacts):
                 c.push_impulse += float(x[k])
-
-
-def store(world: World) -> None:
-    """Remember nothing."""
 
 
 def prepare_strikes(world: World, rule: StrikeRule) -> None:
@@ -104,6 +145,7 @@ def prepare_strikes(world: World, rule: StrikeRule) -> None:
 
 def begin_with_strikes(world: World) -> None:
     """Give the bodies the impulses of the impacts."""
+    recall_cases(world)
     for c in world.contacts[: world.state.contact_count]:
         a, b = world.bodies[c.a], world.bodies[c.b]
         apply_impulse(c, a, b, normal_of(c), c.normal_impulse)

@@ -38,7 +38,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from lesson_code.engine.complementarity import Floats, Problem, solve_contacts
+from lesson_code.engine.complementarity import solve_contacts
+from lesson_code.engine.contact_problem import Floats, Problem
 from lesson_code.engine.rows import State
 from lesson_code.formulas.energetic import energetic_impulse
 from lesson_code.formulas.validation import equation
@@ -133,9 +134,7 @@ def one_by_one(
             break
         points = np.array(pairs[fastest])
         both = np.concatenate((points, m + points))
-        part = Problem(
-            problem.compliance[np.ix_(both, both)], u[both], problem.friction[points]
-        )
+        part = Problem(problem.compliance[np.ix_(both, both)], u[both], problem.friction[points])
         strike = law(part, restitution[points])
         x[both] += strike
         u += problem.compliance[:, both] @ strike

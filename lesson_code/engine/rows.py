@@ -94,6 +94,8 @@ class ContactRow:
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
     is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
 
+    case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
+
     is_block: bool = False  # whether this row and the next are solved together: one manifold
     coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
     normal_mass: float = 0.0  # kg, effective mass along the normal

@@ -13,7 +13,8 @@ from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
 from lesson_code.engine import complementarity
-from lesson_code.engine.complementarity import (
+from lesson_code.engine.complementarity import solve_contacts
+from lesson_code.engine.contact_problem import (
     BACKWARD,
     FORWARD,
     OPEN,
@@ -21,7 +22,6 @@ from lesson_code.engine.complementarity import (
     Answer,
     Problem,
     complementarity_error,
-    solve_contacts,
 )
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
 
@@ -203,7 +203,9 @@ def test_velocities_without_friction_are_the_only_exact_answer(seed: int, contac
     assume(answers)
     answer = solve_contacts(problem)
     w = problem.velocity + problem.compliance @ answer.impulses
-    np.testing.assert_allclose(w[:contacts], np.array(answers[0], dtype=float)[:contacts], atol=EXACT)
+    np.testing.assert_allclose(
+        w[:contacts], np.array(answers[0], dtype=float)[:contacts], atol=EXACT
+    )
 
 
 # Many contacts
@@ -281,7 +283,7 @@ def test_lemke_takes_over_where_pivoting_fails(monkeypatch: pytest.MonkeyPatch) 
         zero = np.zeros(2 * len(problem.friction))
         return Answer(zero, complementarity_error(problem, zero), "pivoting")
 
-    monkeypatch.setattr(complementarity, "_by_pivoting", fail)
+    monkeypatch.setattr(complementarity, "by_pivoting", fail)
     answer = solve_contacts(problem)
     assert answer.method == "lemke"
     w = problem.velocity + problem.compliance @ answer.impulses

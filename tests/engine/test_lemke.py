@@ -47,5 +47,5 @@ def test_answer_of_a_strictly_copositive_problem_always_exists(seed: int, n: int
 
 
 def test_problem_without_an_answer_has_none() -> None:
-    """w = -1 + 0 z can never be >= 0."""
+    """An equation like w = -1 + 0 z can never be >= 0."""
     assert lemke(np.array([[0.0]]), np.array([-1.0])) is None

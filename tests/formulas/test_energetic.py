@@ -37,7 +37,9 @@ responses = st.tuples(st.floats(0.5, 5), st.floats(-0.95, 0.95), st.floats(0.5, 
 )
 
 
-def energy_gain(u: tuple[float, float], k: tuple[float, float, float], j: tuple[float, float]) -> float:
+def energy_gain(
+    u: tuple[float, float], k: tuple[float, float, float], j: tuple[float, float]
+) -> float:
     """Return what an impulse brings, u . j + j K j / 2, of the energy u K^-1 u / 2 before."""
     (vn, vt), (knn, knt, ktt), (jn, jt) = u, k, j
     before = (ktt * vn * vn - 2 * knt * vn * vt + knn * vt * vt) / (knn * ktt - knt * knt) / 2
@@ -71,7 +73,7 @@ def test_impulse_where_nothing_couples_is_newtons(
 def test_impulse_that_sticks_from_the_start_has_its_own_mass(
     vn: float, k: tuple[float, float, float], e: float, more: float
 ) -> None:
-    """vt = 0 and mu >= abs(knt) / ktt: jn = -(1 + e) vn / (knn - knt^2 / ktt), jt = -knt/ktt jn."""
+    """With vt = 0, mu >= abs(knt)/ktt: jn = -(1 + e) vn / (knn - knt^2 / ktt), jt = -knt/ktt jn."""
     knn, knt, ktt = k
     jn, jt = energetic_impulse(vn, 0.0, knn, knt, ktt, e, abs(knt) / ktt * (1 + 1e-12) + more)
     assert jn == pytest.approx(-(1 + e) * vn / (knn - knt * knt / ktt), rel=1e2 * ROUNDING)
@@ -79,7 +81,7 @@ def test_impulse_that_sticks_from_the_start_has_its_own_mass(
 
 
 def test_impulse_worked_by_hand_turns_the_sliding_round() -> None:
-    """knn = 2, knt = 1, ktt = 1, mu = 1/2, vn = -2, vt = -1/2, e = 1.
+    """Given knn = 2, knt = ktt = 1, mu = 1/2, vn = -2, vt = -1/2, e = 1.
 
     Sliding back (vt < 0, friction forwards): dvn/dp = 5/2, dvt/dp = 3/2, so vt = 0 at p = 1/3,
     where vn = -7/6. Holding takes 1 > mu: it slides on forwards, dvn/dp = 3/2, dvt/dp = 1/2. The
@@ -152,7 +154,7 @@ def test_impact_ends_with_parting(
 
 
 def test_impact_that_jams_first_stops_the_sliding() -> None:
-    """knn - mu knt < 0: while it slides, friction presses the bodies together (Painleve).
+    """Where knn < mu knt: while it slides, friction presses the bodies together (Painleve).
 
     knn = 1, knt = 0.9, ktt = 1, mu = 2, vn = -1, vt = 1, e = 0: it slides until vt = 1 - 1.1 p
     is 0, at p = 10/11; there vn = -1 - 0.8 p = -19/11. Sticking, vn rises with 1 - 0.81 = 0.19.
