@@ -289,12 +289,3 @@ def test_lemke_takes_over_where_pivoting_fails(monkeypatch: pytest.MonkeyPatch) 
     w = problem.velocity + problem.compliance @ answer.impulses
     expected_w = problem.velocity + problem.compliance @ expected.impulses
     np.testing.assert_allclose(w, expected_w, atol=NEARLY)
-
-
-def test_error_is_the_largest_fault_as_a_velocity() -> None:
-    """Half of the impulse that is needed leaves half of the approach; a pull is one, too."""
-    ball = Problem(np.diag([2.0, 6.0]), np.array([-2.0, 0.0]), np.array([0.5]))
-    assert complementarity_error(ball, np.array([0.5, 0.0])) == 1.0
-    assert complementarity_error(ball, np.array([1.0, 0.0])) == 0.0
-    assert complementarity_error(ball, np.array([1.0, 0.25])) == 1.5
-    assert complementarity_error(ball, np.array([-1.0, 0.0])) == 4.0
