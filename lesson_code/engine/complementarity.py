@@ -23,6 +23,7 @@ from __future__ import annotations
 import numpy as np
 
 from lesson_code.engine.contact_problem import (
+    ENOUGH,
     Answer,
     Cases,
     Floats,
@@ -35,10 +36,6 @@ from lesson_code.engine.contact_problem import (
 )
 from lesson_code.engine.lemke import lemke
 from lesson_code.engine.pivoting import by_pivoting, first_guess
-
-ENOUGH = 1e-7
-"""Of the same: the error that is left where contacts on the brink of opening or sliding have
-been given the wrong case. No other method is tried for it; the next step starts anew."""
 
 SOFT = 1e-3
 """The same for a problem without an answer: bodies give way by a thousandth of the velocity."""

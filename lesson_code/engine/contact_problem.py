@@ -39,6 +39,10 @@ it makes is taken out again; the smaller it is, the more shows rounding in how a
 SOLVED = 1e-12
 """Of the largest velocity in b: the complementarity error that is as good as none."""
 
+ENOUGH = 1e-7
+"""Of the same: the error that is left where contacts on the brink of opening or sliding have
+been given the wrong case. No other method is tried for it; the next step starts anew."""
+
 ROUNDING = 1e-14
 """Of the largest term in K x: what rounding leaves of velocities that cancel."""
 

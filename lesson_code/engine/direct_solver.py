@@ -109,9 +109,11 @@ def solve(world: World) -> None:
         missing = velocities(island)
         missing[: len(contacts)] -= [c.target_vn for c in contacts]
         problem = Problem(island.compliance, missing, island.friction)
-        x = solve_contacts(problem, np.array([c.case for c in contacts])).impulses
-        apply_impulses(island, x)
-        note_impulses(contacts, x)
+        answer = solve_contacts(problem, np.array([c.case for c in contacts]))
+        apply_impulses(island, answer.impulses)
+        note_impulses(contacts, answer.impulses)
+        if answer.method == "softened":
+            world.state.softened += 1
 
 
 def correct(world: World) -> None:

@@ -141,6 +141,7 @@ class State:
     pair_count: int = 0  # rows in use
     contact_count: int = 0
     memory_count: int = 0
+    softened: int = 0  # islands so far that had no exact answer (the direct solver alone counts)
 
 
 class World(NamedTuple):
