@@ -75,15 +75,41 @@ def is_covered(world: World, k: int) -> bool:
     while n >= 0:
         d = world.contacts[n]
         other = d.a + d.b != c.a + c.b  # the pushed body is the same: so the static one differs
-        if other and is_deeper(d, n, c, k) and covers(world, d, c, pushed):
+        if other and is_deeper(world, d, n, c, k, pushed) and covers(world, d, c, pushed):
             return True
         n = d.next_static
     return False
 
 
-def is_deeper(d: ContactRow, n: int, c: ContactRow, k: int) -> bool:
-    """Return whether the contact d, in row n, is deeper than c in row k, or as deep and first."""
-    return d.penetration > c.penetration or (d.penetration == c.penetration and n < k)
+def is_deeper(world: World, d: ContactRow, n: int, c: ContactRow, k: int, pushed: int) -> bool:
+    """Return whether the contact d, in row n, is deeper than c in row k.
+
+    Of two that are as deep but for rounding a face comes before a corner, whose normal is slanted
+    where it should be straight, and of two alike the first.
+    """
+    difference = d.penetration - c.penetration
+    if abs(difference) > SEAM * world.bodies[pushed].extent:
+        return difference > 0.0
+    if is_straight(world, d, pushed) != is_straight(world, c, pushed):
+        return is_straight(world, d, pushed)
+    return n < k
+
+
+def is_straight(world: World, c: ContactRow, pushed: int) -> bool:
+    """Return whether a contact's normal is, to the last bit, that of an edge of the static body."""
+    static = static_body(world, c, pushed)
+    if static.corner_count == 0:
+        return False
+    nx, ny = towards(c, pushed)
+    corner = world.corners[facing_edge(world.corners, static, nx, ny)]
+    return corner.nx == nx and corner.ny == ny
+
+
+def is_with_face(world: World, c: ContactRow, pushed: int) -> bool:
+    """Return whether a contact is with a face of the static body, not with a corner."""
+    static = static_body(world, c, pushed)
+    nx, ny = towards(c, pushed)
+    return static.corner_count > 0 and facing(world, static, nx, ny) >= 0
 
 
 def covers(world: World, d: ContactRow, c: ContactRow, pushed: int) -> bool:
@@ -100,8 +126,8 @@ def covers(world: World, d: ContactRow, c: ContactRow, pushed: int) -> bool:
 def is_rounded_end(world: World, c: ContactRow, pushed: int) -> bool:
     """Return whether the round end of a static segment is hit."""
     static = static_body(world, c, pushed)
-    nx, ny = towards(c, pushed)
-    return static.radius > 0.0 and static.corner_count == 2 and facing(world, static, nx, ny) < 0
+    is_rod = static.radius > 0.0 and static.corner_count == 2
+    return is_rod and not is_with_face(world, c, pushed)
 
 
 def lies_in_rod(world: World, c: ContactRow, d: ContactRow, pushed: int) -> bool:

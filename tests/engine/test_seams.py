@@ -15,7 +15,7 @@ from lesson_code.engine.constants import SEAM
 from lesson_code.engine.stepper import EngineStepper
 
 KEPT = 1e-9
-"""m/s: a disc or box without friction that slides for 8 s over up to 80 seams at up to 10 m/s."""
+"""m/s: a disc or box without friction that slides for 4 s over up to 40 seams at up to 10 m/s."""
 
 TURNED = 1e-12
 """m/s and rad/s, up and round: nothing but rounding."""
@@ -33,13 +33,23 @@ def of_blocks() -> list[Body]:
     return [Body(Polygon.box(1, 1), position=(k + 0.5, -0.5)) for k in range(-3, 90)]
 
 
-def of_blocks_of_many_depths() -> list[Body]:
+def of_steps() -> list[Body]:
     """Return a floor of blocks whose sides reach below their neighbours'."""
     depths = [1.0, 0.3, 2.0]
     return [
         Body(Polygon.box(1, depths[k % 3]), position=(k + 0.5, -depths[k % 3] / 2))
         for k in range(-3, 90)
     ]
+
+
+def of_rods() -> list[Body]:
+    """Return a floor of rods with round ends, 20 cm thick, their middle lines end to end."""
+    return [Body(Segment((k, -0.1), (k + 1, -0.1), radius=0.1)) for k in range(-3, 90)]
+
+
+SUNK = 1e-4
+"""m: how deep a slider is put into the floor. One that only touches lands first, and not always
+with all points of a rounded face at once."""
 
 
 SLIDERS = {
@@ -50,16 +60,16 @@ SLIDERS = {
 }
 
 
-@pytest.mark.parametrize("floor", [of_segments, of_blocks, of_blocks_of_many_depths])
+@pytest.mark.parametrize("floor", [of_segments, of_blocks, of_steps, of_rods])
 @pytest.mark.parametrize(("shape", "height"), SLIDERS.values(), ids=SLIDERS)
 @pytest.mark.parametrize("speed", [1.0, 5.0, 10.0])
 def test_slider_on_a_smooth_floor_keeps_its_speed(
     floor: Floor, shape: Any, height: float, speed: float
 ) -> None:
     """No friction, no slope: v is what it was, to 1e-9, and nothing goes up or round."""
-    body = Body(shape, mass=1, position=(0.3, height), velocity=(speed, 0))
+    body = Body(shape, mass=1, position=(0.3, height - SUNK), velocity=(speed, 0))
     scene = Scene([*floor(), body], gravity=(0, -10))
-    run = simulate(scene, 8.0, solver="direct", sample="end")
+    run = simulate(scene, 4.0, solver="direct", sample="end")
     vx, vy = run.velocities[-1, -1]
     assert vx == pytest.approx(speed, abs=KEPT)
     assert vy == pytest.approx(0, abs=TURNED)
