@@ -5,7 +5,8 @@ Four ways, in this order; the answer of each is judged by its own complementarit
 ==============  ===========================================================================
 `one`           a single contact: sticking is two equations, sliding one
 `pivoting`      block principal pivoting: exact, and usually done in a few rounds
-`lemke`         Lemke's method, where that has not come to an end; it always does
+`lemke`         Lemke's method, where that has not come to an end; but for rounding it always
+                does
 `softened`      every contact gives way a little: for what has no answer at all, a body between
                 two walls that close
 ==============  ===========================================================================

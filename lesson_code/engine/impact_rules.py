@@ -13,8 +13,9 @@ the forces are there together for the whole of the impact; in the second each is
 next begins, as between hard balls that touch loosely.
 
 The sequence ends when no pair approaches faster than a millionth of the fastest approach there
-was, or after so many strikes (balls that lose energy may need infinitely many). What approaches
-still is then stopped, all at once and without a bounce.
+was (or of what gravity gives in a step), or after 100 strikes for each contact, because balls that
+lose energy may need infinitely many. What approaches still is then stopped, all at once and without
+a bounce.
 
 =================  =========================================================================
 restitution law    what e is the ratio of

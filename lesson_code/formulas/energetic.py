@@ -27,7 +27,7 @@ jn, jt    impulse along normal and tangent in total                          N s
 
 References
 ----------
-Stronge, Impact Mechanics (2000), chapter 5: planar impact with friction. Bhatt and Koechling,
+Stronge, Impact Mechanics (2000): the energetic coefficient of restitution. Bhatt and Koechling,
 Partitioning the parameter space according to different behaviors during three-dimensional impacts
 (1995), for the flow of the sliding during an impact.
 """
@@ -102,7 +102,7 @@ def energetic_impulse(
 
     References
     ----------
-    Stronge, Impact Mechanics (2000), chapter 5.
+    Stronge, Impact Mechanics (2000).
 
     Examples
     --------
