@@ -5,16 +5,26 @@ from __future__ import annotations
 from lesson_code.engine.combination import combined
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, World
+from lesson_code.engine.seams import drop_seams
 from lesson_code.geometry.circle_contact import collide_circles
 from lesson_code.geometry.manifold import collide_rows, collide_with_circle
 from lesson_code.geometry.rows import ManifoldRow
 
 
 def find_contacts(world: World, effects: Effects = EVERY_EFFECT) -> bool:
-    """Write the contacts of all candidate pairs, in the order of the pairs.
+    """Write the contacts of all candidate pairs, in the order of the pairs, without seams.
 
     Returns whether the table had room for them.
     """
+    if not find_overlaps(world, effects):
+        return False
+    if effects.seams:
+        drop_seams(world)
+    return True
+
+
+def find_overlaps(world: World, effects: Effects) -> bool:
+    """Write the contacts of all candidate pairs; return whether the table had room for them."""
     state, m = world.state, world.manifold
     count = 0
     for k in range(state.pair_count):

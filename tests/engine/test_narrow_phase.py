@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.broad_phase import all_pairs, bound
 from lesson_code.engine.contact_motion import contact_point
-from lesson_code.engine.narrow_phase import find_contacts
+from lesson_code.engine.narrow_phase import find_overlaps
 from lesson_code.engine.rows import ContactRow, World
 from lesson_code.engine.tables import world_of
 from lesson_code.engine.world import find_pairs
@@ -29,7 +29,7 @@ def detected(scene: Scene, combine: Combination | None = None, dirt: float = 0.0
     find_pairs(world, all_pairs)
     for contact in world.contacts:
         contact.normal_impulse = contact.tangent_impulse = contact.push_impulse = dirt
-    find_contacts(world)
+    find_overlaps(world)
     return world
 
 
