@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.room import make_room
@@ -27,7 +26,6 @@ def deepest_overlaps(
             body.x, body.y = positions[frame, n].tolist()
             body.angle = float(angles[frame, n])
             turn_with_angle(world, body)
-        bound(world)
         while not (find_pairs(world, broad_phase) and find_contacts(world)):
             world = make_room(world)
         depths[frame] = _deepest(world)

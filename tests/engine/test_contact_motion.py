@@ -135,14 +135,10 @@ def test_missing_velocity_is_counted_from_the_target(a: BodyRow, b: BodyRow, c: 
     assert missing_velocity(c, a, b) == expected
 
 
-@pytest.mark.parametrize(
-    ("vn", "push_vn", "missing"),
-    [(0.0, 0.0, -2.0), (0.0, 1.5, -0.5), (0.5, 1.5, 0.0), (5.0, 0.0, 3.0), (-5.0, 0.0, -2.0)],
-    ids=["all", "some pushed", "some by itself", "leaves by itself", "approach does not count"],
-)
-def test_missing_push_is_less_by_what_the_bodies_do_themselves(
-    vn: float, push_vn: float, missing: float
+@given(bodies, bodies, contacts)
+def test_missing_push_is_counted_from_the_speed_of_the_push(
+    a: BodyRow, b: BodyRow, c: ContactRow
 ) -> None:
-    """The overlap is to be undone at 2 m/s."""
-    c = ContactRow(nx=1.0, push_speed=2.0)
-    assert missing_push(c, BodyRow(), BodyRow(vx=vn, push_vx=push_vn)) == missing
+    """The velocities of the correction alone: those of the motion have been taken off before."""
+    expected = push_velocity_along(c, a, b, normal_of(c)) - c.push_speed
+    assert missing_push(c, a, b) == expected

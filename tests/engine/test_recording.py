@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Run, Scene, Segment, simulate
 from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import Event, record
+from lesson_code.engine.recording import STATE_NUMBERS, record
 
 ROUNDING = 1e-12
 """s and m: a time is a product of a step and its number, and up to 100."""
@@ -28,19 +29,21 @@ class Counter:
         self.done = 0
         self._bodies = bodies
 
-    def step(self) -> None:
+    def advance(self, steps: int) -> None:
         """Count."""
-        self.done += 1
+        assert steps >= 0
+        self.done += steps
 
-    def states(self) -> list[tuple[float, float, float, float, float, float]]:
+    def states(self) -> NDArray[np.float64]:
         """Return x = y = angle = the number of steps."""
         n = float(self.done)
-        return [(n, n, n, 1.0, -1.0, 0.5)] * self._bodies
+        return np.array([(n, n, n, 1.0, -1.0, 0.5)] * self._bodies).reshape(-1, STATE_NUMBERS)
 
-    def events(self) -> list[Event]:
+    def events(self) -> NDArray[np.float64]:
         """Return one event for each step."""
-        dt = self.dt
-        return [((n + 1) * dt, 0, 1, 0.5, -0.5, 1.0, 0.0, 3.0, -1.0, 0.1) for n in range(self.done)]
+        times = self.dt * np.arange(1, self.done + 1)
+        rest = (0, 1, 0.5, -0.5, 1.0, 0.0, 3.0, -1.0, 0.1)
+        return np.column_stack([times, *[np.full(self.done, number) for number in rest]])
 
 
 def recorded(duration: float, sample: Any = None, dt: float = 0.25) -> tuple[Counter, Run]:
@@ -230,9 +233,9 @@ def test_state_beyond_floating_point_is_refused_with_its_body_and_time() -> None
     class Runaway(Counter):
         """Its second body is lost after three steps."""
 
-        def states(self) -> list[tuple[float, float, float, float, float, float]]:
+        def states(self) -> NDArray[np.float64]:
             lost = float("nan") if self.done >= 3 else 0.0
-            return [(0.0,) * 6, (0.0, 0.0, 0.0, lost, 0.0, 0.0)]
+            return np.array([(0.0,) * 6, (0.0, 0.0, 0.0, lost, 0.0, 0.0)])
 
     with pytest.raises(FloatingPointError, match=r"body 1 has left the range .* at 0\.75 s"):
         record(Runaway(bodies=2), Scene([DISC] * 2), 1.0, None, PLAN)

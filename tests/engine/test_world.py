@@ -13,8 +13,16 @@ from hypothesis import strategies as st
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine import world as stages
 from lesson_code.engine.broad_phase import all_pairs
+from lesson_code.engine.continuous import rigid_part
 from lesson_code.engine.tables import world_of
-from lesson_code.engine.world import ContactSolver, accelerate, move, step, turn_with_angle
+from lesson_code.engine.world import (
+    ContactSolver,
+    Pipeline,
+    accelerate,
+    move,
+    step,
+    turn_with_angle,
+)
 
 ROUNDING = 1e-13
 """m and m/s: sixty additions of numbers of about 1."""
@@ -29,6 +37,36 @@ def one_body(**motion: Any) -> Scene:
 
 # The order
 
+STAGES = (
+    "move",
+    "find_pairs",
+    "find_contacts",
+    "has_room_for_record",
+    "accelerate",
+    "record_impulses",
+)
+"""What a step calls besides its solver and its listener."""
+
+
+def noting(called: list[str], name: str, answer: bool = True) -> Any:
+    """Return a stage that writes down its name, and says that all is well or that it is not."""
+
+    def stage(*_: Any) -> bool:
+        called.append(name)
+        return answer
+
+    return stage
+
+
+def noting_solver(called: list[str]) -> ContactSolver:
+    """Return a solver whose stages write down their names."""
+    return ContactSolver(*[noting(called, name) for name in ContactSolver._fields])
+
+
+def pipeline(solver: ContactSolver, listener: Any = None) -> Pipeline:
+    """Return the pipeline of a solver."""
+    return Pipeline(rigid_part, all_pairs, solver, listener)
+
 
 def test_stages_come_in_the_order_of_the_pipeline(monkeypatch: pytest.MonkeyPatch) -> None:
     """Detection, resolution, post-processing; the listener hears before and after the impulses."""
@@ -41,30 +79,43 @@ def test_stages_come_in_the_order_of_the_pipeline(monkeypatch: pytest.MonkeyPatc
         def after_impulses(self, _: Any) -> None:
             called.append("after_impulses")
 
-    for name in ("move", "bound", "find_pairs", "find_contacts", "accelerate"):
-        monkeypatch.setattr(stages, name, lambda *_, name=name: called.append(name))
-    monkeypatch.setattr(stages, "has_overlap_to_undo", lambda _: True)
-    solver = ContactSolver(
-        **{name: lambda _, name=name: called.append(name) for name in ContactSolver._fields}
-    )
+    for name in STAGES:
+        monkeypatch.setattr(stages, name, noting(called, name))
     world = world_of(Scene(), dt=0.1, iterations=2, combine=Combination())
-    step(world, all_pairs, solver, Listener())
+    assert step(world, pipeline(noting_solver(called), Listener()))
     assert called == [
-        *("move", "bound", "find_pairs", "find_contacts", "before_impulses"),
-        *("prepare", "accelerate", "warm_start", "solve", "solve", "correct", "correct"),
-        *("store", "after_impulses"),
+        *("move", "find_pairs", "find_contacts", "has_room_for_record", "before_impulses"),
+        *("prepare", "accelerate", "warm_start", "solve", "solve"),
+        *("has_overlap_to_undo", "correct", "correct"),
+        *("store", "after_impulses", "record_impulses"),
     ]
 
 
-def test_correction_without_an_overlap_to_undo_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_correction_without_an_overlap_to_undo_is_left_out() -> None:
     """Nobody pays for sweeps that have nothing to do."""
     called: list[str] = []
-    solver = ContactSolver(
-        **{name: lambda _, name=name: called.append(name) for name in ContactSolver._fields}
-    )
+    solver = noting_solver(called)._replace(has_overlap_to_undo=lambda _: False)
     world = world_of(Scene([FLOOR]), dt=0.1, iterations=2, combine=Combination())
-    step(world, all_pairs, solver)
-    assert "correct" not in called
+    assert step(world, pipeline(solver))
+    assert called == ["prepare", "warm_start", "solve", "solve", "store"]
+
+
+@pytest.mark.parametrize("stop", ["find_pairs", "find_contacts", "has_room_for_record"])
+def test_step_that_lacks_room_goes_on_where_it_stopped(
+    monkeypatch: pytest.MonkeyPatch, stop: str
+) -> None:
+    """The bodies move once, whatever is called again; no stage has begun to solve before."""
+    called: list[str] = []
+    for name in STAGES:
+        monkeypatch.setattr(stages, name, noting(called, name, answer=name != stop))
+    world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+    assert not step(world, pipeline(noting_solver(called)))
+    assert (called[0], called[-1], world.state.has_moved) == ("move", stop, True)
+    assert not {"prepare", "accelerate", "store"} & set(called)
+    monkeypatch.setattr(stages, stop, noting(called, stop))
+    assert step(world, pipeline(noting_solver(called)))
+    assert (called.count("move"), called.count("solve")) == (1, 1)
+    assert not world.state.has_moved
 
 
 # Motion
@@ -111,12 +162,13 @@ def test_outline_at_a_large_angle_keeps_its_size() -> None:
 
 
 @given(st.sampled_from(["x", "y", "vx", "vy", "angle", "w"]), st.sampled_from([math.inf, math.nan]))
-def test_body_beyond_floating_point_is_refused_by_number(name: str, value: float) -> None:
-    """Before a sine or a grid cell of it is asked for."""
+def test_body_beyond_floating_point_is_noted_by_number(name: str, value: float) -> None:
+    """Before a sine or a grid cell of it is asked for; and the step stops there."""
     world = world_of(Scene([FLOOR, *one_body().bodies]), 0.1, 1, Combination())
     setattr(world.bodies[1], name, value)
-    with pytest.raises(FloatingPointError, match="body 1 has left the range of floating point"):
-        move(world)
+    called: list[str] = []
+    assert not step(world, pipeline(noting_solver(called)))
+    assert (world.state.lost_body, world.state.has_pairs, called) == (1, False, [])
 
 
 # Gravity and damping
