@@ -131,11 +131,8 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
             c = world.contacts[k]
             a, b = world.bodies[c.a], world.bodies[c.b]
             if effects.manifolds and c.is_block:
-                solve_normals(c, world.contacts[k + 1], a, b)
-                solve_friction(c, a, b)
-            elif effects.manifolds and is_second_of_block(world, k):
-                solve_friction(c, a, b)
-            else:
+                solve_manifold(c, world.contacts[k + 1], a, b)
+            elif not (effects.manifolds and is_second_of_block(world, k)):
                 solve_contact(c, a, b)
 
 
@@ -154,6 +151,13 @@ def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     more_t = jt - c.tangent_impulse
     apply_both(c, a, b, more_n, more_t)
     c.normal_impulse, c.tangent_impulse = jn, jt
+
+
+def solve_manifold(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Do the same at the two points of one manifold: both normal velocities at once."""
+    solve_normals(c, d, a, b)
+    solve_friction(c, a, b)
+    solve_friction(d, a, b)
 
 
 def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

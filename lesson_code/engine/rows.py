@@ -111,6 +111,7 @@ class ContactRow:
     penetration: float = 0.0  # m, > 0
     restitution: float = 0.0  # of the pair
     coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
+    compliance: float = 0.0  # 1/kg, in a block: the velocity at this point from 1 N s here
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_block: bool = False  # whether this row and the next are solved together: one manifold
     is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
@@ -185,6 +186,7 @@ class State:
 
     pair_count: int = 0  # rows in use
     contact_count: int = 0
+    static_count: int = 0
     memory_count: int = 0
     impulse_count: int = 0
 
@@ -211,6 +213,7 @@ class World(NamedTuple):
     slots: list[IndexRow]  # of the grid: where the boxes of each begin
     fixed_slots: list[IndexRow]  # the first body in each that nothing can push
     contacts: list[ContactRow]
+    static_contacts: list[IndexRow]  # those of them with a body that nothing can push
     memory: list[MemoryRow]
     impulses: list[ImpulseRow]  # the record, until somebody takes it away
     manifold: ManifoldRow  # scratch for the narrow phase

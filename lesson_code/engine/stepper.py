@@ -149,7 +149,6 @@ class EngineStepper:
         self._compiled = compiled
         self._events: list[NDArray[np.float64]] = []
         if compiled:
-            self.world = as_arrays(self.world)
             self._compile(splits_steps=False)
 
     def advance(self, steps: int) -> None:
@@ -205,6 +204,7 @@ class EngineStepper:
         self.pipeline = self.pipeline._replace(splits_steps=splits_steps)
         source = link(advance, pipeline=self.pipeline)
         self._program = compiled_function(source, "advance")
+        self.world = as_arrays(self.world, source)
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""
