@@ -98,8 +98,12 @@ class ContactRow:
     bx: float = 0.0  # m, lever arm on b
     by: float = 0.0
 
+    ra_x_n: float = 0.0  # m, lever arm on a about its centre of mass, of an impulse along n
+    rb_x_n: float = 0.0  # m, on b
+    ra_x_t: float = 0.0  # m, of an impulse along the tangent, which is n turned by +90 degrees
+    rb_x_t: float = 0.0  # m
     normal_mass: float = 0.0  # kg, effective mass along the normal
-    tangent_mass: float = 0.0  # kg, along the tangent, which is the normal turned by +90 degrees
+    tangent_mass: float = 0.0  # kg, along the tangent
     skew: float = 0.0  # 1/kg, the tangent velocity that 1 N s along the normal makes
     target_vn: float = 0.0  # m/s, relative normal velocity to reach at least: the bounce
     friction: float = 0.0  # of the pair

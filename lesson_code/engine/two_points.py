@@ -21,14 +21,8 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from lesson_code.engine.constants import LEAST_DETERMINANT
-from lesson_code.engine.contact_motion import (
-    apply_push,
-    missing_push,
-    missing_velocity,
-    normal_of,
-)
+from lesson_code.engine.contact_frame import apply_push, missing_push, missing_velocity
 from lesson_code.engine.rows import BodyRow, ContactRow
-from lesson_code.formulas.arithmetic import cross
 
 Two: TypeAlias = tuple[float, float]
 Three: TypeAlias = tuple[float, float, float]
@@ -36,10 +30,8 @@ Three: TypeAlias = tuple[float, float, float]
 
 def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Compute the coupling of two points; where they are as good as one, leave them single."""
-    n = normal_of(c)
-    on_a = cross((c.ax, c.ay), n) * cross((d.ax, d.ay), n) * a.inv_i
-    on_b = cross((c.bx, c.by), n) * cross((d.bx, d.by), n) * b.inv_i
-    c.coupling = a.inv_m + b.inv_m + on_a + on_b
+    turning = c.ra_x_n * d.ra_x_n * a.inv_i + c.rb_x_n * d.rb_x_n * b.inv_i
+    c.coupling = a.inv_m + b.inv_m + turning
     c.compliance, d.compliance = 1 / c.normal_mass, 1 / d.normal_mass
     c.is_block = 1 - c.coupling * c.coupling * c.normal_mass * d.normal_mass > LEAST_DETERMINANT
 
@@ -58,8 +50,8 @@ def solve_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     k = c.compliance, c.coupling, d.compliance
     missing = missing_push(c, a, b), missing_push(d, a, b)
     totals = two_impulses(k, missing, (c.push_impulse, d.push_impulse))
-    apply_push(c, a, b, normal_of(c), totals[0] - c.push_impulse)
-    apply_push(d, a, b, normal_of(d), totals[1] - d.push_impulse)
+    apply_push(c, a, b, totals[0] - c.push_impulse)
+    apply_push(d, a, b, totals[1] - d.push_impulse)
     c.push_impulse, d.push_impulse = totals
 
 
@@ -67,13 +59,13 @@ def apply_at_two(
     c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jc: float, jd: float
 ) -> None:
     """Change the velocities of both bodies by impulses along the normal at both points, N s."""
-    n, j = normal_of(c), jc + jd
-    a.vx -= j * n[0] * a.inv_m
-    a.vy -= j * n[1] * a.inv_m
-    a.w -= (jc * cross((c.ax, c.ay), n) + jd * cross((d.ax, d.ay), n)) * a.inv_i
-    b.vx += j * n[0] * b.inv_m
-    b.vy += j * n[1] * b.inv_m
-    b.w += (jc * cross((c.bx, c.by), n) + jd * cross((d.bx, d.by), n)) * b.inv_i
+    jx, jy = (jc + jd) * c.nx, (jc + jd) * c.ny
+    a.vx -= jx * a.inv_m
+    a.vy -= jy * a.inv_m
+    a.w -= (jc * c.ra_x_n + jd * d.ra_x_n) * a.inv_i
+    b.vx += jx * b.inv_m
+    b.vy += jy * b.inv_m
+    b.w += (jc * c.rb_x_n + jd * d.rb_x_n) * b.inv_i
 
 
 def two_impulses(k: Three, missing: Two, before: Two) -> Two:

@@ -78,11 +78,12 @@ def dtype_of(row: Any, used: frozenset[str] | None = None) -> np.dtype[Any]:
     """Return the kind of record for a kind of row, with the fields that are used."""
     hints = typing.get_type_hints(row)
     names = [field.name for field in dataclasses.fields(row)]
-    fields = [(name, KINDS[hints[name]]) for name in names if used is None or name in used]
+    kept = [name for name in names if used is None or name in used] or names[:1]
+    fields = [(name, KINDS[hints[name]]) for name in kept]
     dtype = np.dtype(fields, align=True)
     if dtype.itemsize <= UNIT:
         return dtype
-    columns = dtype.fields or {}
+    columns: dict[str, Any] = dict(dtype.fields or {})
     return np.dtype(
         {
             "names": list(columns),
@@ -97,11 +98,13 @@ def dtype_of(row: Any, used: frozenset[str] | None = None) -> np.dtype[Any]:
 def _array(rows: Any, kind: Any, used: frozenset[str] | None) -> NDArray[Any]:
     """Return rows, or the rows of an array, as an array of records."""
     array = _zeros(len(rows), dtype_of(kind, used))
-    old = rows.dtype.names if isinstance(rows, np.ndarray) else array.dtype.names
-    for name in array.dtype.names or ():
-        if name in old:
-            is_array = isinstance(rows, np.ndarray)
-            array[name] = rows[name] if is_array else [getattr(row, name) for row in rows]
+    names = array.dtype.names or ()
+    if isinstance(rows, np.ndarray):
+        for name in set(names) & set(rows.dtype.names or ()):
+            array[name] = rows[name]
+    else:
+        for name in names:
+            array[name] = [getattr(row, name) for row in rows]
     return array
 
 
