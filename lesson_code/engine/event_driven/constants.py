@@ -85,3 +85,10 @@ MOST_CELLS = 512
 
 CELL_MARGIN = 1e-9
 """Of a cell: so much wider is it than the largest disc; rounding then takes no neighbour away."""
+
+EVENTS_A_CALL = 1_000_000
+"""Then the loop comes back to its driver, so that a run can be interrupted from the keyboard, and
+what is counted in whole numbers of 32 bits stays small."""
+
+RECORD_ROWS = 4_096
+"""Impulses that are written down before the driver takes them away."""

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.event_driven.solver import ExactSolver, State
+import numpy as np
+from numpy.typing import NDArray
+
+from lesson_code.engine.event_driven.solver import ExactSolver
 from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import Sample, given_times, run_of
+from lesson_code.engine.recording import STATE_NUMBERS, Sample, given_times, run_of
 from lesson_code.engine.run import Run
 
 
@@ -26,7 +29,7 @@ def record_exact(solver: ExactSolver, duration: float, sample: Sample, plan: Pla
 
 def _after_collisions(
     solver: ExactSolver, duration: float
-) -> tuple[list[float], list[list[State]]]:
+) -> tuple[list[float], list[NDArray[np.float64]]]:
     """Return the times and states at the start, after every collision and at the end."""
     times, frames = [0.0], [solver.states(0.0)]
     time = solver.next_collision(duration)
@@ -40,9 +43,9 @@ def _after_collisions(
     return times, frames
 
 
-def _at_times(solver: ExactSolver, times: list[float]) -> list[list[State]]:
+def _at_times(solver: ExactSolver, times: list[float]) -> NDArray[np.float64]:
     """Return the states at given times, in the order in which they are given."""
-    frames: list[list[State]] = [[] for _ in times]
+    frames = np.zeros((len(times), len(solver.scene.bodies), STATE_NUMBERS))
     for frame in sorted(range(len(times)), key=times.__getitem__):
         solver.advance(times[frame])
         frames[frame] = solver.states(times[frame])

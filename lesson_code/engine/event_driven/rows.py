@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
+from lesson_code.engine.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
 from lesson_code.geometry.rows import Corner
 
 NOTHING, DISC, OBSTACLE, CELL, GRIP, END = range(6)
@@ -87,7 +87,14 @@ class ExactState:
     hop: float = 0.0  # m/s, in a pile impacts slower than this lose no energy
     pile_time: float = 0.0  # s, a disc that has met no disc for so long is in no pile
 
-    collisions: int = 0  # so far
+    until: float = -math.inf  # s, later events are left alone
+    stops_at_collision: bool = False  # whether to stop after the next one, too
+    keeps_impulses: bool = False  # whether they are written down
+    has_begun: bool = False  # whether the first events have been foretold
+    events_left: int = 0  # after so many more the driver has a look
+
+    collisions: int = 0  # since the driver has last counted them
+    impulse_count: int = 0  # rows in use
     events_at_once: int = 0  # so far, at this very instant
     window: float = 0.0  # s, the time of one hop: for so long events in piles are counted
     window_start: float = 0.0  # s, when that counting began
@@ -108,3 +115,4 @@ class Tables(NamedTuple):
     near: list[NearRow]
     everywhere: list[IndexRow]  # obstacles that are near everywhere
     contact: ContactRow  # scratch for a collision
+    impulses: list[ImpulseRow]  # the record, until the driver takes it away

@@ -45,6 +45,7 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
         near=[],
         everywhere=[],
         contact=ContactRow(),
+        impulses=[],
     )
     _bound_grid(tables)
     for i in range(len(discs)):
