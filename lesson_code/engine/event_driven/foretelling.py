@@ -7,7 +7,7 @@ import math
 from lesson_code.engine.broad_phase import slot_of
 from lesson_code.engine.event_driven.cells import border_gap, is_endless
 from lesson_code.engine.event_driven.motion import place_at, seen_from, velocity_at
-from lesson_code.engine.event_driven.queue import update
+from lesson_code.engine.event_driven.queue import enter_event
 from lesson_code.engine.event_driven.rows import (
     CELL,
     DISC,
@@ -25,10 +25,6 @@ from lesson_code.geometry.impact_times import (
     line_impact_time,
 )
 
-SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
-"""Which way the sides of a cell look: right, left, up, down."""
-
-
 def foretell(tables: Tables, i: int) -> None:
     """Find the next event of a disc that lives in the present, and queue it."""
     disc = tables.discs[i]
@@ -40,7 +36,7 @@ def foretell(tables: Tables, i: int) -> None:
         foretell_border(tables, disc)
         foretell_obstacles(tables, disc)
     foretell_discs(tables, i)
-    update(tables.discs, tables.queue, i)
+    enter_event(tables.queue, i, disc.event_time)
 
 
 def note(
@@ -56,12 +52,17 @@ def note(
 def foretell_border(tables: Tables, disc: DiscRow) -> None:
     """Find when the disc's centre leaves its cell, and on which side."""
     for side in range(4):
-        if is_endless(tables, disc, side):
-            continue
-        x, y = SIDES[side]
-        speed, pull = disc.vx * x + disc.vy * y, disc.ax * x + disc.ay * y
-        after = line_impact_time(border_gap(tables, disc, side), -speed, -pull)
-        note(tables, disc, after, CELL, -1, side)
+        if not is_endless(tables, disc, side):
+            gap = border_gap(tables, disc, side)
+            if side == 0:
+                after = line_impact_time(gap, -disc.vx, -disc.ax)
+            elif side == 1:
+                after = line_impact_time(gap, disc.vx, disc.ax)
+            elif side == 2:
+                after = line_impact_time(gap, -disc.vy, -disc.ay)
+            else:
+                after = line_impact_time(gap, disc.vy, disc.ay)
+            note(tables, disc, after, CELL, -1, side)
 
 
 def foretell_discs(tables: Tables, i: int) -> None:

@@ -17,8 +17,6 @@ that closes is an event now.
 
 from __future__ import annotations
 
-import math
-
 from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
 from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
@@ -70,12 +68,12 @@ def has_no_end(tables: Tables) -> bool:
 
 def next_time(tables: Tables) -> float:
     """Return the time of the next event, s; ``math.inf`` when there is none."""
-    return tables.discs[tables.queue[0].index].event_time if len(tables.queue) > 0 else math.inf
+    return tables.queue[1].time
 
 
 def next_event(tables: Tables) -> bool:
     """Let the next event happen, and return whether it was a collision."""
-    i, state = tables.queue[0].index, tables.state
+    i, state = tables.queue[1].disc, tables.state
     disc = tables.discs[i]
     count_event(tables, disc)
     state.now = max(state.now, disc.event_time)

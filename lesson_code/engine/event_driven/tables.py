@@ -18,7 +18,7 @@ from lesson_code.engine.event_driven.constants import (
     SLOW,
     STILL,
 )
-from lesson_code.engine.event_driven.queue import build
+from lesson_code.engine.event_driven.queue import queue_for
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, Tables
 from lesson_code.engine.event_driven.support import let_go
 from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
@@ -39,7 +39,7 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
         obstacles=[world.bodies[n] for n in fixed],
         obstacle_bodies=[IndexRow(n) for n in fixed],
         corners=world.corners,
-        queue=[IndexRow(i) for i in range(len(discs))],
+        queue=queue_for(len(discs)),
         slots=[IndexRow() for _ in range(slots)],
         near_slots=[IndexRow() for _ in range(slots)],
         near=[],
@@ -53,7 +53,6 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
         enter_cell(tables, i)
     for k in range(len(fixed)):
         _note_obstacle(tables, k)
-    build(discs, tables.queue)
     return tables
 
 
