@@ -62,6 +62,14 @@ class EventRow:
 
 
 @dataclass(slots=True)
+class SlotRow:
+    """A slot of the grid: cells whose numbers agree in their last digits share it."""
+
+    first_disc: int = -1  # the first disc with its centre in one of them; -1: there is none
+    first_near: int = -1  # the first NearRow of one of them; -1: there is none
+
+
+@dataclass(slots=True)
 class NearRow:
     """An obstacle that a disc with its centre in this cell might touch."""
 
@@ -118,8 +126,7 @@ class Tables(NamedTuple):
     obstacle_bodies: list[IndexRow]  # the obstacles' places in the scene
     corners: list[Corner]
     queue: list[EventRow]  # of all discs' events, the earliest in row 1
-    slots: list[IndexRow]  # of the grid: the first disc in each
-    near_slots: list[IndexRow]  # of the grid: the first NearRow in each
+    slots: list[SlotRow]  # of the grid
     near: list[NearRow]
     everywhere: list[IndexRow]  # obstacles that are near everywhere
     contact: ContactRow  # scratch for a collision
