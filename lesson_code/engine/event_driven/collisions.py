@@ -58,9 +58,7 @@ def collide_discs(tables: Tables, i: int, j: int) -> None:
         disc.changes += 1
 
 
-def meet(
-    state: ExactState, c: ContactRow, a: MovingBody, b: MovingBody, pressed: bool
-) -> None:
+def meet(state: ExactState, c: ContactRow, a: MovingBody, b: MovingBody, pressed: bool) -> None:
     """Give the impulses of an impact between two discs, or in a pile."""
     vn = velocity_along(c, a, b, normal_of(c))
     if vn <= -max(state.slow, state.hop):

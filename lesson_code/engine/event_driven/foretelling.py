@@ -27,6 +27,7 @@ from lesson_code.geometry.impact_times import (
     line_impact_time,
 )
 
+
 def foretell(tables: Tables, i: int) -> None:
     """Find the next event of a disc that lives in the present, and queue it."""
     state, disc = tables.state, tables.discs[i]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,19 +13,21 @@ from lesson_code.engine.recording import STATE_NUMBERS, Sample, given_times, run
 from lesson_code.engine.run import Run
 
 
-def record_exact(solver: ExactSolver, duration: float, sample: Sample, plan: Plan) -> Run:
+def record_exact(solver: ExactSolver, duration: float, sample: Sample, reason: str) -> Run:
     """Let the exact solver run for a while, and return what it did.
 
     Without a sample there is a state at the start, one after each collision and one at the end.
     Collisions at the same time have a state each. States at given times are exact too: motion
-    between two events has a closed form.
+    between two events has a closed form. The reason is that for the choice of this solver.
     """
+    frames: Any
     if sample is None:
         times, frames = _after_collisions(solver, duration)
     else:
         times = given_times(duration, sample)
         frames = _at_times(solver, times)
         solver.advance(duration)
+    plan = Plan("exact", reason, solver.choice.code, solver.choice.reason)
     return run_of(solver.scene, times, frames, solver.events(), plan)
 
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from lesson_code.engine.event_driven.constants import EVENTS_A_CALL
 from lesson_code.engine.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
 from lesson_code.geometry.rows import Corner
 
@@ -107,7 +108,7 @@ class ExactState:
     stops_at_collision: bool = False  # whether to stop after the next one, too
     keeps_impulses: bool = False  # whether they are written down
     has_begun: bool = False  # whether the first events have been foretold
-    events_left: int = 0  # after so many more the driver has a look
+    events_left: int = EVENTS_A_CALL  # after so many more the driver has a look
 
     collisions: int = 0  # since the driver has last counted them
     impulse_count: int = 0  # rows in use

@@ -5,15 +5,30 @@ What happens in it is told by :mod:`lesson_code.engine.event_driven.loop`.
 
 from __future__ import annotations
 
+import math
 import sys
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.combination import Combination
-from lesson_code.engine.compiled import as_arrays, as_numbers, compiled_function, link
-from lesson_code.engine.event_driven.constants import EVENTS_A_CALL, RECORD_ROWS
+from lesson_code.engine.compiled import (
+    Choice,
+    as_arrays,
+    as_numbers,
+    choose,
+    compiled_function,
+    link,
+)
+from lesson_code.engine.event_driven.constants import (
+    EVENT_SECONDS,
+    EVENTS_A_CALL,
+    MOST_AHEAD,
+    RECORD_ROWS,
+)
 from lesson_code.engine.event_driven.loop import (
     COLLISION,
     NO_END,
@@ -41,20 +56,25 @@ class ExactSolver:
         How a pair's coefficients come from its bodies'.
     keep_impulses : bool
         Whether every impulse is written down.
-    compiled : bool
-        Whether the stages run as compiled code. They do the same to the last bit.
+    compiled : bool or None
+        Whether the stages run as compiled code. They do the same to the last bit. None: they begin
+        as plain Python, and are compiled if the work ahead repays it.
+    duration : float
+        s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
 
     Attributes
     ----------
     tables : Tables
         Lists of rows or, when compiled, arrays of records.
+    choice : Choice
+        Whether they are compiled, and why.
     collisions : int
         So far.
 
     Raises
     ------
     ValueError
-        The scene holds what the solver cannot do.
+        The scene holds what the solver cannot do, or cannot be compiled as was asked.
     """
 
     def __init__(
@@ -63,7 +83,8 @@ class ExactSolver:
         *,
         combine: Combination,
         keep_impulses: bool = True,
-        compiled: bool = False,
+        compiled: bool | None = False,
+        duration: float = math.inf,
     ) -> None:
         reason = why_not(scene)
         if reason:
@@ -73,15 +94,12 @@ class ExactSolver:
         self.tables.state.keeps_impulses = keep_impulses
         self.collisions = 0
         self._events: list[NDArray[np.float64]] = []
-        self._advance: Any = advance_until
-        if compiled:
-            self.compile()
+        self._advance: Callable[[Any], int] = advance_until
+        self._asked, self._duration = compiled, duration
+        self._events_done = 0
+        self.choice = Choice(False, "a small run")
+        self._choose(len(self.tables.discs) * MOST_AHEAD)
         self.advance(-1.0)  # no event yet, but all are foretold
-
-    def compile(self) -> None:
-        """Go on as compiled code from here."""
-        self.tables = as_arrays(self.tables)
-        self._advance = compiled_function(link(advance_until), "advance_until")
 
     def next_collision(self, until: float) -> float | None:
         """Go on to the next collision, and return its time, s; None: there is none until then."""
@@ -122,8 +140,7 @@ class ExactSolver:
         state.until = min(until, sys.float_info.max)  # not to the events that never happen
         state.stops_at_collision = stops_at_collision
         while True:
-            state.events_left = EVENTS_A_CALL
-            stopped_by = int(self._advance(self.tables))
+            stopped_by = self._advance(self.tables)
             self.collisions += int(state.collisions)
             state.collisions = 0
             if stopped_by == NO_END:
@@ -134,8 +151,34 @@ class ExactSolver:
             if stopped_by == RECORD_FULL:
                 self._take_impulses()
                 self._make_room()
-            elif stopped_by != PAUSE:
+            elif stopped_by == PAUSE:
+                self._look_ahead()
+                state = self.tables.state
+            else:
                 return stopped_by
+
+    def _look_ahead(self) -> None:
+        """Estimate the work that is left, and choose again whether to compile it.
+
+        It is as much as in the time so far, but no more than :data:`MOST_AHEAD` times what is done:
+        many a run comes to rest.
+        """
+        state = self.tables.state
+        self._events_done += EVENTS_A_CALL
+        state.events_left = EVENTS_A_CALL
+        left = max(self._duration - state.now, 0.0)
+        ahead = min(left / state.now, MOST_AHEAD) if state.now > 0.0 else MOST_AHEAD
+        self._choose(self._events_done * ahead)
+
+    def _choose(self, events: float) -> None:
+        """Compile what is still plain Python if so many events repay it, or if it was asked for."""
+        if self.choice.compiled or self._asked is False:
+            return
+        source = partial(link, advance_until)
+        self.choice = choose(self._asked, events * EVENT_SECONDS, source)
+        if self.choice.compiled:
+            self.tables = as_arrays(self.tables)
+            self._advance = compiled_function(source(), "advance_until")
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""
