@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable
-from functools import partial
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -43,6 +43,12 @@ from lesson_code.engine.room import longer
 from lesson_code.engine.rows import ImpulseRow
 from lesson_code.engine.scene import Body, Scene
 from lesson_code.geometry.shapes import Circle
+
+
+@cache
+def program() -> str:
+    """Return the source of the program that the loop is compiled as: one for all scenes."""
+    return link(advance_until)
 
 
 class ExactSolver:
@@ -174,11 +180,10 @@ class ExactSolver:
         """Compile what is still plain Python if so many events repay it, or if it was asked for."""
         if self.choice.compiled or self._asked is False:
             return
-        source = partial(link, advance_until)
-        self.choice = choose(self._asked, events * EVENT_SECONDS, source)
+        self.choice = choose(self._asked, events * EVENT_SECONDS, program)
         if self.choice.compiled:
             self.tables = as_arrays(self.tables)
-            self._advance = compiled_function(source(), "advance_until")
+            self._advance = compiled_function(program(), "advance_until")
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""
