@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.lib.recfunctions import structured_to_unstructured
 from numpy.typing import NDArray
 
 Tables = TypeVar("Tables", bound=tuple[Any, ...])
@@ -55,6 +56,18 @@ def as_arrays(tables: Tables, source: str) -> Tables:
             for table, kind in zip(tables, row_kinds(type(tables)).values(), strict=True)
         ]
     )
+
+
+def as_numbers(table: Any) -> NDArray[np.float64]:
+    """Return a table, a list of rows or an array of records, as numbers: a row's fields in a row.
+
+    >>> from lesson_code.engine.rows import PairRow
+    >>> as_numbers([PairRow(1, 2), PairRow(1, 3)]).tolist()
+    [[1.0, 2.0], [1.0, 3.0]]
+    """
+    if isinstance(table, np.ndarray):
+        return structured_to_unstructured(table, dtype=float)
+    return np.array([dataclasses.astuple(row) for row in table], dtype=float)
 
 
 def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:
