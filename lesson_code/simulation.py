@@ -19,6 +19,12 @@ OTHERS = {"pymunk": ("C", "pymunk's own"), "box2d": ("C++", "Box2D's own")}
 NAMES = ("auto", *SOLVERS, "exact", *OTHERS)
 """The solvers that a scene can be given to."""
 
+IMPACT_CHOICES = {
+    "impacts": ("simultaneous", "sequential"),
+    "restitution_law": ("newton", "energetic"),
+}
+"""What may be said of impacts; the first is what every solver does."""
+
 
 def simulate(
     scene: Scene,
@@ -30,6 +36,8 @@ def simulate(
     substeps: int | None = None,
     combine: str | Combination = "workbook",
     compiled: bool | None = None,
+    impacts: str = "simultaneous",
+    restitution_law: str = "newton",
     sample: Sample = None,
 ) -> Run:
     """Let a scene run for a while, and return what happened.
@@ -44,6 +52,8 @@ def simulate(
         "sequential": sequential impulses, the solver of chapters 04 to 06.
         "substep": soft contacts in sub-steps; for high stacks and heavy bodies on light ones.
         "naive": the first attempt, faults included.
+        "direct": the contacts of bodies that touch are solved together, exactly; for great mass
+        ratios, tall stacks and even loads. `iterations` means nothing to it.
         "exact": from collision to collision, with no time step; for discs among bodies that do
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
@@ -63,6 +73,12 @@ def simulate(
     compiled : bool, optional
         Whether our own stages run as machine code, which Numba makes of them; the results are the
         same to the last bit. None: if the run is large enough to repay it, and can be compiled.
+    impacts : str
+        Where bodies that touch are struck together: "simultaneous", all bounce at once, or
+        "sequential", one pair after the other. A choice that only "direct" offers.
+    restitution_law : str
+        "newton": e is a ratio of velocities. "energetic": Stronge's, a ratio of work, which gains
+        no energy where there is friction too. A choice that only "direct" offers.
     sample : None, "end" or array_like, shape (F,)
         Which states to record: those after every step (for "exact", after every collision) and
         the last; only the first and the last; or those at given times, s.
@@ -110,10 +126,11 @@ def simulate(
     sweeps = _count("iterations", sweeps if iterations is None else iterations)
     settings: dict[str, Any] = {
         "dt": one_number("dt", dt, positive),
-        "iterations": 1 if chosen == "naive" else sweeps,
+        "iterations": 1 if chosen in ("naive", "direct") else sweeps,
         "substeps": _count("substeps", parts if substeps is None else substeps),
         "combine": combination(combine),
     }
+    settings |= _impact_rules(chosen, impacts, restitution_law)
     reason = "asked for" if solver == chosen else "it solves every scene"
     if chosen == "exact":
         exact = ExactSolver(scene, combine=settings["combine"])
@@ -139,6 +156,20 @@ def _other(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
     from lesson_code.reference.box2d_reference import Box2DStepper
 
     return Box2DStepper(scene, **settings)
+
+
+def _impact_rules(solver: str, impacts: str, restitution_law: str) -> dict[str, str]:
+    """Return what the direct solver is to be told of impacts, or refuse what a solver has not."""
+    chosen = {"impacts": impacts, "restitution_law": restitution_law}
+    for name, value in chosen.items():
+        first, *_ = IMPACT_CHOICES[name]
+        if value not in IMPACT_CHOICES[name]:
+            raise ValueError(
+                f"{name} must be one of {', '.join(IMPACT_CHOICES[name])}, got {value!r}"
+            )
+        if solver != "direct" and value != first:
+            raise ValueError(f"{name} must be {first!r} unless solver is 'direct', got {value!r}")
+    return chosen if solver == "direct" else {}
 
 
 def _count(name: str, value: int) -> int:

@@ -147,9 +147,14 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"substeps": 2.5}, "substeps must be a whole number, got 2.5"),
     (
         {"solver": "fast"},
-        "solver must be one of auto, sequential, substep, naive, exact, pymunk, box2d, got 'fast'",
+        "solver must be one of auto, sequential, substep, naive, direct, exact, pymunk, box2d, got "
+        "'fast'",
     ),
     ({"solver": None}, "solver must be one of .*, exact, pymunk, box2d, got None"),
+    ({"impacts": "both"}, "impacts must be one of simultaneous, sequential, got 'both'"),
+    ({"impacts": "sequential"}, "impacts must be 'simultaneous' unless solver is 'direct', got"),
+    ({"restitution_law": "poisson"}, "restitution_law must be one of newton, energetic, got 'poi"),
+    ({"restitution_law": "energetic"}, "restitution_law must be 'newton' unless solver is 'direc"),
     ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a Combination"),
     ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a Combination"),
     ({"combine": ["min", "max"]}, "combine must be one of workbook, pymunk, box2d or a Comb"),

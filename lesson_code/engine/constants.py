@@ -9,6 +9,18 @@ At 0 a resting contact opens and closes in turn and jitters; at 0.1 bodies stand
 other. Relative to the bodies, because 5 mm is nothing for a wall and everything for a grain.
 """
 
+FINE_SLOP = 5e-4
+"""The same for the direct solver, whose contacts neither sink nor jitter, and need less room.
+
+At 0 its resting contacts too would open and close in turn.
+"""
+
+SEAM = 1e-6
+"""Of a body's width: a step of the floor that is lower is none, but the rounding of its pieces.
+
+At 0 a floor whose pieces are a rounding error apart is rough; at 0.01 bodies pass over real steps.
+"""
+
 PUSH_SHARE = 0.2
 """Of the overlap beyond the slop: how much is undone in one step.
 

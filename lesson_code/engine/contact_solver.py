@@ -46,6 +46,7 @@ from lesson_code.engine.contact_motion import (
     velocity_along,
     velocity_at,
 )
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, MemoryRow, World
 from lesson_code.engine.two_points import couple, solve_normals, solve_pushes
 from lesson_code.formulas import contact
@@ -55,7 +56,7 @@ normal_impulse = equation(contact.normal_impulse)
 friction_impulse = equation(contact.friction_impulse)
 
 
-def prepare(world: World) -> None:
+def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Compute what stays the same during the sweeps, at the velocities before gravity acts."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -66,9 +67,10 @@ def prepare(world: World) -> None:
         c.target_vn = -c.restitution * velocity_along(c, a, b, normal_of(c))
         c.skew = skew_of(c, a, b)
         c.push_speed = push_speed_of(c, a, b, world.state.dt)
-        c.is_block = False
-        if k > 0 and world.contacts[k - 1].a == c.a and world.contacts[k - 1].b == c.b:
-            couple(world.contacts[k - 1], c, a, b)
+        if effects.manifolds:
+            c.is_block = False
+            if k > 0 and world.contacts[k - 1].a == c.a and world.contacts[k - 1].b == c.b:
+                couple(world.contacts[k - 1], c, a, b)
 
 
 def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
@@ -78,7 +80,7 @@ def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
     return PUSH_SHARE * excess / dt if excess > LEAST_EXCESS * slop else 0.0
 
 
-def warm_start(world: World) -> None:
+def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Give each contact the impulse that it needed in the last step."""
     recall(world)
     give_again(world)
@@ -92,8 +94,7 @@ def give_again(world: World) -> None:
         a, b = world.bodies[c.a], world.bodies[c.b]
         c.normal_impulse *= longer  # a force is remembered, as an impulse a step
         c.tangent_impulse *= longer
-        apply_impulse(c, a, b, normal_of(c), c.normal_impulse)
-        apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
+        apply_both(c, a, b, c.normal_impulse, c.tangent_impulse)
 
 
 def longer_than_before(world: World) -> float:
@@ -121,7 +122,7 @@ def comes_before(old: MemoryRow, c: ContactRow) -> bool:
     return old.a < c.a or (old.a == c.a and old.b < c.b)
 
 
-def solve(world: World) -> None:
+def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep over all contacts."""
     count = world.state.contact_count
     stride = stride_of_visits(count)
@@ -129,10 +130,10 @@ def solve(world: World) -> None:
         for k in range(first, count, stride):
             c = world.contacts[k]
             a, b = world.bodies[c.a], world.bodies[c.b]
-            if c.is_block:
+            if effects.manifolds and c.is_block:
                 solve_normals(c, world.contacts[k + 1], a, b)
                 solve_friction(c, a, b)
-            elif is_second_of_block(world, k):
+            elif effects.manifolds and is_second_of_block(world, k):
                 solve_friction(c, a, b)
             else:
                 solve_contact(c, a, b)
@@ -163,7 +164,7 @@ def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     c.tangent_impulse = total
 
 
-def has_overlap_to_undo(world: World) -> bool:
+def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     """Return whether any contact overlaps by too much; leave out what will part by itself."""
     found = False
     for k in range(world.state.contact_count):
@@ -176,7 +177,7 @@ def has_overlap_to_undo(world: World) -> bool:
     return found
 
 
-def correct(world: World) -> None:
+def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep of pushes over all contacts."""
     count = world.state.contact_count
     stride = stride_of_visits(count)
@@ -184,9 +185,9 @@ def correct(world: World) -> None:
         for k in range(first, count, stride):
             c = world.contacts[k]
             a, b = world.bodies[c.a], world.bodies[c.b]
-            if c.is_block:
+            if effects.manifolds and c.is_block:
                 solve_pushes(c, world.contacts[k + 1], a, b)
-            elif not is_second_of_block(world, k):
+            elif not (effects.manifolds and is_second_of_block(world, k)):
                 solve_push(c, a, b)
 
 
@@ -202,7 +203,7 @@ def solve_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     c.push_impulse = total
 
 
-def store(world: World) -> None:
+def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember the impulses of this step for the next."""
     for k in range(world.state.contact_count):
         c, m = world.contacts[k], world.memory[k]

@@ -16,11 +16,12 @@ import math
 
 from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
+from lesson_code.engine.narrow_phase import touch
 from lesson_code.engine.rows import BodyRow, World
-from lesson_code.engine.world import BroadPhase, Pipeline, seek_pairs, step
+from lesson_code.engine.world import Pipeline, seek_pairs, step
 from lesson_code.geometry.advancement import advance_to_impact
-from lesson_code.geometry.manifold import collide_rows
-from lesson_code.geometry.sweep import impact_time
+from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
 
 
 def advance(world: World, pipeline: Pipeline) -> bool:
@@ -60,7 +61,7 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
         if not pipeline.splits_steps:
             state.has_fast = True
             return False
-        state.dt = time_to_impact(world, pipeline.broad_phase, state.left)
+        state.dt = time_to_impact(world, pipeline, state.left)
         if state.pairs_wanted > 0:
             return False
         state.impacts += 1
@@ -91,14 +92,14 @@ def way_of(body: BodyRow, duration: float) -> float:
     return (speed + turning) * duration
 
 
-def time_to_impact(world: World, broad_phase: BroadPhase, duration: float) -> float:
+def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
     """Return how long the world may move until its first fast body is just in another one, s.
 
     Pairs that overlap already are left to the solver: they are contacts. When the table of pairs is
     too small, that is noted, and the answer means nothing.
     """
     bound_way(world, duration)
-    has_room = seek_pairs(world, broad_phase)
+    has_room = seek_pairs(world, pipeline.broad_phase)
     world.state.has_pairs = False  # these are not the pairs of the step
     if not has_room:
         return duration
@@ -106,7 +107,7 @@ def time_to_impact(world: World, broad_phase: BroadPhase, duration: float) -> fl
     for k in range(world.state.pair_count):
         a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
         if a.is_fast or b.is_fast:
-            after = pair_impact_time(world, a, b, earliest)
+            after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
                 earliest = min(earliest, after + time_into(a, b))
     return earliest
@@ -125,14 +126,23 @@ def bound_way(world: World, duration: float) -> None:
         body.max_y += max(y, 0.0) + margin
 
 
-def pair_impact_time(world: World, a: BodyRow, b: BodyRow, duration: float) -> float:
+def pair_impact_time(
+    world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects = EVERY_EFFECT
+) -> float:
     """Return when two bodies first touch, s; ``math.inf``: not within the duration, or already."""
-    collide_rows(world.corners, a, b, world.manifold)
+    touch(world, a, b, effects)
     if world.manifold.count > 0:
         return math.inf
-    if (a.w != 0.0 and a.corner_count > 0) or (b.w != 0.0 and b.corner_count > 0):
+    if effects.turning and (is_turning(a) or is_turning(b)):
         return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
-    return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+    if effects.manifolds:
+        return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+    return impact_time_with_circle(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+
+
+def is_turning(body: BodyRow) -> bool:
+    """Return whether a body's outline turns; that of a circle stays the same."""
+    return body.w != 0.0 and body.corner_count > 0
 
 
 def depth_into(a: BodyRow, b: BodyRow) -> float:

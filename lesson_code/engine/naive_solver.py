@@ -14,18 +14,19 @@ from __future__ import annotations
 
 import math
 
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, World
 
 
-def prepare(world: World) -> None:
+def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Prepare nothing."""
 
 
-def warm_start(world: World) -> None:
+def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember nothing."""
 
 
-def solve(world: World) -> None:
+def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Visit every pair once, as if it were alone in the world."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -62,14 +63,14 @@ def shift_if_free(body: BodyRow, dx: float, dy: float) -> None:
         body.y += dy
 
 
-def has_overlap_to_undo(_: World) -> bool:
+def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     """Look for none: each pair has been pushed apart when it was visited."""
     return False
 
 
-def correct(world: World) -> None:
+def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Correct nothing."""
 
 
-def store(world: World) -> None:
+def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember nothing."""

@@ -3,22 +3,34 @@
 from __future__ import annotations
 
 from lesson_code.engine.combination import combined
-from lesson_code.engine.rows import ContactRow, World
-from lesson_code.geometry.manifold import collide_rows
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
+from lesson_code.engine.rows import BodyRow, ContactRow, World
+from lesson_code.engine.seams import drop_seams
+from lesson_code.geometry.circle_contact import collide_circles
+from lesson_code.geometry.manifold import collide_rows, collide_with_circle
 from lesson_code.geometry.rows import ManifoldRow
 
 
-def find_contacts(world: World) -> bool:
-    """Write the contacts of all candidate pairs, in the order of the pairs.
+def find_contacts(world: World, effects: Effects = EVERY_EFFECT) -> bool:
+    """Write the contacts of all candidate pairs, in the order of the pairs, without seams.
 
     Returns whether the table had room for them.
     """
+    if not find_overlaps(world, effects):
+        return False
+    if effects.seams:
+        drop_seams(world)
+    return True
+
+
+def find_overlaps(world: World, effects: Effects) -> bool:
+    """Write the contacts of all candidate pairs; return whether the table had room for them."""
     state, m = world.state, world.manifold
     count = 0
     for k in range(state.pair_count):
         pair = world.pairs[k]
         a, b = world.bodies[pair.a], world.bodies[pair.b]
-        collide_rows(world.corners, a, b, m)
+        touch(world, a, b, effects)
         if m.count == 0:
             continue
         if count + m.count > len(world.contacts):
@@ -34,6 +46,16 @@ def find_contacts(world: World) -> bool:
             count += 1
     state.contact_count = count
     return True
+
+
+def touch(world: World, a: BodyRow, b: BodyRow, effects: Effects) -> None:
+    """Fill the manifold of two bodies."""
+    if effects.manifolds:
+        collide_rows(world.corners, a, b, world.manifold)
+    elif effects.outlines:
+        collide_with_circle(world.corners, a, b, world.manifold)
+    else:
+        collide_circles(a, b, world.manifold)
 
 
 def write_point(contact: ContactRow, m: ManifoldRow, point: int) -> None:

@@ -47,7 +47,7 @@ class BodyRow:
     cell_y: int = 0
     next_in_cell: int = -1  # the next body in the same slot of the grid; -1 for the last
     tally: int = 0  # counter for sorting the pairs
-
+    static_contact: int = -1  # the last contact with a static body; -1: none, or not looked for
     restitution: float = -1.0  # negative: left to the other body
     friction: float = -1.0  # negative: left to the other body
     thickness: float = math.inf  # m, smallest width of its matter; infinite: nothing pushes it
@@ -113,6 +113,9 @@ class ContactRow:
     coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_block: bool = False  # whether this row and the next are solved together: one manifold
+    is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
+    next_static: int = -1  # the one before among the pushed body's contacts with static bodies
+    case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
 
     # Of the solver with sub-steps; there the impulses above are those of one sub-step
     gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles
@@ -192,6 +195,7 @@ class State:
 
     substeps: int = 1  # motions in a step for one contact finding; during them dt is that of one
     omega: float = 0.0  # rad/s, natural frequency of soft contacts
+    softened: int = 0  # islands so far that had no exact answer (the direct solver alone counts)
 
 
 class World(NamedTuple):

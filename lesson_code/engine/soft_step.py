@@ -27,7 +27,7 @@ def soft_part(world: World, pipeline: Pipeline) -> bool:
     Returns whether it has passed, as :func:`rigid_part` does. Meanwhile ``state.dt`` is the length
     of a sub-step.
     """
-    state, solver = world.state, pipeline.solver
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if not state.is_prepared and not prepare_part(world, pipeline):
         return False
     if not choose_part(world, pipeline):  # 4
@@ -36,15 +36,15 @@ def soft_part(world: World, pipeline: Pipeline) -> bool:
     state.dt = part / state.substeps
     for _ in range(state.substeps):
         accelerate(world)  # 5
-        solver.warm_start(world)  # 6
+        solver.warm_start(world, effects)  # 6
         for _ in range(state.iterations):
-            solver.solve(world)  # 7
+            solver.solve(world, effects)  # 7
         move(world)  # 8
         if state.lost_body >= 0:
             return False
         for _ in range(state.iterations):
-            solver.correct(world)  # 9
-    solver.store(world)  # 10
+            solver.correct(world, effects)  # 9
+    solver.store(world, effects)  # 10
     if pipeline.listener is not None:
         pipeline.listener.after_impulses(world)  # 11
     if pipeline.keeps_impulses:
@@ -60,12 +60,12 @@ def prepare_part(world: World, pipeline: Pipeline) -> bool:
     state.dt = state.whole / state.substeps
     if not find_pairs(world, pipeline.broad_phase):  # 1
         return False
-    if not find_contacts(world):  # 2
+    if not find_contacts(world, pipeline.effects):  # 2
         return False
     if pipeline.keeps_impulses and not has_room_for_record(world):
         return False
     if pipeline.listener is not None:
         pipeline.listener.before_impulses(world)
-    pipeline.solver.prepare(world)  # 3
+    pipeline.solver.prepare(world, pipeline.effects)  # 3
     state.is_prepared = True
     return True

@@ -14,6 +14,8 @@ from lesson_code.engine import contact_solver, naive_solver, substep_solver
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import Choice, as_arrays, choose, compiled_function, link
 from lesson_code.engine.continuous import advance, rigid_part
+from lesson_code.engine.direct_solver import direct_solver
+from lesson_code.engine.effects import effects_of
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
 from lesson_code.engine.scene import Scene
@@ -47,6 +49,7 @@ SOLVERS = {
         naive_solver.correct,
         naive_solver.store,
     ),
+    "direct": direct_solver("simultaneous", "newton"),
 }
 """The engine's contact solvers, by name."""
 
@@ -62,6 +65,7 @@ def pipeline_for(scene: Scene, solver: str, keep_impulses: bool) -> Pipeline:
         broad_phase=BROAD_PHASES[broad_phase_for(scene)],
         solver=SOLVERS[solver],
         listener=TouchListener(scene.callbacks) if scene.callbacks.wanted else None,
+        effects=effects_of(scene),
         is_continuous=solver != "naive",
         keeps_impulses=keep_impulses,
     )
@@ -81,6 +85,8 @@ def choose_code(
     visits = CONTACTS_PER_BODY * iterations if any(scene.gravity) else 0
     seconds = steps * len(scene.bodies) * (BODY_SECONDS + visits * VISIT_SECONDS)
     never = "callbacks are Python functions" if scene.callbacks.wanted else ""
+    if solver == "direct":
+        never = "the direct solver works on arrays of its own"
     pipeline = pipeline_for(scene, solver, keep_impulses=True)
     program = partial(link, advance, pipeline=pipeline._replace(splits_steps=False))
     return choose(asked, seconds, program, never)
@@ -94,7 +100,7 @@ class EngineStepper:
     scene : Scene
         What is simulated.
     solver : str
-        "sequential", "substep" or "naive".
+        "sequential", "substep", "direct" or "naive".
     dt : float
         s, > 0.
     iterations : int
@@ -103,6 +109,8 @@ class EngineStepper:
         Parts of a step; for "substep" with one finding of contacts for all of them.
     combine : Combination
         How a pair's coefficients come from its bodies'.
+    impacts, restitution_law : str
+        How the direct solver treats impacts; the others know only the rules that are the default.
     keep_impulses : bool
         Whether every impulse is written down.
     compiled : bool
@@ -125,12 +133,17 @@ class EngineStepper:
         iterations: int,
         substeps: int,
         combine: Combination,
+        impacts: str = "simultaneous",
+        restitution_law: str = "newton",
         keep_impulses: bool = True,
         compiled: bool = False,
     ) -> None:
         self.dt = dt
         self._steps_a_step = 1 if solver == "substep" else substeps
         self.pipeline = pipeline_for(scene, solver, keep_impulses)
+        if solver == "direct":
+            rules = direct_solver(impacts, restitution_law)
+            self.pipeline = self.pipeline._replace(solver=rules)
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
         self._compiled = compiled

@@ -66,7 +66,9 @@ from lesson_code.engine.contact_solver import (
     normal_impulse,
     recall,
     solve_friction,
+    stride_of_visits,
 )
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, World
 from lesson_code.engine.two_points import two_impulses
 from lesson_code.formulas.arithmetic import clamp, cross
@@ -74,9 +76,9 @@ from lesson_code.formulas.arithmetic import clamp, cross
 # Once a step
 
 
-def prepare(world: World) -> None:
+def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Compute what stays the same during the sub-steps, and let impacts and deep overlaps pass."""
-    contact_solver.prepare(world)
+    contact_solver.prepare(world, effects)
     world.state.omega = 2 * math.pi * SOFT_FREQUENCY / world.state.dt
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -85,9 +87,9 @@ def prepare(world: World) -> None:
         if c.target_vn > 0.0:
             c.target_vn -= clamp(gain_from_gravity(world, c, a, b), -c.target_vn, c.target_vn)
         c.slack_vn = min(c.target_vn, 0.0)
-    solve_impacts(world)
+    solve_impacts(world, effects)
     begin_totals(world)
-    push_deep(world)
+    push_deep(world, effects)
 
 
 def way_apart(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
@@ -114,7 +116,7 @@ def gain_from_gravity(world: World, c: ContactRow, a: BodyRow, b: BodyRow) -> fl
     return gain if b.inv_m > 0.0 else -gain
 
 
-def solve_impacts(world: World) -> None:
+def solve_impacts(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Let bodies that approach bounce or stop, in as many sweeps as it takes up to a limit.
 
     A body at rest gains g h in a sub-step. Slower than that there is no impact to solve: a bounce
@@ -128,7 +130,7 @@ def solve_impacts(world: World) -> None:
     most = gravity * state.dt + IMPACT_ROUNDING
     sweeps = 0
     while sweeps < IMPACT_SWEEPS and is_off_target(world, most):
-        contact_solver.solve(world)
+        contact_solver.solve(world, effects)
         most = IMPACT_ROUNDING
         sweeps += 1
 
@@ -159,7 +161,7 @@ def begin_totals(world: World) -> None:
         c.tangent_total -= c.tangent_impulse
 
 
-def push_deep(world: World) -> None:
+def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Push bodies out of an overlap that is too deep for springs; the first sub-step moves them."""
     longer = longer_than_before(world)
     for k in range(world.state.contact_count):
@@ -168,9 +170,9 @@ def push_deep(world: World) -> None:
         vn = velocity_along(c, world.bodies[c.a], world.bodies[c.b], normal_of(c))
         later = max(vn, 0.0) * world.state.dt * (world.state.substeps - 1)
         c.push_speed = max(PUSH_SHARE * deep - later, 0.0) / world.state.dt
-    if has_overlap_to_undo(world):
+    if has_overlap_to_undo(world, effects):
         for _ in range(world.state.substeps * world.state.iterations):
-            contact_solver.correct(world)
+            contact_solver.correct(world, effects)
 
 
 def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
@@ -183,7 +185,7 @@ def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
 # In each sub-step
 
 
-def warm_start(world: World) -> None:
+def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Give each contact the impulse of the last sub-step; set its spring by the overlap it has."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -210,20 +212,23 @@ def soften(world: World, c: ContactRow) -> None:
         c.soft_mass = 1 / (1 / c.normal_mass + c.softness)
 
 
-def solve(world: World) -> None:
-    """Make one sweep over all contacts as springs, in their order.
+def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Make one sweep over all contacts as springs.
 
     Friction holds here too, or the springs would move bodies sideways: with friction in the relax
     pass alone a box of mu = 0.578 on a slope of 30 degrees still creeps at 4 mm/s after 2 s.
     """
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        a, b = world.bodies[c.a], world.bodies[c.b]
-        if c.is_block:
-            solve_soft_normals(c, world.contacts[k + 1], a, b)
-        elif not is_second_of_block(world, k):
-            solve_soft_normal(c, a, b)
-        solve_friction(c, a, b)
+    count = world.state.contact_count
+    stride = stride_of_visits(count)
+    for first in range(stride):
+        for k in range(first, count, stride):
+            c = world.contacts[k]
+            a, b = world.bodies[c.a], world.bodies[c.b]
+            if effects.manifolds and c.is_block:
+                solve_soft_normals(c, world.contacts[k + 1], a, b)
+            elif not (effects.manifolds and is_second_of_block(world, k)):
+                solve_soft_normal(c, a, b)
+            solve_friction(c, a, b)
 
 
 def solve_soft_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -246,17 +251,17 @@ def missing_soft_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     return velocity_along(c, a, b, normal_of(c)) + c.softness * c.normal_impulse - c.soft_vn
 
 
-def correct(world: World) -> None:
+def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep over all contacts as rigid ones: springs have moved the bodies, no more."""
-    contact_solver.solve(world)
+    contact_solver.solve(world, effects)
 
 
 # Once a step again
 
 
-def store(world: World) -> None:
+def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember the impulses of the last sub-step; show those of the whole step."""
-    contact_solver.store(world)
+    contact_solver.store(world, effects)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         c.normal_impulse += c.normal_total

@@ -17,12 +17,13 @@ from collections.abc import Callable
 from typing import NamedTuple, Protocol, TypeAlias
 
 from lesson_code.engine.broad_phase import bound, has_left_box
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.impulse_record import has_room_for_record, record_impulses
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.rows import BodyRow, World
 from lesson_code.geometry.rows import turn
 
-Stage: TypeAlias = Callable[[World], None]
+Stage: TypeAlias = Callable[[World, Effects], None]
 """A stage changes the world's tables and returns nothing."""
 
 BroadPhase: TypeAlias = Callable[[World], int]
@@ -35,7 +36,7 @@ class ContactSolver(NamedTuple):
     prepare: Stage
     warm_start: Stage
     solve: Stage
-    has_overlap_to_undo: Callable[[World], bool]
+    has_overlap_to_undo: Callable[[World, Effects], bool]
     correct: Stage
     store: Stage
 
@@ -57,6 +58,7 @@ class Pipeline(NamedTuple):
     broad_phase: BroadPhase
     solver: ContactSolver
     listener: Listener | None = None
+    effects: Effects = EVERY_EFFECT
     is_continuous: bool = True  # whether fast bodies are looked for
     splits_steps: bool = True  # whether a step is split at their impacts; else the run stops there
     keeps_impulses: bool = True  # whether every impulse is written down
@@ -68,7 +70,7 @@ def step(world: World, pipeline: Pipeline) -> bool:
     It has not when a table was too small or a body was lost. Once there is room, the next call
     goes on where this one stopped.
     """
-    state, solver = world.state, pipeline.solver
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if not state.has_moved:
         move(world)  # 1
         state.has_moved = True
@@ -76,21 +78,21 @@ def step(world: World, pipeline: Pipeline) -> bool:
         return False
     if not find_pairs(world, pipeline.broad_phase):  # 2
         return False
-    if not find_contacts(world):  # 3
+    if not find_contacts(world, effects):  # 3
         return False
     if pipeline.keeps_impulses and not has_room_for_record(world):
         return False
     if pipeline.listener is not None:
         pipeline.listener.before_impulses(world)
-    solver.prepare(world)  # 4
+    solver.prepare(world, effects)  # 4
     accelerate(world)  # 5
-    solver.warm_start(world)  # 6
+    solver.warm_start(world, effects)  # 6
     for _ in range(state.iterations):
-        solver.solve(world)  # 7
-    if solver.has_overlap_to_undo(world):
+        solver.solve(world, effects)  # 7
+    if solver.has_overlap_to_undo(world, effects):
         for _ in range(state.iterations):
-            solver.correct(world)  # 8
-    solver.store(world)  # 9
+            solver.correct(world, effects)  # 8
+    solver.store(world, effects)  # 9
     if pipeline.listener is not None:
         pipeline.listener.after_impulses(world)  # 10
     if pipeline.keeps_impulses:
@@ -115,7 +117,7 @@ def move(world: World) -> None:
         if not math.isfinite(body.x + body.y + body.angle):
             world.state.lost_body = number
             return
-        if spin != 0.0:
+        if spin != 0.0 and body.corner_count > 0:
             turn_with_angle(world, body)
         body.push_vx = 0.0
         body.push_vy = 0.0

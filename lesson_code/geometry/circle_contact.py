@@ -18,12 +18,13 @@ FAR = 1.0 + 1e-15
 
 
 def collide_circles(a: PlacedBody, b: PlacedBody, m: ManifoldRow) -> None:
-    """Fill the manifold of two circles.
+    """Fill the manifold of two circles; its count is 0 when they do not overlap.
 
     n = d / abs(d),   penetration = radius_a + radius_b - abs(d)
 
     d leads from A's centre to B's. Coincident centres get the normal (1, 0).
     """
+    m.count = 0
     dx, dy, reach = b.x - a.x, b.y - a.y, a.radius + b.radius
     if dx * dx + dy * dy > FAR * reach * reach:
         return

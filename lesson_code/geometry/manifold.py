@@ -105,10 +105,19 @@ def collide_rows(corners: Sequence[Corner], a: PlacedBody, b: PlacedBody, m: Man
 
     The outlines of both stand in the table of corners, already turned with their bodies.
     """
-    m.count = 0
     if a.corner_count > 0 and b.corner_count > 0:
+        m.count = 0
         collide_outlines(corners, a, b, m)
-    elif a.corner_count > 0:
+    else:
+        collide_with_circle(corners, a, b, m)
+
+
+def collide_with_circle(
+    corners: Sequence[Corner], a: PlacedBody, b: PlacedBody, m: ManifoldRow
+) -> None:
+    """Fill the manifold of two bodies of which one at least is a circle."""
+    m.count = 0
+    if a.corner_count > 0:
         collide_outline_circle(corners, a, b, m)
     elif b.corner_count > 0:
         collide_outline_circle(corners, b, a, m)

@@ -115,9 +115,16 @@ def impact_time(
     The outlines of both stand in the table of corners, turned with their bodies; (vx, vy) is B's
     velocity, seen from A.
     """
-    dx, dy = b.x - a.x, b.y - a.y
     if a.corner_count > 0 and b.corner_count > 0:
         return outlines_impact_time(corners, a, b, vx, vy)
+    return impact_time_with_circle(corners, a, b, vx, vy)
+
+
+def impact_time_with_circle(
+    corners: Sequence[Corner], a: PlacedBody, b: PlacedBody, vx: float, vy: float
+) -> float:
+    """Return the same for two bodies of which one at least is a circle."""
+    dx, dy = b.x - a.x, b.y - a.y
     if a.corner_count > 0:
         return circle_outline_impact_time(corners, a, dx, dy, vx, vy, 0.0, 0.0, b.radius)[0]
     if b.corner_count > 0:

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.broad_phase import all_pairs
 from lesson_code.engine.contact_motion import contact_point
-from lesson_code.engine.narrow_phase import find_contacts
+from lesson_code.engine.effects import EVERY_EFFECT
+from lesson_code.engine.narrow_phase import find_overlaps
 from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import ContactRow, World
 from lesson_code.engine.tables import world_of
@@ -26,11 +27,11 @@ ROUNDING = 1e-14
 def detected(scene: Scene, combine: Combination | None = None, dirt: float = 0.0) -> World:
     """Return the tables of a scene, its contacts found, in rows that held something before."""
     world = world_of(scene, dt=0.01, iterations=1, combine=combine or Combination())
-    while not (find_pairs(world, all_pairs) and find_contacts(world)):
+    while not (find_pairs(world, all_pairs) and find_overlaps(world, EVERY_EFFECT)):
         world = make_room(world)
     for contact in world.contacts:
         contact.normal_impulse = contact.tangent_impulse = contact.push_impulse = dirt
-    assert find_contacts(world)
+    assert find_overlaps(world, EVERY_EFFECT)
     return world
 
 

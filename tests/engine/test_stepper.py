@@ -73,8 +73,8 @@ def test_states_before_the_first_step_are_the_scenes() -> None:
 
 
 def test_solvers_are_found_by_name() -> None:
-    """The lesson's, and its first attempt."""
-    assert sorted(SOLVERS) == ["naive", "sequential", "substep"]
+    """The lesson's, its first attempt, one with sub-steps, and one that solves islands at once."""
+    assert sorted(SOLVERS) == ["direct", "naive", "sequential", "substep"]
 
 
 def test_plan_says_who_and_why() -> None:

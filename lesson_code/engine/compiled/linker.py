@@ -22,14 +22,15 @@ import math
 import sys
 import types
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 from lesson_code.engine.compiled.known import is_stage, known_value
 
 PROJECT = "lesson_code."
 """Functions of modules whose names begin so are taken into a program; others stay outside."""
 
-Names = Mapping[str, Any]
+Names: TypeAlias = Mapping[str, Any]
+Key: TypeAlias = tuple[Any, ...]
 
 
 def link(entry: Callable[..., Any], **bound: Any) -> str:
@@ -77,7 +78,7 @@ class _Program:
         self._imports: set[str] = set()
         self._constants: dict[str, Any] = {}
         self._functions: dict[str, str] = {}
-        self._names: dict[tuple[Any, ...], str] = {}
+        self._names: dict[Key, str] = {}
 
     def source(self) -> str:
         """Return the module as text."""
@@ -89,9 +90,13 @@ class _Program:
     def add(self, function: Any, bound: Names) -> str:
         """Add a function and all that it calls; return its name in the program."""
         function = inspect.unwrap(function)
-        key = function, tuple((name, id(value)) for name, value in sorted(bound.items()))
+        key: tuple[Any, ...] = (
+            function,
+            tuple((name, id(value)) for name, value in sorted(bound.items())),
+        )
         if key not in self._names:
-            name = self._names[key] = self._free_name(function)
+            name = self._free_name(function)
+            self._names[key] = name
             text, tree = _definition(function)
             before = ast.dump(tree)
             tree.name = name
@@ -112,7 +117,7 @@ class _Program:
 
     def _free_name(self, function: Any) -> str:
         """Return a function's name; if it is taken, with that of its module in front."""
-        name = function.__name__
+        name: str = function.__name__
         while name in self._names.values():
             name = f"{function.__module__.rpartition('.')[2]}_{name}"
         return name
