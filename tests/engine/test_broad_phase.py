@@ -19,8 +19,11 @@ from lesson_code.engine.broad_phase import (
     has_left_box,
     most_pairs,
     put_pair,
+    slot_of,
+    slots_for,
     sort_pairs,
 )
+from lesson_code.engine.constants import LEAST_MARGIN, MOST_MARGIN, STEPS_AHEAD
 from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import PairRow, World
 from lesson_code.engine.tables import BROAD_PHASES, world_of

@@ -223,8 +223,8 @@ def test_stack_at_rest_stays_at_rest_whatever_the_steps(ratio: float) -> None:
     )
     start = np.array(stepper.states())
     for k in range(120):
-        stepper.world.state.dt = DT * (ratio if k % 2 else 1.0)
-        stepper.step()
+        stepper.world.state.whole = DT * (ratio if k % 2 else 1.0)
+        stepper.advance(1)
     np.testing.assert_allclose(stepper.states(), start, atol=QUIET)
 
 
@@ -237,9 +237,8 @@ def test_second_call_of_a_stage_adds_nothing() -> None:
         )
         for n in (1, 2)
     )
-    for _ in range(30):
-        once.step()
-        twice.step()
+    once.advance(30)
+    twice.advance(30)
     np.testing.assert_allclose(twice.states(), once.states(), atol=1e-9)
 
 
@@ -303,8 +302,7 @@ def test_islands_without_an_exact_answer_are_counted() -> None:
         stepper = EngineStepper(
             scene, solver="direct", dt=1e-3, iterations=1, substeps=1, combine=Combination()
         )
-        for _ in range(3):
-            stepper.step()
+        stepper.advance(3)
         assert stepper.world.state.softened == count
 
 

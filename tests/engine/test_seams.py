@@ -98,7 +98,7 @@ def contacts(*bodies: Body) -> list[tuple[int, int]]:
         substeps=1,
         combine=Combination(),
     )
-    stepper.step()
+    stepper.advance(1)
     count = stepper.world.state.contact_count
     return [(c.a, c.b) for c in stepper.world.contacts[:count]]
 
