@@ -296,16 +296,14 @@ def test_constant_with_two_values_in_two_modules_is_refused(make: Make) -> None:
         def f(x):
             return SHARE * other.g(x)
         """, other=other)  # fmt: skip
-    with pytest.raises(TypeError, match="SHARE in g must have one value in the whole program: 0.5"):
+    with pytest.raises(TypeError, match="SHARE in g must have one value in the whole program"):
         link(module.f)
 
 
-@pytest.mark.parametrize("value", [[1.0], {"a": 1}, {1.0}, np.zeros(2), None])
+@pytest.mark.parametrize("value", [[1.0], {"a": 1}, {1.0}, np.zeros(2)])
 def test_name_that_stands_for_nothing_a_program_can_hold_is_refused(make: Make, value: Any) -> None:
     """The error names it, where it is used, and what it is."""
     module = make("def f(x):\n    return TABLE\n", TABLE=value)
-    if value is None:
-        pytest.skip("None is what an argument is bound to")
     with pytest.raises(TypeError, match="TABLE in f must be a function, class or constant: "):
         link(module.f)
 
