@@ -23,7 +23,7 @@ from lesson_code.engine.broad_phase import (
     slots_for,
     sort_pairs,
 )
-from lesson_code.engine.constants import LEAST_MARGIN, MOST_MARGIN, STEPS_AHEAD
+from lesson_code.engine.constants import LAST_CELL, LEAST_MARGIN, MOST_MARGIN, STEPS_AHEAD
 from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import PairRow, World
 from lesson_code.engine.tables import BROAD_PHASES, world_of
@@ -240,6 +240,17 @@ def test_pairs_across_the_last_slot_are_found(kept: bool) -> None:
         world = world_from(Scene(bodies))
         assert slots_for(2) < 40
         assert found(world, "uniform_grid") == [(0, 1)]
+
+
+@pytest.mark.parametrize("cells", [1e9, -1e9, 2.0**31, -(2.0**31), 2.0**63, 1e25])
+def test_pairs_around_the_last_cell_are_found(cells: float) -> None:
+    """A row of discs across it; and far beyond it, where all lie in one cell."""
+    cell = world_from(discs(30, 0.5)).state.cell_size
+    start = cells * cell - 15 * 0.9
+    row = [Body(Circle(0.5), mass=1, position=(start + 0.9 * k, -start)) for k in range(30)]
+    world = world_from(Scene(row))
+    assert all_found(world) == dict.fromkeys(WAYS, brute_force(world))
+    assert max(abs(body.cell_x) for body in world.bodies) <= LAST_CELL
 
 
 def test_slots_of_neighbouring_cells_are_different() -> None:

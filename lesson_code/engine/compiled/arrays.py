@@ -24,12 +24,10 @@ def as_arrays(tables: Tables) -> Tables:
 
     A table without rows has the kind of its rows from the annotation of its field.
 
-    >>> from typing import NamedTuple
-    >>> from lesson_code.engine.rows import PairRow
-    >>> class Two(NamedTuple):
-    ...     one: PairRow
-    ...     many: list[PairRow]
-    >>> as_arrays(Two(PairRow(1, 2), [])).many.dtype.names
+    >>> from lesson_code import Combination, Scene
+    >>> from lesson_code.engine.tables import world_of
+    >>> world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+    >>> as_arrays(world).pairs.dtype.names
     ('a', 'b')
     """
     kinds = row_kinds(type(tables))

@@ -10,7 +10,6 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -263,20 +262,19 @@ def test_bodies_that_are_heaped_are_refused_in_the_same_words(solver: str, compi
         at_work(heap, solver, compiled).advance(1)
 
 
-def test_place_beyond_all_cells_has_the_same_bits() -> None:
-    """A gas at 1e9 m, and one so far away that no cell has a number of 32 bits."""
-    for far in (1e9, -1e12, 1e15):
-        gas = gas_of(30, 0.3, seed=4)
-        moved = [replace(body, position=(p[0] + far, p[1] - far)) for body, p in placed(gas)]
-        assert_same_bits(*both(Scene(moved), "sequential", 10))
-
-
-def placed(scene: Scene) -> list[tuple[Body, Any]]:
-    """Return bodies with their places."""
-    return [(body, body.position) for body in scene.bodies]
+@pytest.mark.parametrize("cells", [0.0, 1e9, -(2.0**31), 2.0**63])
+def test_pairs_around_the_last_cell_are_the_same(cells: float) -> None:
+    """Compiled, a cell has a number of 32 bits; each of 30 discs in a row is beside another."""
+    cell = at_work(gas_of(30, 0.3, seed=4), "sequential", compiled=False).world.state.cell_size
+    start = cells * cell - 15 * 0.9
+    row = [Body(Circle(0.5), mass=1, position=(start + 0.9 * k, 0)) for k in range(30)]
+    compiled, plain = both(Scene(row), "sequential", 1)
+    assert_same_bits(compiled, plain)
+    assert compiled.world.state.pair_count == plain.world.state.pair_count >= 29
 
 
 # Indices
+
 
 def test_no_index_is_out_of_range(programs: Path) -> None:
     """Compiled with Numba's checks, in a process of their own; unchecked, a wrong one may crash."""
