@@ -273,6 +273,45 @@ def test_pairs_around_the_last_cell_are_the_same(cells: float) -> None:
     assert compiled.world.state.pair_count == plain.world.state.pair_count >= 29
 
 
+# Through the door
+
+
+def thrown_discs(speed: float) -> Scene:
+    """Return discs alone, without corners: so the scene asks for the smallest program."""
+    wall = Body(Circle(1), position=(3, 0))
+    discs = [
+        Body(Circle(0.1), mass=1, position=(0, 0.15 * k), velocity=(speed, 0), material=Material(1))
+        for k in range(-3, 3)
+    ]
+    return Scene([wall, *discs])
+
+
+@pytest.mark.parametrize("speed", [5.0, 400.0], ids=["slow", "fast"])
+def test_simulate_gives_the_same_run_compiled_or_plain(
+    monkeypatch: pytest.MonkeyPatch, speed: float
+) -> None:
+    """Linked as the scene asks for it; where a fast body is met, with the splitting of steps."""
+    linked: list[bool] = []
+
+    def watched(function: Any, pipeline: Any) -> str:
+        linked.append(pipeline.splits_steps)
+        return link(function, pipeline=pipeline)
+
+    monkeypatch.setattr(stepper, "link", watched)
+    scene = thrown_discs(speed)
+    compiled, plain = (simulate(scene, 1.0, compiled=choice) for choice in (True, False))
+    assert linked == ([False, True] if speed > 100 else [False])
+    for name in ("positions", "velocities", "angles", "angular_velocities", "times"):
+        assert getattr(compiled, name).tobytes() == getattr(plain, name).tobytes(), name
+    for mine, its in zip(
+        vars(compiled.contacts).values(), vars(plain.contacts).values(), strict=True
+    ):
+        assert mine.tobytes() == its.tobytes()
+    assert len(plain.contacts) > 0
+    assert str(compiled.plan).endswith("compiled (asked for)")
+    assert str(plain.plan).endswith("plain Python (asked for)")
+
+
 # Indices
 
 
