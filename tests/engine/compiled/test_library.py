@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import lesson_code
+from lesson_code.engine.compiled import library
 from lesson_code.engine.compiled.library import (
     FOLDER_VARIABLE,
     PROGRAMS_KEPT,
@@ -151,6 +152,17 @@ def test_folder_that_cannot_be_written_to_only_costs_the_keeping(
     assert compiled_function(SMALL, "entry")(4.0) == 3.0
     assert not is_kept(SMALL)
     compiled_function.cache_clear()
+
+
+def test_program_in_a_folder_that_has_become_read_only_is_compiled_anew(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It can be read, but Numba would refuse to look for machine code beside it."""
+    compiled_function(SMALL, "entry")
+    compiled_function.cache_clear()
+    monkeypatch.setattr(library.os, "access", lambda *_: False)
+    assert compiled_function(SMALL, "entry")(4.0) == 3.0
+    assert not is_kept(SMALL)
 
 
 def test_two_processes_at_once_keep_one_program(place: Path) -> None:
