@@ -39,13 +39,11 @@ def as_arrays(tables: Tables, source: str) -> Tables:
 
     Examples
     --------
-    >>> from typing import NamedTuple
-    >>> from lesson_code.engine.rows import BoxRow
-    >>> class Two(NamedTuple):
-    ...     one: BoxRow
-    ...     many: list[BoxRow]
-    >>> as_arrays(Two(BoxRow(body=3), []), "box.body += box.cell_x").many.dtype.names
-    ('cell_x', 'body')
+    >>> from lesson_code import Combination, Scene
+    >>> from lesson_code.engine.tables import world_of
+    >>> world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+    >>> as_arrays(world, "pair.b += box.cell_x").pairs.dtype.names
+    ('b',)
     """
     used = frozenset(re.findall(r"\.(\w+)", source))
     return type(tables)(

@@ -153,6 +153,8 @@ class _Specialised(ast.NodeTransformer):
         """Return the statements of a block that are left over."""
         kept: list[ast.stmt] = []
         for statement in body:
+            if kept and isinstance(kept[-1], ast.Return):
+                break  # what follows cannot be reached
             if isinstance(statement, ast.If) and (test := self._value(statement.test)):
                 kept += self._block(statement.body if test.value else statement.orelse)
             elif not (isinstance(statement, ast.Assign) and self._is_about_stages(statement)):
@@ -282,5 +284,8 @@ def _functions_of(module: str) -> dict[str, str]:
 
 
 def _text(value: Any) -> str:
-    """Return a constant as source; infinity has no literal of its own."""
-    return "float('inf')" if value == math.inf else repr(value)
+    """Return a constant as source; infinities have no literals of their own."""
+    if isinstance(value, tuple):
+        return "(" + "".join(f"{_text(part)}, " for part in value) + ")"
+    is_infinite = isinstance(value, float) and math.isinf(value)
+    return f"float('{value}')" if is_infinite else repr(value)
