@@ -11,15 +11,21 @@ from hypothesis import strategies as st
 from lesson_code import Body, Circle, Combination, Scene
 from lesson_code.engine import contact_solver
 from lesson_code.engine.constants import FEWEST_FOR_STREAMS, STREAMS
+from lesson_code.engine.contact_frame import (
+    apply_impulses,
+    apply_push,
+    missing_push,
+    missing_velocity,
+    push_velocity,
+    set_frame,
+    velocity_at,
+)
 from lesson_code.engine.contact_motion import (
-    apply_both,
     apply_impulse,
     mass_along,
     normal_of,
-    skew_of,
     tangent_of,
     velocity_along,
-    velocity_at,
 )
 from lesson_code.engine.contact_solver import solve_contact, stride_of_visits
 from lesson_code.engine.rows import BodyRow, ContactRow, World
@@ -43,10 +49,8 @@ contacts = st.builds(
 
 
 def ready(c: ContactRow, a: BodyRow, b: BodyRow) -> ContactRow:
-    """Return a contact with its effective masses."""
-    c.normal_mass = mass_along(c, a, b, normal_of(c))
-    c.tangent_mass = mass_along(c, a, b, tangent_of(c))
-    c.skew = skew_of(c, a, b)
+    """Return a contact with its arms and effective masses."""
+    set_frame(c, a, b)
     return c
 
 
@@ -64,7 +68,7 @@ def test_skew_is_the_coupling_of_normal_and_tangent(a: BodyRow, b: BodyRow, c: C
     rn = [x * c.ny - y * c.nx for x, y in ((c.ax, c.ay), (c.bx, c.by))]
     rt = [x * c.nx + y * c.ny for x, y in ((c.ax, c.ay), (c.bx, c.by))]
     k_nt = rn[0] * rt[0] * a.inv_i + rn[1] * rt[1] * b.inv_i
-    assert skew_of(c, a, b) == pytest.approx(k_nt, abs=ROUNDING)
+    assert ready(c, a, b).skew == pytest.approx(k_nt, abs=ROUNDING)
     before = velocity_along(c, a, b, tangent_of(c))
     apply_impulse(c, a, b, normal_of(c), 1.0)
     after = velocity_along(c, a, b, tangent_of(c))
@@ -75,9 +79,42 @@ def test_skew_is_the_coupling_of_normal_and_tangent(a: BodyRow, b: BodyRow, c: C
 def test_velocities_read_at_once_are_those_read_singly(
     a: BodyRow, b: BodyRow, c: ContactRow
 ) -> None:
-    """Along normal and tangent, to the bit."""
+    """Along normal and tangent, by lever arms that are set once."""
     singly = velocity_along(c, a, b, normal_of(c)), velocity_along(c, a, b, tangent_of(c))
-    assert velocity_at(c, a, b) == singly
+    assert velocity_at(ready(c, a, b), a, b) == pytest.approx(singly, abs=ROUNDING)
+
+
+@given(bodies, bodies, contacts)
+def test_effective_masses_of_a_frame_are_those_along_normal_and_tangent(
+    a: BodyRow, b: BodyRow, c: ContactRow
+) -> None:
+    """Seen from the contact or from the axes."""
+    ready(c, a, b)
+    assert c.normal_mass == pytest.approx(mass_along(c, a, b, normal_of(c)), rel=ROUNDING)
+    assert c.tangent_mass == pytest.approx(mass_along(c, a, b, tangent_of(c)), rel=ROUNDING)
+
+
+@given(bodies, bodies, contacts, components)
+def test_push_does_to_push_velocities_what_an_impulse_does_to_velocities(
+    a: BodyRow, b: BodyRow, c: ContactRow, j: float
+) -> None:
+    """And leaves the velocities alone: no overlap turns into speed."""
+    ready(c, a, b)
+    before = [numbers(row, "vx", "vy", "w") for row in (a, b)]
+    apply_push(c, a, b, j)
+    assert push_velocity(c, a, b) == pytest.approx(j / c.normal_mass, rel=ROUNDING, abs=ROUNDING)
+    assert [numbers(row, "vx", "vy", "w") for row in (a, b)] == before
+
+
+@given(bodies, bodies, contacts)
+def test_what_is_missing_is_counted_from_the_target(a: BodyRow, b: BodyRow, c: ContactRow) -> None:
+    """Negative: they do not part fast enough yet. The velocities of motion do not count as push."""
+    c.push_speed = 2.5
+    a.push_vx, b.push_w = 1.5, -0.5
+    vn = velocity_along(ready(c, a, b), a, b, normal_of(c))
+    assert missing_velocity(c, a, b) == pytest.approx(vn - c.target_vn, abs=ROUNDING)
+    pushed = -1.5 * c.nx - 0.5 * (c.bx * c.ny - c.by * c.nx)
+    assert missing_push(c, a, b) == pytest.approx(pushed - 2.5, abs=ROUNDING)
 
 
 @given(bodies, bodies, contacts, components, components)
@@ -87,7 +124,7 @@ def test_impulses_applied_at_once_are_those_applied_singly(
     """Velocities are linear in the impulses."""
     names = ("vx", "vy", "w")
     at_once = [BodyRow(*numbers(row, *names, "inv_m", "inv_i")) for row in (a, b)]
-    apply_both(c, *at_once, jn, jt)
+    apply_impulses(ready(c, a, b), *at_once, jn, jt)
     apply_impulse(c, a, b, normal_of(c), jn)
     apply_impulse(c, a, b, tangent_of(c), jt)
     for one, other in zip(at_once, (a, b), strict=True):
@@ -134,7 +171,7 @@ def with_contacts(count: int) -> World:
     return world
 
 
-VISITS = ("solve_contact", "solve_normals", "solve_friction", "solve_push", "solve_pushes")
+VISITS = ("solve_contact", "solve_manifold", "solve_push", "solve_pushes")
 
 
 def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[str, list[int]]:
@@ -173,7 +210,7 @@ def test_streams_of_a_sweep_are_far_apart_in_the_table(monkeypatch: pytest.Monke
 def test_sweep_solves_the_two_points_of_a_block_together(
     monkeypatch: pytest.MonkeyPatch, count: int
 ) -> None:
-    """Also where the two belong to different streams: friction of each, the normals once."""
+    """Also where the two would belong to different streams; neither is visited alone."""
     world = with_contacts(count)
     for k in range(1, count - 1, 3):
         world.contacts[k].is_block = True
@@ -181,8 +218,7 @@ def test_sweep_solves_the_two_points_of_a_block_together(
     seconds = [k + 1 for k in firsts]
     alone = sorted(set(range(count)) - {*firsts, *seconds})
     solved = visits(monkeypatch, world, "solve")
-    assert sorted(solved["solve_normals"]) == firsts
-    assert sorted(solved["solve_friction"]) == sorted(firsts + seconds)
+    assert sorted(solved["solve_manifold"]) == firsts
     assert sorted(solved["solve_contact"]) == alone
     pushed = visits(monkeypatch, world, "correct")
     assert sorted(pushed["solve_pushes"]) == firsts

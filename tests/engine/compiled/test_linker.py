@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Combination, Scene
-from lesson_code.engine import contact_motion, contact_solver, stepper
+from lesson_code.engine import contact_frame, contact_motion, contact_solver, stepper
 from lesson_code.engine.compiled import link
 from lesson_code.engine.continuous import advance
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
@@ -90,7 +90,7 @@ def test_function_in_which_nothing_is_decided_is_taken_as_it_stands() -> None:
 
 @pytest.mark.parametrize("function", [
     contact_solver.solve_contact, contact_solver.push_speed_of, contact_solver.solve_push,
-    contact_motion.apply_vector, contact_motion.mass_along,
+    contact_frame.apply_impulses, contact_frame.set_frame,
 ], ids=lambda function: function.__name__)  # fmt: skip
 def test_lines_that_the_lesson_shows_are_lines_of_the_program(function: Any) -> None:
     """What `inspect.getsource` shows of a visit is what runs."""
