@@ -9,14 +9,21 @@ from __future__ import annotations
 import json
 import os
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
 
 if TYPE_CHECKING:
     from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
@@ -34,6 +41,9 @@ app.add_typer(measure, name="measure")
 
 console = Console()
 errors = Console(stderr=True)
+
+TABLE_WIDTH = 100
+"""Columns that the widest tables need."""
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 Workers = Annotated[
@@ -295,6 +305,48 @@ def measure_chaos(
         console.print(measured.as_table())
 
 
+@measure.command("speed")
+def measure_speed(
+    only: Annotated[
+        list[str] | None,
+        typer.Option(help="Only such scenes or parts: gas-100, gas, standing, memory, ..."),
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Small scenes and few repeats: under a minute.")
+    ] = False,
+    repeats: Annotated[
+        int | None, typer.Option(min=1, help="Batches of each engine in each scene.")
+    ] = None,
+    profile: Annotated[
+        str | None,
+        typer.Option(metavar="SCENE", help="The time of each of our stages in a scene instead."),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """How fast the engines are: ours, pymunk, and Box2D where it is installed."""
+    from lesson_code.evidence.speed import measure as speed
+    from lesson_code.evidence.speed.profile import profile_scene
+    from lesson_code.evidence.speed.report import machine_line
+
+    with _clear_errors():
+        if profile is not None:
+            profiled = profile_scene(profile)
+            if as_json:
+                _print_json(profiled.as_dict())
+            else:
+                console.print(profiled.as_table())
+            return
+        with _share_bar() as told:
+            measured = speed.measure_speed(repeats=repeats, quick=quick, only=only or (), told=told)
+    if as_json:
+        _print_json(measured.as_dict())
+        return
+    wide = Console(width=max(console.width, TABLE_WIDTH))
+    wide.print(machine_line(), highlight=False)
+    for table in measured.as_tables():
+        wide.print(table)
+
+
 @app.command()
 def regenerate(
     only_check: Annotated[
@@ -333,6 +385,15 @@ def _progress() -> Progress:
         TimeElapsedColumn(),
         console=errors,
     )
+
+
+@contextmanager
+def _share_bar() -> Iterator[Callable[[str, float], None]]:
+    """Show a bar; what is yielded hears what is being done, and what share of all is done."""
+    columns = TextColumn("{task.description:40.40}"), BarColumn(), TimeElapsedColumn()
+    with Progress(*columns, TimeRemainingColumn(), console=errors, transient=True) as progress:
+        bar = progress.add_task("", total=1.0)
+        yield lambda what, share: progress.update(bar, description=what, completed=share)
 
 
 def _watcher(progress: Progress) -> Watcher:
