@@ -5,6 +5,7 @@ module          what it does
 ==============  =======================================================================
 ``engines``     gives one scene to each engine, all behind the same few methods
 ``quality``     measures how deep bodies stand in each other, and what energy does
+``clock``       what they are compared by
 ``race``        runs the engines in turns, and times them
 ``standing``    looks for what lets a stack of 20 stand for a minute, and times that
 ``few_bodies``  compares the exact solver with pymunk at equal error

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.combination import Combination
+from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.solver import why_not
 from lesson_code.engine.scene import Body, Scene
@@ -122,6 +123,13 @@ def builder(
         return EngineStepper(scene, solver=name, compiled=True, **settings)
 
     return build
+
+
+def refuse_without_compiler() -> None:
+    """Raise a RuntimeError where our stages cannot be compiled: there is nothing to compare."""
+    reason = why_no_compiler()
+    if reason:
+        raise RuntimeError(f"speed can be measured only with compiled code: {reason}")
 
 
 def scene_after(scene: Scene, states: NDArray[np.float64]) -> Scene:

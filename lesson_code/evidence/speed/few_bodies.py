@@ -10,7 +10,6 @@ The exact solver's own error is that of a run forth and back again, which should
 from __future__ import annotations
 
 import statistics
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -24,6 +23,7 @@ from lesson_code.evidence.exact_scenes import (
     turned_back,
     two_blocks,
 )
+from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import ExactStepper, builder
 from lesson_code.evidence.speed.statistics import step_for_error
 from lesson_code.evidence.speed_scenes import SpeedScene
@@ -146,15 +146,15 @@ def _compare(
 def _time_exact(scene: Scene, duration: float) -> float:
     """Return how long the exact solver takes, s; the first events are foretold when it is built."""
     stepper = ExactStepper(scene, duration)
-    start = time.perf_counter()
+    start = worked_seconds()
     stepper.advance(1)
-    return time.perf_counter() - start
+    return worked_seconds() - start
 
 
 def _time_pymunk(scene: Scene, duration: float, rate: int) -> tuple[float, np.ndarray]:
     """Return how long pymunk takes, s, and where the bodies are then."""
     speed_scene = SpeedScene("", scene, 1 / rate, 0, "", ())
     engine = builder("pymunk, tree", speed_scene)()
-    start = time.perf_counter()
+    start = worked_seconds()
     engine.advance(round(duration * rate))
-    return time.perf_counter() - start, engine.states()[:, :2]
+    return worked_seconds() - start, engine.states()[:, :2]

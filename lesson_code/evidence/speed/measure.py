@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from lesson_code.evidence import speed_scenes
+from lesson_code.evidence.speed.engines import refuse_without_compiler
 from lesson_code.evidence.speed.few_bodies import STEPS_A_SECOND, measure_few_bodies
 from lesson_code.evidence.speed.processes import measure_memory, measure_start
 from lesson_code.evidence.speed.race import run_race
@@ -111,7 +113,10 @@ def measure_speed(
     ------
     ValueError
         A name fits no part, or there are no repeats.
+    RuntimeError
+        Nothing can be compiled here.
     """
+    refuse_without_compiler()
     count = (QUICK_REPEATS if quick else REPEATS) if repeats is None else repeats
     if count < 1:
         raise ValueError(f"repeats must be >= 1, got {count}")
@@ -119,11 +124,7 @@ def measure_speed(
     whole, done = sum(part.cost for part in wanted), 0.0
     found: dict[str, Any] = {}
     for part in wanted:
-        share = done / whole
-
-        def tell(what: str, share: float = share) -> None:
-            told(what, share)
-
+        tell = partial(_tell, told, done / whole)
         tell(part.key)
         found[part.key] = part.measure(tell)
         done += part.cost
@@ -134,6 +135,11 @@ def measure_speed(
 
 OTHERS = ("standing", "few_bodies", "memory", "start")
 """Parts that are no races."""
+
+
+def _tell(told: Callable[[str, float], None], share: float, what: str) -> None:
+    """Say what is being done, and what share of all is done."""
+    told(what, share)
 
 
 def _scene_part(build: Callable[[int], SpeedScene], size: int, repeats: int) -> Part:

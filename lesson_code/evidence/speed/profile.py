@@ -1,16 +1,15 @@
 """The profile: what each stage of the engine takes in a scene, for a body and for a contact.
 
-The stages and their order are read from the program that a run is made of: what ``step`` (with
-sub-steps: ``prepare_part`` and ``soft_part``) calls with nothing but the world, one after the other,
-and what these call in the same way, where it is indented. Each is compiled with an entrance of its
-own, and called several times from the same tables; the shortest time counts. Entering costs some
-microseconds, so that small scenes tell nothing.
+The stages and their order are read from the program that a run is made of: what ``step`` calls with
+nothing but the world (with sub-steps: ``prepare_part`` and ``soft_part``), and, indented, what
+these call in the same way. Each is compiled with an entrance of its own, and called several times
+from the same tables; the shortest time counts. Entering costs some microseconds, so that small
+scenes tell nothing.
 """
 
 from __future__ import annotations
 
 import ast
-import time
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -20,7 +19,8 @@ from rich.table import Table
 
 from lesson_code.engine.compiled import compiled_function, link
 from lesson_code.engine.continuous import advance
-from lesson_code.evidence.speed.engines import builder
+from lesson_code.evidence.speed.clock import worked_seconds
+from lesson_code.evidence.speed.engines import builder, refuse_without_compiler
 from lesson_code.evidence.speed.race import with_head_start
 from lesson_code.evidence.speed_scenes import SIZES
 
@@ -85,9 +85,10 @@ class Profile:
 
     def as_table(self) -> Table:
         """Return all of it as a table."""
+        counts = f"bodies {self.bodies:,}, contacts {self.contacts:,}"
         table = Table(
             *("stage", "calls a step", "ns a body", "ns a contact", "us a step"),
-            title=f"{self.scene}, {self.solver}: bodies {self.bodies:,}, contacts {self.contacts:,}",
+            title=f"{self.scene}, {self.solver}: {counts}",
             caption=f"A whole step, many in one call: {self.step_seconds * 1e6:,.1f} us.",
         )
         for stage in self.stages:
@@ -115,13 +116,16 @@ def profile_scene(name: str, solver: str = "sequential") -> Profile:
     ------
     ValueError
         There is no such scene.
+    RuntimeError
+        Nothing can be compiled here.
     """
+    refuse_without_compiler()
     speed_scene, own_steps = with_head_start(_scene_named(name))
     engine: Any = builder(solver, speed_scene)()
     engine.advance(own_steps)
-    start = time.perf_counter()
+    start = worked_seconds()
     engine.advance(own_steps)
-    step_seconds = (time.perf_counter() - start) / own_steps
+    step_seconds = (worked_seconds() - start) / own_steps
     source = link(advance, pipeline=engine.pipeline)
     world = engine.world
     world.state.dt = world.state.whole
@@ -180,9 +184,9 @@ def _shortest(source: str, name: str, world: Any) -> float:
     times = []
     for _ in range(CALLS):
         _restore(world, before)
-        start = time.perf_counter()
+        start = worked_seconds()
         function(world)
-        times.append(time.perf_counter() - start)
+        times.append(worked_seconds() - start)
     _restore(world, before)
     return min(times)
 

@@ -19,6 +19,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from lesson_code.engine.scene import Scene
+from lesson_code.evidence.speed.clock import CPU_CLOCK_IS_FINE
 from lesson_code.evidence.speed.engines import (
     PYMUNK,
     Build,
@@ -40,9 +41,6 @@ from lesson_code.evidence.speed_scenes import SpeedScene
 
 BODY_STEPS, FEWEST_STEPS = 2_000_000, 20
 """Of the warm-up, that each engine makes itself: bodies times steps, but so many steps at least."""
-
-CPU_CLOCK_IS_FINE = time.get_clock_info("process_time").resolution <= 1e-6
-"""Whether the processor's time can be told in batches; not so on Windows."""
 
 BATCH_SECONDS = 0.02
 """s: our sequential solver works at least so long in a batch, unless that is too many steps."""
@@ -84,7 +82,7 @@ class Timing:
 
     @property
     def compared(self) -> float:
-        """The time that is compared, s a step: other programs do not enter the processor's."""
+        """The time that is compared, s a step: by the clock that others do not disturb."""
         return self.cpu_seconds if CPU_CLOCK_IS_FINE else self.seconds
 
 

@@ -275,7 +275,7 @@ def _few_table(scenes: tuple[FewBodies, ...]) -> Table:
     table = Table(
         Column("scene", no_wrap=True),
         *("hits", "exact us", "error, m", "pymunk, steps/s", "ms", "error, m"),
-        *("at least", "extrapolated"),
+        *("at least", "extrap."),
         box=SIMPLE_HEAD,
         padding=(0, 1, 0, 0),
         title="Few bodies: the exact solver and pymunk",

@@ -7,7 +7,6 @@ short list are looked for with which the stack stands to the end; these are time
 from __future__ import annotations
 
 import statistics
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -15,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.scene import Scene
+from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import Engine, builder, engines_for
 from lesson_code.evidence.speed.quality import states_of
 from lesson_code.evidence.speed_scenes import stack
@@ -121,9 +121,9 @@ def _run(name: str, setting: int, boxes: int, duration: float) -> tuple[bool, fl
     engine = _built(name, setting, boxes)
     engine.advance(1)  # loads or compiles the program
     steps = round(duration / speed_scene.dt) - 1
-    start = time.process_time()
+    start = worked_seconds()
     engine.advance(steps)
-    seconds = time.process_time() - start
+    seconds = worked_seconds() - start
     return stands(speed_scene.scene, engine.states()), seconds
 
 
