@@ -188,8 +188,8 @@ def test_gauge_measures_what_a_run_measures() -> None:
         states = np.column_stack(
             [run.positions[-1], run.angles[-1], run.velocities[-1], run.angular_velocities[-1]]
         )
-        depth, _ = quality.Gauge(speed_scene.scene).read(states)
-        assert depth == run.max_penetration[-1]
+        reading = quality.Gauge(speed_scene.scene).read(states)
+        assert reading.depth == run.max_penetration[-1]
 
 
 def test_kinetic_energy_of_states_is_that_of_the_run() -> None:
@@ -199,7 +199,7 @@ def test_kinetic_energy_of_states_is_that_of_the_run() -> None:
     states = np.column_stack(
         [run.positions[-1], run.angles[-1], run.velocities[-1], run.angular_velocities[-1]]
     )
-    energy = quality.kinetic_energy_of(speed_scene.scene, states)
+    energy = quality.Gauge(speed_scene.scene).energy(states)
     assert energy == pytest.approx(run.kinetic_energy[-1], rel=ROUNDING)
 
 

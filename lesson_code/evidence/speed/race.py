@@ -31,8 +31,8 @@ from lesson_code.evidence.speed.engines import (
 )
 from lesson_code.evidence.speed.quality import (
     Gauge,
+    Reading,
     energy_to_lift,
-    kinetic_energy_of,
     smallest_width,
     states_of,
 )
@@ -136,9 +136,7 @@ class _Runner:
     first_call: float
     seconds: list[float] = field(default_factory=list)
     cpu_seconds: list[float] = field(default_factory=list)
-    depths: list[float] = field(default_factory=list)
-    contacts: list[int] = field(default_factory=list)
-    energies: list[float] = field(default_factory=list)
+    readings: list[Reading] = field(default_factory=list)
 
 
 def run_race(
@@ -168,6 +166,7 @@ def run_race(
         told(f"{speed_scene.name}: {name} warms up")
         runners.append(_warmed_up(name, build, own_steps))
     steps = _steps_of_a_batch(speed_scene, runners[0], own_steps)
+    gc.freeze()  # else each look for what can be thrown away takes longer than a batch
     batches = repeats if speed_scene.lasts is None else SHORT_BATCH_REPEATS * repeats
     for batch in range(batches):
         told(f"{speed_scene.name}: batch {batch + 1} of {batches}")
@@ -176,9 +175,10 @@ def run_race(
                 runner.engine = _started(runner.build, own_steps)
             _run_batch(runner, steps)
         for runner in runners:
-            _look_at(runner, scene, gauge)
+            runner.readings.append(gauge.read(runner.engine.states()))
+    gc.unfreeze()
     bodies = sum(not body.is_static for body in scene.bodies)
-    started = kinetic_energy_of(scene, states_of(scene))
+    started = gauge.energy(states_of(scene))
     timings = tuple(_timing(runner, scene, bodies, started) for runner in runners)
     return Race(key, speed_scene.name, bodies, steps, batches, timings)
 
@@ -235,25 +235,18 @@ def _run_batch(runner: _Runner, steps: int) -> None:
     runner.cpu_seconds.append((cpu_end - cpu) / steps)
 
 
-def _look_at(runner: _Runner, scene: Scene, gauge: Gauge) -> None:
-    """Measure the state that an engine has come to."""
-    states = runner.engine.states()
-    depth, contacts = gauge.read(states)
-    runner.depths.append(depth)
-    runner.contacts.append(contacts)
-    runner.energies.append(kinetic_energy_of(scene, states))
-
-
 def _timing(runner: _Runner, scene: Scene, bodies: int, started: float) -> Timing:
     """Return medians of what has been measured."""
     size = bytes_of(runner.engine)
-    overlap = statistics.median(runner.depths) / smallest_width(scene)
+    energies = [reading.energy for reading in runner.readings]
+    contacts = statistics.median(reading.contacts for reading in runner.readings)
+    overlap = statistics.median(r.depth for r in runner.readings) / smallest_width(scene)
     return Timing(
         engine=runner.name,
         seconds=statistics.median(runner.seconds),
         cpu_seconds=statistics.median(runner.cpu_seconds),
-        quality=_quality(overlap, runner.energies, started, energy_to_lift(scene)),
-        contacts_per_body=statistics.median(runner.contacts) / bodies,
+        quality=_quality(overlap, energies, started, energy_to_lift(scene)),
+        contacts_per_body=contacts / bodies,
         bytes_per_body=None if size is None else size / bodies,
         first_call=runner.first_call,
     )
