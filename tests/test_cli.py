@@ -73,7 +73,13 @@ def test_help_lists_every_command() -> None:
 
 
 @pytest.mark.parametrize(
-    "command", [*([name] for name in COMMANDS), ["play", "billiards"], ["measure", "chaos"], ["measure", "speed"]]
+    "command",
+    [
+        *([name] for name in COMMANDS),
+        ["play", "billiards"],
+        ["measure", "chaos"],
+        ["measure", "speed"],
+    ],
 )
 def test_every_command_has_help(command: list[str]) -> None:
     """Each says in a sentence what it does."""
