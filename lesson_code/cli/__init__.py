@@ -26,6 +26,8 @@ from lesson_code.cli.shared import (
 )
 
 if TYPE_CHECKING:
+    from rich.progress import Progress
+
     from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
 
 app = typer.Typer(

@@ -16,6 +16,7 @@ from lesson_code.evidence import speed_scenes
 from lesson_code.evidence.speed import few_bodies, measure, measure_speed, processes, quality
 from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for, scene_after
 from lesson_code.evidence.speed.few_bodies import FewBodies
+from lesson_code.evidence.speed.limits import Limit, standing_limits
 from lesson_code.evidence.speed.measure import KEYS, chosen, parts
 from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.profile import profile_scene, stage_calls
@@ -446,6 +447,9 @@ def test_json_holds_every_part_without_infinity() -> None:
     assert report["few_bodies"][0]["ratio_extrapolated"] is None
     assert report["memory"]["pymunk"] is None
     assert report["start"]["kept"] == 0.9
+    reached = {limit["what"]: limit["reached"] for limit in report["limits"]}
+    assert reached["exponent of the time over the bodies, gas"] is True
+    assert reached["first compiled run, programs kept, s"] is True
 
 
 def test_tables_fit_into_their_columns_and_say_what_is_reached() -> None:
@@ -458,9 +462,36 @@ def test_tables_fit_into_their_columns_and_say_what_is_reached() -> None:
     assert max(map(len, text.splitlines())) <= WIDTH
     for words in ("4.00 of 4", "worse overlap", "worse energy", "1.60 of 1.5 ok", "no order"):
         assert words in text
-    for words in ("Growth", "not told here", "heavy modules", "numba", "stack of 20"):
+    for words in ("Growth", "loads numba", "at most 1,000", "stack of 20"):
         assert words in text
     assert "…" not in text
+
+
+@pytest.mark.parametrize(
+    ("limit", "wanted", "reached"),
+    [
+        (Limit("", 2.0, least=2.0), "at least 2", True),
+        (Limit("", 1.9, least=2.0), "at least 2", False),
+        (Limit("", 1_001.0, most=1_000.0), "at most 1,000", False),
+        (Limit("", math.nan, most=1_000.0), "at most 1,000", False),
+        (Limit("", 5.0), "", None),
+    ],
+)
+def test_limit_says_whether_it_is_reached(limit: Limit, wanted: str, reached: bool | None) -> None:
+    """A number that is none reaches nothing."""
+    assert (limit.wanted, limit.reached) == (wanted, reached)
+
+
+def test_stack_that_fell_does_not_count() -> None:
+    """However little time it took."""
+    rows = (
+        Standing("sequential", 8, True, 1.0),
+        Standing("substep", 2, False, 0.1),
+        Standing("pymunk, tree", 30, True, 3.0),
+        Standing("pymunk, hash", 60, False, 0.1),
+    )
+    assert [limit.value for limit in standing_limits(rows)] == [3.0]
+    assert list(standing_limits(rows[1:])) == []
 
 
 def test_empty_report_prints_nothing() -> None:

@@ -12,6 +12,7 @@ module          what it does
 ``processes``   measures in fresh processes: imports, first runs, memory
 ``statistics``  medians, growth, and whether two runs are of equal quality
 ``targets``     what is wanted
+``limits``      whether it is reached, beyond the ratios of single scenes
 ``report``      all results, as tables or as one JSON object
 ``measure``     chooses what to measure, and does it
 ``profile``     the time of each stage of the engine in a scene

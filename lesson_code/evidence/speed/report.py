@@ -12,9 +12,16 @@ from typing import Any
 from rich.box import SIMPLE_HEAD
 from rich.table import Column, Table
 
-from lesson_code.evidence.speed import targets
 from lesson_code.evidence.speed.engines import OURS, PEERS
 from lesson_code.evidence.speed.few_bodies import FewBodies
+from lesson_code.evidence.speed.limits import (
+    Limit,
+    few_bodies_limits,
+    growth_limits,
+    memory_limits,
+    standing_limits,
+    start_limits,
+)
 from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.race import Race, Timing
 from lesson_code.evidence.speed.standing import Standing
@@ -109,6 +116,16 @@ class Speed:
                     found.setdefault(group, {})[engine] = growth_exponent(sizes, seconds)
         return found
 
+    def limits(self) -> list[Limit]:
+        """Return what is wanted besides the ratios of single scenes."""
+        return [
+            *growth_limits(self.growth()),
+            *standing_limits(self.standing),
+            *few_bodies_limits(self.few_bodies),
+            *memory_limits(self.memory),
+            *start_limits(self.start),
+        ]
+
     def as_dict(self) -> dict[str, Any]:
         """Return all of it as one JSON object."""
         return {
@@ -118,14 +135,11 @@ class Speed:
             "repeats": self.repeats,
             "scenes": [_race_as_dict(race, self.verdicts(race)) for race in self.races],
             "growth_exponents": self.growth(),
-            "growth_wanted": targets.MOST_GROWTH,
             "standing": [asdict(standing) for standing in self.standing],
             "few_bodies": [_few_as_dict(few) for few in self.few_bodies],
-            "few_bodies_ratio_wanted": targets.FEW_BODIES_RATIO,
             "memory": None if self.memory is None else asdict(self.memory),
-            "memory_wanted": targets.MOST_BYTES,
             "start": None if self.start is None else asdict(self.start),
-            "start_wanted": targets.MOST_SECONDS,
+            "limits": [_limit_as_dict(limit) for limit in self.limits()],
         }
 
     def as_tables(self) -> Iterator[Table]:
@@ -140,8 +154,9 @@ class Speed:
             yield _standing_table(self.standing)
         if self.few_bodies:
             yield _few_table(self.few_bodies)
-        if self.memory or self.start:
-            yield _rest_table(self.memory, self.start)
+        limits = self.limits()
+        if limits:
+            yield _limits_table(limits)
 
     def _table_of(self, races: list[Race]) -> Table:
         """Return the table of some scenes."""
@@ -206,6 +221,16 @@ def _few_as_dict(few: FewBodies) -> dict[str, Any]:
     }
 
 
+def _limit_as_dict(limit: Limit) -> dict[str, Any]:
+    """Return a limit as JSON can hold it."""
+    return {
+        "what": limit.what,
+        "value": limit.value,
+        "wanted": limit.wanted,
+        "reached": limit.reached,
+    }
+
+
 def _timing_texts(timing: Timing) -> list[str]:
     """Return what one engine did in a scene, in words."""
     return [
@@ -248,7 +273,6 @@ def _growth_table(growth: dict[str, dict[str, float]]) -> Table:
         "time ~ bodies^p: p of",
         *engines,
         title="Growth from 1,000 bodies on",
-        caption=f"Wanted: at most {targets.MOST_GROWTH:g}.",
     )
     for group, row in growth.items():
         table.add_row(group, *(f"{row[e]:.2f}" if e in row else "" for e in engines))
@@ -260,7 +284,6 @@ def _standing_table(standing: tuple[Standing, ...]) -> Table:
     table = Table(
         *("engine", "iterations or sub-steps", "stood", "CPU ms", "pymunk/this"),
         title="A stack of 20 for 60 s, each with the least that lets it stand",
-        caption=f"Wanted of one of ours: at least {targets.STANDING_RATIO:g}.",
     )
     theirs = min((s.seconds for s in standing if s.engine.startswith("pymunk")), default=math.nan)
     for row in standing:
@@ -281,8 +304,7 @@ def _few_table(scenes: tuple[FewBodies, ...]) -> Table:
         title="Few bodies: the exact solver and pymunk",
         caption=(
             "At least: pymunk's time over the exact solver's, though its error is still larger.\n"
-            "Extrapolated: with a step so fine that the errors would be equal.\n"
-            f"Wanted: {targets.FEW_BODIES_RATIO:,.0f}."
+            "Extrapolated: with a step so fine that the errors would be equal."
         ),
     )
     for few in scenes:
@@ -300,23 +322,10 @@ def _few_table(scenes: tuple[FewBodies, ...]) -> Table:
     return table
 
 
-def _rest_table(memory: Memory | None, start: Start | None) -> Table:
-    """Return the table of memory and of starts."""
-    table = Table("what", "measured", "wanted", title="Memory and starts")
-    if memory is not None:
-        table.add_row(
-            f"bytes a body, our tables, {memory.bodies:,} discs",
-            _digits(memory.ours),
-            f"{targets.MOST_BYTES:,} at most",
-        )
-        theirs = "not told here" if memory.pymunk is None else _digits(memory.pymunk)
-        table.add_row("the same, pymunk, growth of its process", theirs, "")
-    if start is not None:
-        wanted = {key: f"{value:g} s at most" for key, value in targets.MOST_SECONDS.items()}
-        loaded = ", ".join(start.loaded) or "none"
-        table.add_row("import lesson_code.simulation", f"{start.importing:.2f} s", wanted["import"])
-        table.add_row("heavy modules loaded by that", loaded, "none")
-        if start.cold is not None and start.kept is not None:
-            table.add_row("a compiled run, nothing kept", f"{start.cold:.1f} s", wanted["cold"])
-            table.add_row("a compiled run, programs kept", f"{start.kept:.2f} s", wanted["kept"])
+def _limits_table(limits: list[Limit]) -> Table:
+    """Return the table of what is wanted besides."""
+    table = Table("what", "measured", "wanted", "reached", title="What is wanted besides")
+    for limit in limits:
+        reached = {True: "yes", False: "no", None: ""}[limit.reached]
+        table.add_row(limit.what, _digits(limit.value), limit.wanted, reached)
     return table

@@ -70,7 +70,7 @@ def worse_in(ours: Quality, theirs: Quality) -> tuple[str, ...]:
 
     Examples
     --------
-    >>> worse_in(Quality(0.04, 0.5, "drift"), Quality(0.02, 0.5, "drift"))
+    >>> worse_in(Quality(0.04, 0.01, "drift"), Quality(0.02, 0.01, "drift"))
     ('overlap',)
     """
     left_alone = ENERGY_LEFT_ALONE[ours.energy_kind]
