@@ -42,6 +42,9 @@ from lesson_code.evidence.speed_scenes import SpeedScene
 BODY_STEPS, FEWEST_STEPS = 2_000_000, 20
 """Of the warm-up, that each engine makes itself: bodies times steps, but so many steps at least."""
 
+MOST_AHEAD = 20_000_000
+"""Body-steps that ours makes before: a large pile is built so well at rest that 200 steps do."""
+
 BATCH_SECONDS = 0.02
 """s: our sequential solver works at least so long in a batch, unless that is too many steps."""
 
@@ -187,7 +190,7 @@ def with_head_start(speed_scene: SpeedScene) -> tuple[SpeedScene, int]:
     """Return a scene that our engine has advanced, and the steps that each engine makes itself."""
     bodies = len(speed_scene.scene.bodies)
     own = min(speed_scene.warm_up, max(FEWEST_STEPS, BODY_STEPS // bodies))
-    ahead = speed_scene.warm_up - own
+    ahead = min(speed_scene.warm_up - own, MOST_AHEAD // bodies)
     if ahead == 0:
         return speed_scene, own
     engine = builder("sequential", speed_scene)()
