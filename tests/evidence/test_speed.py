@@ -252,6 +252,12 @@ def test_large_scene_gets_a_head_start_and_a_small_one_none() -> None:
     assert ahead.scene != small.scene
 
 
+def test_pile_begins_as_it_is_built() -> None:
+    """Handed over it would have lost the impulses that carry it, and sink."""
+    pile = replace(speed_scenes.settled_discs(100), warm_up=20_000)
+    assert with_head_start(pile) == (pile, 2_000_000 // 103)
+
+
 def test_bytes_of_tables_are_told_for_our_engine_alone() -> None:
     """A body's row is three lines of 64 bytes at least; what pymunk holds cannot be seen so."""
     speed_scene = speed_scenes.gas(50)
