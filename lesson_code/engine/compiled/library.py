@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 PROGRAMS_KEPT = 64
-"""In the folder: the ones that were used longest ago are deleted, so that it does not grow."""
+"""In the folder: the ones that were made longest ago are deleted, so that it does not grow."""
 
 FOLDER_VARIABLE = "WORKBOOK_CACHE"
 """Environment variable that names another folder for compiled programs."""
