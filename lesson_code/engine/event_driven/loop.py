@@ -130,4 +130,5 @@ def note_impulse(tables: Tables, i: int) -> None:
     row.time, row.a, row.b = state.now, min(c.a, c.b), max(c.a, c.b)
     row.x, row.y, row.nx, row.ny = disc.x + c.bx, disc.y + c.by, sign * c.nx, sign * c.ny
     row.normal_impulse, row.tangent_impulse = c.normal_impulse, c.tangent_impulse
+    row.penetration = 0.0
     state.impulse_count += 1
