@@ -1,0 +1,458 @@
+"""Hard cases: impacts with friction, and impacts of many bodies at once."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from lesson_code.engine.scene import Body, Material, Scene
+from lesson_code.evidence import corner_impacts, disc_scenes, spinning_discs
+from lesson_code.evidence.hard_cases.case import HardCase, Trial
+from lesson_code.evidence.hard_cases.measures import end_state, largest, last_velocities
+from lesson_code.evidence.scenes import box_landing_flat
+from lesson_code.geometry.shapes import Circle, Segment
+from lesson_code.reference import impact_closed_forms as closed
+
+FRICTION = "Impacts with friction"
+TOGETHER = "Impacts of many bodies at once"
+
+STEP = 1e-9
+"""s: a step in which nothing moves, but what overlaps collides."""
+
+TOUCH = 1e-9
+"""m: overlap of bodies of 1 m that are to be in touch."""
+
+SEQUENTIAL = {"solver": "direct", "impacts": "sequential"}
+ENERGETIC = {"solver": "direct", "restitution_law": "energetic"}
+
+# Friction
+
+
+IMPACTS, BATCH, PITCH = 15_000, 500, 20.0
+"""Random impacts in all, impacts in a scene, and the distance between two of them, m."""
+
+
+def many_corners(count: int, seed: int) -> Scene:
+    """Return boxes that hit a long rough floor with one corner, far from one another.
+
+    Each has a restitution and a friction of its own: the floor leaves both to the boxes.
+    """
+    rng = np.random.default_rng(seed)
+    boxes = []
+    for n in range(count):
+        width, height = (10 ** rng.uniform(-1, 0.5, 2)).tolist()
+        box, _ = corner_impacts.box_on_corner(
+            width,
+            height,
+            angle=rng.uniform(0.2, 1.3),
+            velocity=(rng.uniform(-3, 3), rng.uniform(-4, -1)),
+            angular_velocity=rng.uniform(-2, 2),
+            surface=Material(rng.uniform(0, 1), rng.uniform(0, 1.5)),
+        )
+        x, y = box.position
+        boxes.append(replace(box, position=(x + n * PITCH, y)))
+    floor = Body(Segment((-PITCH, 0), (count * PITCH, 0)))
+    return Scene([floor, *boxes])
+
+
+def energy_of_each(scene: Scene, states: Any) -> Any:
+    """Return the kinetic energy of every body but the floor, J, from vx, vy and w."""
+    bodies = scene.bodies[1:]
+    mass, inertia = (np.array([getattr(b, n) for b in bodies]) for n in ("mass", "inertia"))
+    vx, vy, w = states[1:, 3:].T
+    return (mass * (vx**2 + vy**2) + inertia * w**2) / 2
+
+
+def gains(trial: Trial) -> float:
+    """Return how many of the random impacts end with more energy than they began with."""
+    count = 0
+    for seed in range(IMPACTS // BATCH):
+        run = trial.run(corner_impacts.STEP, many_corners(BATCH, seed), sample="end")
+        before = np.column_stack(
+            (run.positions[0], run.angles[0], run.velocities[0], run.angular_velocities[0])
+        )
+        energies = [energy_of_each(run.scene, state) for state in (before, end_state(run))]
+        count += int(np.count_nonzero(energies[1] > energies[0] * (1 + 1e-10)))
+    return float(count)
+
+
+def rod_on_floor(
+    angle: float, vx: float, vy: float, w: float = 0.0, e: float = 0.0, mu: float = 2.0
+) -> Scene:
+    """Return a rod of 1 kg and 2 m whose lower tip is just in a rough floor."""
+    surface = Material(e, mu)
+    rod = Body(
+        Segment((-1, 0), (1, 0)),
+        mass=1,
+        position=(0, math.sin(angle) - TOUCH),
+        angle=angle,
+        velocity=(vx, vy),
+        angular_velocity=w,
+        material=surface,
+    )
+    return Scene([Body(Segment((-50, 0), (50, 0)), material=surface), rod])
+
+
+KANE = {"angle": math.pi / 4, "vx": 0.0, "vy": -1.0, "w": 2.0, "e": 1.0, "mu": 1.0}
+"""A rod that falls and turns, and does not slide at first. By Newton's rule with e = 1 the blow,
+which comes beside its centre, makes 56 % more energy of what there was."""
+
+
+def energy_gain(trial: Trial) -> float:
+    """Return the kinetic energy gained in one impact, as a part of what there was; 0 if none."""
+    run = trial.run(STEP, sample="end")
+    return max(float(run.kinetic_energy[-1] / run.kinetic_energy[0]) - 1, 0.0)
+
+
+def limit_cycle_error(trial: Trial) -> float:
+    """Return the error of the impulse, as a part: jn = 1e-3 / (knn + mu knt) = 1e-3 / 5.5."""
+    impulses = trial.run(STEP).contacts.normal_impulse
+    return abs(float(impulses.sum()) * 5.5e3 - 1)
+
+
+def jam_error(trial: Trial) -> float:
+    """Return how far the tip's velocity is from 0 after the impact, m/s."""
+    run = trial.run(STEP, sample="end")
+    angle = trial.scene.bodies[1].angle
+    lever = np.array([math.sin(angle), -math.cos(angle)])
+    return largest(run.velocities[-1, 1] + run.angular_velocities[-1, 1] * lever)
+
+
+CORNERS = 200
+
+
+def corner_error(trial: Trial) -> float:
+    """Return the largest error of a velocity in random impacts of corners, as a part."""
+    worst = 0.0
+    for impact in corner_impacts.random_corners(CORNERS, seed=3):
+        run = trial.run(corner_impacts.STEP, impact.scene, sample="end")
+        motion = np.column_stack((run.velocities[:, 1], run.angular_velocities[:, 1]))
+        worst = max(worst, largest(motion[-1] - impact.expected) / largest(motion))
+    return worst
+
+
+DISCS = 300
+
+
+def disc_error(trial: Trial) -> float:
+    """Return the largest error of a velocity in random impacts of discs, as a part.
+
+    The discs start a step back, so that the solver finds them where the closed form has them.
+    """
+    worst = 0.0
+    for a, b, e, mu in spinning_discs.random_impacts(DISCS, seed=5):
+        expected = spinning_discs.hit(a, b, spinning_discs.normal_between(a, b), e, mu)
+        back = [replace(disc, position=disc.position - disc.velocity * STEP) for disc in (a, b)]
+        scene = spinning_discs.scene_of(back[0], back[1], e, mu)
+        run = trial.run(STEP, scene, sample="end")
+        worst = max(worst, spinning_discs.difference(expected, run))
+    return worst
+
+
+def landing_error(trial: Trial) -> float:
+    """Return the error of velocity or turning of a box that lands flat, m/s or rad/s."""
+    vx, vy, w = end_state(trial.run(STEP, sample="end"))[1, 3:]
+    return largest([vx, vy - 0.5, w])
+
+
+def tall_box_landing() -> Scene:
+    """Return a box of 1 m by 10 m that lands flat at 1 m/s, with e = 1/2."""
+    scene = box_landing_flat(1.0, 10.0, 1.0, 0.5)
+    floor, box = scene.bodies
+    return Scene([floor, replace(box, position=(0, 5 - TOUCH))])
+
+
+def rod_and_ball() -> Scene:
+    """Return a rod of 2 m at rest, and a ball that hits its end at 1 m/s; all is elastic."""
+    smooth = Material(restitution=1.0)
+    return Scene(
+        [
+            Body(Segment((-1, 0), (1, 0)), mass=1, material=smooth),
+            Body(
+                Circle(0.25), mass=1, position=(1, TOUCH - 0.25), velocity=(0, 1), material=smooth
+            ),
+        ]
+    )
+
+
+def rod_error(trial: Trial) -> float:
+    """Return the largest error of the velocities, m/s or rad/s, over the closed form's."""
+    run = trial.run(STEP, sample="end")
+    ball, body, turning = closed.off_centre_hit(1.0, 1.0, 1.0, 1 / 3, arm=1.0, restitution=1.0)
+    measured = [*run.velocities[-1, :, 1], run.angular_velocities[-1, 0]]
+    return largest(np.array(measured) - [body, ball, turning])
+
+
+# Together
+
+
+def cradle(moving: int, *, from_right: bool = False) -> Scene:
+    """Return five elastic balls in touch, of which so many come from one side at 1 m/s."""
+    scene = disc_scenes.row_of_discs(5, -TOUCH)
+    way = -1.0 if from_right else 1.0
+    comes = range(5 - moving, 5) if from_right else range(moving)
+    return Scene(
+        replace(ball, velocity=(way if n in comes else 0.0, 0.0))
+        for n, ball in enumerate(scene.bodies)
+    )
+
+
+def cradle_error(trial: Trial) -> float:
+    """Return the largest error of a velocity over 1 to 4 balls, from both sides, m/s."""
+    worst = 0.0
+    for moving in range(1, 5):
+        for from_right in (False, True):
+            scene = cradle(moving, from_right=from_right)
+            expected = [ball.velocity[0] for ball in reversed(scene.bodies)]
+            found = last_velocities(trial, 0.1, scene)
+            worst = max(worst, largest(found[:, 0] - expected))
+    return worst
+
+
+def cradle_at_once_error(trial: Trial) -> float:
+    """Return the largest error of a velocity against Newton's rule for all at once, m/s."""
+    found = last_velocities(trial, STEP)[:, 0]
+    return largest(found - closed.cradle_all_at_once(5, 1.0))
+
+
+def break_error(trial: Trial) -> float:
+    """Return the largest error of a velocity, whichever ball the scene lists first, m/s."""
+    cue, upper, lower = closed.break_shot(1.0, 1.0)
+    worst = 0.0
+    for first in (True, False):
+        scene = disc_scenes.cue_between_two(upper_first=first)
+        expected = [cue, upper, lower] if first else [cue, lower, upper]
+        worst = max(worst, largest(last_velocities(trial, STEP, scene) - np.array(expected)))
+    return worst
+
+
+def two_balls(ratio: float = 10.0) -> Scene:
+    """Return a heavy ball on the floor and a light one on it, both on their way down at 1 m/s."""
+    smooth = Material(restitution=1.0)
+    falling: dict[str, Any] = {"velocity": (0, -1), "material": smooth}
+    return Scene(
+        [
+            Body(Segment((-5, 0), (5, 0)), material=smooth),
+            Body(Circle(0.5), mass=ratio, position=(0, 0.5 - TOUCH), **falling),
+            Body(Circle(0.25), mass=1.0, position=(0, 1.25 - 2 * TOUCH), **falling),
+        ]
+    )
+
+
+def two_ball_error(trial: Trial) -> float:
+    """Return the largest error of both velocities, m/s."""
+    expected = [float(v) for v in closed.two_ball_drop(10.0, 1.0, 1.0)]
+    found = last_velocities(trial, STEP)[1:, 1]
+    return largest(np.sort(found) - np.sort(expected))
+
+
+COLLAPSE = 7 - 4 * math.sqrt(3)
+"""Below this e, three equal balls on a line hit each other infinitely often in a finite time."""
+
+
+def three_on_a_line() -> Scene:
+    """Return three balls, e = 0.05: the outer two come to the one in the middle."""
+    dull = Material(restitution=0.05)
+    starts = [(-1.5, 1.0), (0.0, 0.0), (1.75, -1.0)]
+    return Scene(
+        Body(Circle(0.5), mass=1.0, position=(x, 0), velocity=(v, 0), material=dull)
+        for x, v in starts
+    )
+
+
+def spread_of_speeds(trial: Trial) -> float:
+    """Return the largest difference of two velocities after 3 s, m/s."""
+    return float(np.ptp(last_velocities(trial, 3.0)[:, 0]))
+
+
+CASES = (
+    HardCase(
+        name="oblique-discs",
+        theme=FRICTION,
+        title="300 random pairs of rough spinning discs",
+        why="Masses from 1e-3 to 1e3 kg: the clamp and both effective masses have to be right.",
+        law="jn = (1 + e) vn m_eff, jt = clamp(-vt m_eff_t, -mu jn, mu jn)",
+        scene=lambda: spinning_discs.scene_of(*next(spinning_discs.random_impacts(1, seed=5))),
+        measure=disc_error,
+        unit="",
+        bound=1e-12,
+        reason="rounding, for masses a million apart",
+        options={"dt": STEP},
+        failed_by=("naive",),
+    ),
+    HardCase(
+        name="corner-friction",
+        theme=FRICTION,
+        title="200 boxes that land on a rough corner",
+        why="Friction beside the centre changes what the normal impulse has to be, and back.",
+        law="The closed 2 x 2 solution: sticks, or slides on the edge of Coulomb's cone",
+        scene=lambda: next(corner_impacts.random_corners(1, seed=3)).scene,
+        measure=corner_error,
+        unit="",
+        bound=1e-9,
+        reason="rounding of places before and after a step of 1e-6 s",
+        options={"dt": corner_impacts.STEP},
+        failed_by=("naive", "pymunk"),
+    ),
+    HardCase(
+        name="limit-cycle",
+        theme=FRICTION,
+        title="A rod drawn over a floor with mu = 2",
+        why="mu knt > knn: each sweep of friction overthrows the normal impulse, for ever.",
+        law="jn = -vn / (knn + mu knt)",
+        scene=partial(rod_on_floor, math.pi / 4, 1.0, -1e-3),
+        measure=limit_cycle_error,
+        unit="",
+        bound=1e-8,
+        reason="the tip turns by 1e-9 in the step",
+        options={"dt": STEP},
+        failed_by=("naive", "pymunk"),
+    ),
+    HardCase(
+        name="painleve",
+        theme=FRICTION,
+        title="A rod pushed over a floor with mu = 2",
+        why="Painleve: no finite force lets it slide on. The tip jams, at once.",
+        law="Impulses that stop the tip",
+        scene=partial(rod_on_floor, math.atan(2), -1.0, -1e-3),
+        measure=jam_error,
+        unit="m/s",
+        bound=1e-9,
+        reason="rounding of places before and after a step of 1e-9 s",
+        options={"dt": STEP},
+        failed_by=("naive", "pymunk"),
+    ),
+    HardCase(
+        name="kane",
+        theme=FRICTION,
+        title="A turning rod hits a rough floor, e = 1",
+        why="Newton's e compares velocities. With friction an impact may then gain energy.",
+        law="Stronge: e^2 is the work given back over the work taken.",
+        scene=partial(rod_on_floor, **KANE),
+        measure=energy_gain,
+        unit="",
+        bound=1e-12,
+        reason="rounding: an impact gains nothing",
+        ours=ENERGETIC,
+        options={"dt": STEP},
+        failed_by=("pymunk",),
+    ),
+    HardCase(
+        name="energy-gains",
+        theme=FRICTION,
+        title="15,000 random impacts of corners",
+        why="By Newton's rule one in forty gains energy, and nothing on the screen tells which.",
+        law="Stronge: e^2 is the work given back over the work taken.",
+        scene=partial(many_corners, 10, 0),
+        measure=gains,
+        unit="",
+        bound=0.0,
+        reason="none of them may gain",
+        ours=ENERGETIC,
+        options={"dt": corner_impacts.STEP},
+        failed_by=("pymunk",),
+        is_long=True,
+    ),
+    HardCase(
+        name="flat-landing",
+        theme=FRICTION,
+        title="A box of 1 m by 10 m lands flat, e = 1/2",
+        why="Two points at once: what one does to the other is forgotten by a short sweep.",
+        law="vy' = e vy, w' = 0",
+        scene=tall_box_landing,
+        measure=landing_error,
+        unit="m/s",
+        bound=1e-12,
+        reason="rounding",
+        options={"dt": STEP},
+        failed_by=("naive", "pymunk"),
+    ),
+    HardCase(
+        name="rod-end",
+        theme=FRICTION,
+        title="A ball hits the end of a free rod",
+        why="Half of the blow turns the rod: the effective mass is a quarter of the rod's.",
+        law="Momentum, angular momentum and e: v' = 0.6, V' = 0.4, w' = 1.2",
+        scene=rod_and_ball,
+        measure=rod_error,
+        unit="m/s",
+        bound=1e-8,
+        reason="the ball and the rod overlap by 1e-9 m",
+        options={"dt": STEP},
+        failed_by=("naive",),
+    ),
+    HardCase(
+        name="cradle",
+        theme=TOGETHER,
+        title="Newton's cradle: 1 to 4 balls, from both sides",
+        why="Momentum and energy leave it open how five balls share; hard balls go one by one.",
+        law="One after the other: as many leave as came",
+        scene=partial(cradle, 1),
+        measure=cradle_error,
+        unit="m/s",
+        bound=1e-6,
+        reason="a sequence ends at a millionth of the first approach",
+        ours=SEQUENTIAL,
+        failed_by=("naive", "pymunk", "box2d"),
+    ),
+    HardCase(
+        name="cradle-at-once",
+        theme=TOGETHER,
+        title="The same with all contacts at the same instant",
+        why="The other rule keeps momentum and energy too; an engine has to say which it has.",
+        law="Newton's e in every contact: -3/5, and four times 2/5",
+        scene=partial(cradle, 1),
+        measure=cradle_at_once_error,
+        unit="m/s",
+        bound=1e-8,
+        reason="the balls overlap by 1e-9 m",
+        options={"dt": STEP},
+        failed_by=("naive", "pymunk"),
+    ),
+    HardCase(
+        name="break-shot",
+        theme=TOGETHER,
+        title="A cue ball between two touching balls, in both orders",
+        why="Whoever visits one ball first gives it more.",
+        law="Symmetry, momentum, energy: the cue comes back with 1/5",
+        scene=partial(disc_scenes.cue_between_two, upper_first=True),
+        measure=break_error,
+        unit="m/s",
+        bound=1e-8,
+        reason="the balls overlap by 1e-9 m",
+        options={"dt": STEP},
+        failed_by=("naive",),
+    ),
+    HardCase(
+        name="two-ball-drop",
+        theme=TOGETHER,
+        title="A light ball on a heavy one, dropped together",
+        why="The light one flies off only if the heavy one has bounced before they meet.",
+        law="v' = (3 M - m) / (M + m) v = 29/11 v",
+        scene=two_balls,
+        measure=two_ball_error,
+        unit="m/s",
+        bound=1e-6,
+        reason="a sequence ends at a millionth of the first approach",
+        ours=SEQUENTIAL,
+        options={"dt": STEP},
+        failed_by=("naive", "pymunk", "box2d"),
+    ),
+    HardCase(
+        name="collapse",
+        theme=TOGETHER,
+        title="Three dull balls on a line, e = 0.05",
+        why="Infinitely many hits in a finite time: going from hit to hit has no end.",
+        law="e < 7 - 4 sqrt 3 = 0.0718: they end with one velocity",
+        scene=three_on_a_line,
+        measure=spread_of_speeds,
+        unit="m/s",
+        bound=1e-6,
+        reason="a millionth of the speed that they came with",
+        ours=SEQUENTIAL,
+    ),
+)
