@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lesson_code.evidence.hard_cases import (
+    bounces,
     fast,
     floors,
     impacts,
@@ -10,13 +11,16 @@ from lesson_code.evidence.hard_cases import (
     overlaps,
     steps,
     symmetry,
+    together,
 )
 from lesson_code.evidence.hard_cases.case import HardCase
 
 CASES: tuple[HardCase, ...] = (
     *loads.CASES,
     *impacts.CASES,
+    *together.CASES,
     *steps.CASES,
+    *bounces.CASES,
     *fast.CASES,
     *floors.CASES,
     *overlaps.CASES,

@@ -7,9 +7,11 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
+from rich.console import Console
 from rich.table import Table
 
 from lesson_code.evidence.hard_cases.case import OURS, SOLVERS, Outcome, run_case
@@ -89,7 +91,7 @@ class Comparison:
             box=None,
             pad_edge=False,
         )
-        table.add_column("case", max_width=17, no_wrap=True)
+        table.add_column("case", max_width=32, no_wrap=True)
         table.add_column("unit", max_width=4)
         table.add_column("bound", justify="right", no_wrap=True)
         for solver in self.solvers:
@@ -102,6 +104,15 @@ class Comparison:
         counts = [f"{self.held(solver)}" for solver in self.solvers]
         table.add_row(f"[bold]held, of {len(self.names)}[/bold]", "", "", *counts)
         return table
+
+
+    def as_text(self, width: int = 100) -> str:
+        """Return the table as plain text, so many columns wide."""
+        paper = StringIO()
+        Console(file=paper, width=width, force_jupyter=False, color_system=None).print(
+            self.as_table()
+        )
+        return "\n".join(line.rstrip() for line in paper.getvalue().splitlines())
 
 
 def _outcome_as_dict(outcome: Outcome, with_seconds: bool) -> dict[str, Any]:

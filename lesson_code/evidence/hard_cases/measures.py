@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
@@ -10,7 +10,11 @@ from lesson_code.engine.run import Run
 from lesson_code.engine.scene import Scene
 from lesson_code.evidence.hard_cases.case import Measure, Trial
 
-Index: TypeAlias = int | list[int]
+STEP = 1e-9
+"""s: a step in which nothing moves, but what overlaps collides."""
+
+TOUCH = 1e-9
+"""m: overlap of bodies of 1 m that are to be in touch."""
 
 
 def free(scene: Scene) -> list[int]:
