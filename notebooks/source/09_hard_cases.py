@@ -78,9 +78,9 @@ pair = {
 animate(
     pair,
     "A box of 1 kg on a floor, and on it one of 1,000 kg. On the left both stand still. On the "
-    "right the upper box sinks into the lower one until it stands on the floor.",
-    around=(-2, 2, -0.5, 2.5),
-    still=2.5,
+    "right the light box trembles and is thrown out to the left; the heavy one falls to the floor.",
+    around=(-4, 2, -0.5, 3),
+    still=1.7,
 )
 
 # %%
@@ -101,32 +101,30 @@ check("1,000,000 : 1 after 10 s, overlap, m", run.max_penetration[-1], 0, tolera
 # sweeps the floor has not heard of the top yet. **Predict:** what becomes of the tower?
 
 # %%
-seen = np.linspace(0, 8, 81)
+seen = np.linspace(0, 11, 111)
 scene = loads.tower((1.0,) * 20)
 pair = {
-    name: simulate(scene, 8.0, solver=s, sample=seen)
+    name: simulate(scene, 11.0, solver=s, sample=seen)
     for name, s in (("direct", "direct"), ("pymunk, 10 sweeps", "pymunk"))
 }
 animate(
     pair,
-    "Two towers of twenty boxes. The left one stands. The right one sinks in itself, leans over "
-    "and falls.",
-    around=(-7, 7, -0.5, 21),
+    "Two towers of twenty boxes. The left one stands. The right one bends to and fro, leans over "
+    "to the right and falls.",
+    around=(-4, 16, -0.5, 21),
     seconds=6,
-    still=4.0,
+    still=8.7,
 )
 
 # %%
-check("direct: farthest way in 8 s, m", way_of(pair["direct"]), 0, tolerance=1e-9)
-print(
-    "pymunk: the top has come down by more than a box:",
-    bool(pair["pymunk, 10 sweeps"].positions[-1, 20, 1] < 18.5),
-)
+check("direct: farthest way in 11 s, m", way_of(pair["direct"]), 0, tolerance=1e-9)
+more = simulate(scene, 14.0, solver="pymunk", iterations=100, sample="end")
+fallen = [bool(run.positions[-1, 20, 1] < 15) for run in (pair["pymunk, 10 sweeps"], more)]
+check("pymunk has fallen: 10 sweeps after 11 s, 100 after 14 s", fallen, [True, True])
 
 # %% [markdown]
-# Ours was given a bound before it was run: a thousandth of a box, for 40 boxes and 60 s. What was
-# measured stands in the table of section 8. With more sweeps pymunk would hold this tower too; 40
-# boxes need four times the sweeps that 20 do.
+# More sweeps alone do not save it. Ours was given a bound before it was run: a thousandth of a box,
+# for 40 boxes and 60 s. What was measured stands in the table of section 8.
 #
 # ## 3 Steps that change: the square of the golden section
 #
@@ -190,11 +188,11 @@ for solver in ("direct", "pymunk"):
 check("direct: vx over 8 s, m/s", slides["direct"][1], speed, tolerance=1e-9)
 fig, ax = style.figure(width=7, height=3)
 plots.curves(ax, slides, "time, s", "velocity along the floor, m/s")
-ax.set_ylim(0, 6)
+ax.set_ylim(4, 5.2)
 show(
     fig,
-    "Velocity over time. The direct solver's is a level line at 5 m/s. pymunk's falls in steps, each "
-    "at a seam between two pieces.",
+    "Velocity over time. The direct solver's is a level line at 5 m/s. pymunk's falls in steps, "
+    "each at a seam between two pieces.",
 )
 
 # %% [markdown]
@@ -206,9 +204,8 @@ show(
 # ## 5 Fast bodies, in short
 #
 # Chapter 07 had the law: of balls with the radius r that fly at a wall of the thickness th, the
-# part
-# 1 - (r + th/2)/(v dt) gets through where an engine only looks at the ends of steps. At 18 m/s and a
-# wall of 10 cm that is a half. The table below has all speeds up to a million metres a second.
+# part 1 - (r + th/2)/(v dt) gets through where an engine only looks at the ends of steps. At 18
+# m/s and a wall of 10 cm that is a half. The table below has all speeds up to a million m/s.
 
 # %%
 for speed in (6, 18, 100):
@@ -300,8 +297,8 @@ check("direct", run.contacts.normal_impulse.sum(), 1e-3 / 5.5, tolerance=1e-11)
 # two equations for five velocities, so they do **not** say what happens. Two rules:
 #
 # - **One after the other:** 1 strikes 2, 2 strikes 3, and so on. The last one leaves alone.
-# - **All at the same instant,** each contact with e = 1: the first comes back with -3/5, and the four
-#   others go with 2/5.
+# - **All at the same instant,** each contact with e = 1: the first comes back with -3/5, and the
+#   four others go with 2/5.
 #
 # **Check** both for momentum and energy before you run it.
 
@@ -388,8 +385,8 @@ ax.barh(ranked, [np.log10(finite[n]) for n in ranked], color=style.BLUE)
 ax.set_xlabel("powers of ten over the bound")
 show(
     fig,
-    "Eighteen cases in which pymunk is over the bound, as bars, the worst at the top: from a few to "
-    "more than ten powers of ten.",
+    "Eighteen cases in which pymunk is over the bound, as bars, the worst at the top: from eight "
+    "to more than twelve powers of ten.",
 )
 
 # %% [markdown]
@@ -440,8 +437,8 @@ show_quiz("09")
 # %% [markdown]
 # ## Key takeaways
 #
-# - A case is hard where things are **far apart**: masses, sizes, speeds, lengths of steps, or the ends
-#   of a long chain of contacts.
+# - A case is hard where things are **far apart**: masses, sizes, speeds, lengths of steps, or the
+#   ends of a long chain of contacts.
 # - Sweeps converge by a factor that you can work out: M/(M + m) for a load on a box. Nothing but a
 #   solution of all contacts together helps against a factor near 1.
 # - What is kept from one step to the next has a unit. If the step changes, it has to change too.

@@ -105,7 +105,6 @@ class Comparison:
         table.add_row(f"[bold]held, of {len(self.names)}[/bold]", "", "", *counts)
         return table
 
-
     def as_text(self, width: int = 100) -> str:
         """Return the table as plain text, so many columns wide."""
         paper = StringIO()

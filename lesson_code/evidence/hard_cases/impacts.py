@@ -22,7 +22,7 @@ THEME = "Impacts with friction"
 ENERGETIC = {"solver": "direct", "restitution_law": "energetic"}
 
 
-IMPACTS, BATCH, PITCH = 15_000, 500, 20.0
+IMPACTS, BATCH, PITCH = 15_000, 500, 6.0
 """Random impacts in all, impacts in a scene, and the distance between two of them, m."""
 
 
@@ -44,8 +44,8 @@ def many_corners(count: int, seed: int) -> Scene:
             surface=Material(rng.uniform(0, 1), rng.uniform(0, 1.5)),
         )
         x, y = box.position
-        boxes.append(replace(box, position=(x + n * PITCH, y)))
-    floor = Body(Segment((-PITCH, 0), (count * PITCH, 0)))
+        boxes.append(replace(box, position=(x + (n - count / 2) * PITCH, y)))
+    floor = Body(Segment((-count * PITCH, 0), (count * PITCH, 0)))
     return Scene([floor, *boxes])
 
 

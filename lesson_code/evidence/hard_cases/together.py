@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -81,12 +80,11 @@ def two_ball_error(trial: Trial) -> float:
     return largest(np.sort(found) - np.sort(expected))
 
 
-COLLAPSE = 7 - 4 * math.sqrt(3)
-"""Below this e, three equal balls on a line hit each other infinitely often in a finite time."""
-
-
 def three_on_a_line() -> Scene:
-    """Return three balls, e = 0.05: the outer two come to the one in the middle."""
+    """Return three balls, e = 0.05: the outer two come to the one in the middle.
+
+    Below e = 7 - 4 sqrt 3 such balls hit each other infinitely often in a finite time.
+    """
     dull = Material(restitution=0.05)
     starts = [(-1.5, 1.0), (0.0, 0.0), (1.75, -1.0)]
     return Scene(
