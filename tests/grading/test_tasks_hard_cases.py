@@ -52,7 +52,7 @@ def test_tower_forces_expected_are_the_closed_form() -> None:
     ("light", "heavy", "left", "count"), [(1, 1, 0.5, 1), (1, 3, 0.75, 1), (1, 3, 0.5, 3)]
 )
 def test_sweeps_expected_are_the_least_that_do(
-    light: float, heavy: float, left: float, count: int
+    light: int, heavy: int, left: float, count: int
 ) -> None:
     """In fractions: one sweep less is too few."""
     part = Fraction(heavy, heavy + light)

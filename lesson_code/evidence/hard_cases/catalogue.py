@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lesson_code.evidence.hard_cases import (
+    balance,
     bounces,
     fast,
     floors,
@@ -17,6 +18,7 @@ from lesson_code.evidence.hard_cases.case import HardCase
 
 CASES: tuple[HardCase, ...] = (
     *loads.CASES,
+    *balance.CASES,
     *impacts.CASES,
     *together.CASES,
     *steps.CASES,

@@ -91,7 +91,7 @@ class Comparison:
             box=None,
             pad_edge=False,
         )
-        table.add_column("case", max_width=32, no_wrap=True)
+        table.add_column("case", max_width=20, no_wrap=True)
         table.add_column("unit", max_width=4)
         table.add_column("bound", justify="right", no_wrap=True)
         for solver in self.solvers:
@@ -100,7 +100,9 @@ class Comparison:
             table.add_row(f"[bold]{theme}[/bold]")
             for case in cases:
                 cells = [_cell(self.outcome(case.name, solver)) for solver in self.solvers]
-                table.add_row(f" {case.name}", case.unit, _number(case.bound), *cells)
+                table.add_row(
+                    f" {case.name}", case.unit, f"{case.bound:.0e}" if case.bound else "0", *cells
+                )
         counts = [f"{self.held(solver)}" for solver in self.solvers]
         table.add_row(f"[bold]held, of {len(self.names)}[/bold]", "", "", *counts)
         return table

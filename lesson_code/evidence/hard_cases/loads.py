@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import partial
 
@@ -19,8 +18,8 @@ from lesson_code.evidence.hard_cases.measures import (
     relative_errors,
     way_of,
 )
-from lesson_code.geometry.shapes import Circle, Polygon, Segment
-from lesson_code.reference.rigid_body_closed_forms import stack_forces, wedge_forces
+from lesson_code.geometry.shapes import Polygon, Segment
+from lesson_code.reference.rigid_body_closed_forms import stack_forces
 
 THEME = "Loads and towers"
 
@@ -96,51 +95,9 @@ def force_errors(trial: Trial) -> float:
     return relative_errors(measured, stack_forces(masses, scenes.GRAVITY))
 
 
-def beam_on_posts() -> Scene:
-    """Return a beam of 6 kg on three posts of one width: six points that share the load."""
-    posts = [Body(Polygon.box(0.2, 1), position=(x, -0.5)) for x in (-1.9, 0.0, 1.9)]
-    beam = Body(Polygon.box(4, 0.5), mass=6, position=(0, 0.25 - SUNK))
-    return Scene([*posts, beam], gravity=(0, -scenes.GRAVITY))
-
-
-def unevenness(trial: Trial) -> float:
-    """Return how far the force on a post is from a third of the weight, as a part of it."""
-    forces = pair_forces(trial.run(0.5), DT)
-    return relative_errors([forces.get((n, 3), 0.0) for n in range(3)], 2 * scenes.GRAVITY)
-
-
 def jitter(trial: Trial) -> float:
     """Return the greatest speed in the second after 10 s, m/s."""
     return fastest(trial.run(11.0, sample=np.linspace(10, 11, 61)))
-
-
-def disc_in_narrow_wedge() -> Scene:
-    """Return a smooth disc between two walls at 80 degrees, in touch with both."""
-    scene = scenes.disc_in_wedge(*NARROW)
-    left, right, disc = scene.bodies
-    x, y = disc.position
-    lowered = Body(disc.shape, mass=disc.mass, position=(x, y - SUNK), material=disc.material)
-    return Scene([left, right, lowered], gravity=scene.gravity)
-
-
-NARROW = (math.radians(80), math.radians(80))
-"""rad: the walls of a narrow wedge. Each has to hold nearly three times the weight."""
-
-
-def wedge_errors(trial: Trial) -> float:
-    """Return the error of the forces of both walls after a second, as a part."""
-    forces = pair_forces(trial.run(1.0), DT)
-    measured = [forces.get((n, 2), 0.0) for n in range(2)]
-    return relative_errors(measured, wedge_forces(scenes.GRAVITY, *NARROW))
-
-
-def three_logs() -> Scene:
-    """Return two discs side by side with a gap of a tenth of their width, and a third on them."""
-    surface, half_gap = Material(0.0, 0.5), 0.55
-    height = 0.5 + math.sqrt((1 - SUNK) ** 2 - half_gap**2) - SUNK
-    places = [(-half_gap, 0.5 - SUNK), (half_gap, 0.5 - SUNK), (0.0, height)]
-    logs = [Body(Circle(0.5), mass=1, position=place, material=surface) for place in places]
-    return Scene([scenes.level_ground(), *logs], gravity=(0, -scenes.GRAVITY))
 
 
 def pyramid() -> Scene:
@@ -216,7 +173,6 @@ CASES = (
         bound=NOT_SEEN,
         reason=NO_DRIFT,
         failed_by=("naive", "pymunk"),
-        is_long=True,
     ),
     HardCase(
         name="crooked-tower",
@@ -259,19 +215,6 @@ CASES = (
         failed_by=("naive", "pymunk", "box2d"),
     ),
     HardCase(
-        name="even-load",
-        theme=THEME,
-        title="A beam on three posts",
-        why="Three posts, and two equations: many answers are right, and one of them is fair.",
-        law="Equal posts carry equal loads (the least change of all impulses).",
-        scene=beam_on_posts,
-        measure=unevenness,
-        unit="",
-        bound=1e-6,
-        reason="far below what a scale would show",
-        failed_by=("naive", "pymunk"),
-    ),
-    HardCase(
         name="pyramid",
         theme=THEME,
         title="A pyramid of 8 rows, 5 s",
@@ -283,7 +226,6 @@ CASES = (
         bound=NOT_SEEN,
         reason=NO_DRIFT,
         failed_by=("naive",),
-        is_long=True,
     ),
     HardCase(
         name="jitter",
@@ -310,31 +252,5 @@ CASES = (
         bound=1e-12,
         reason="a speed of 1e-6 m/s of one box",
         failed_by=("naive", "pymunk"),
-    ),
-    HardCase(
-        name="narrow-wedge",
-        theme=THEME,
-        title="A disc in a wedge of 20 degrees",
-        why="The two contacts push nearly against each other: a sweep undoes what the last did.",
-        law="N = W / (2 cos 80 degrees)",
-        scene=disc_in_narrow_wedge,
-        measure=wedge_errors,
-        unit="",
-        bound=1e-9,
-        reason="rounding, times the square of the force over the weight",
-        failed_by=("naive", "box2d"),
-    ),
-    HardCase(
-        name="three-logs",
-        theme=THEME,
-        title="A log on two that do not touch each other, 10 s",
-        why="Friction alone keeps the lower two from rolling apart: it has to be exact.",
-        law="It stands if mu >= tan(a / 2) between the logs, a the slope of their common normal.",
-        scene=three_logs,
-        measure=drift(10.0),
-        unit="m",
-        bound=NOT_SEEN,
-        reason="a thousandth of a log; what comes further in this time does not stand",
-        failed_by=("naive",),
     ),
 )

@@ -170,7 +170,6 @@ CASES = (
         bound=1e-6,
         reason="a millimetre in a quarter of an hour",
         ours={"solver": "sequential", "compiled": False},
-        is_long=True,
     ),
     HardCase(
         name="squeezed",

@@ -20,7 +20,7 @@ from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import end_state, largest
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
-THEME = "Size, place and order"
+THEME = "Size, place, order"
 
 RADII = (10.0, 1.0, 0.1, 0.05, 0.01, 1e-3)
 """m."""
@@ -346,7 +346,6 @@ CASES = (
         bound=0.0,
         reason="bits are equal or not",
         ours={"solver": "sequential", "compiled": False},
-        is_long=True,
     ),
     HardCase(
         name="momentum",
