@@ -159,7 +159,7 @@ CASES = (
         theme=THEME,
         title="A log on two that do not touch each other, 10 s",
         why="Friction alone keeps the lower two from rolling apart: it has to be exact.",
-        law="It stands if mu >= tan(a / 2) between the logs, a the slope of their common normal.",
+        law="It stands if mu >= tan(a / 2), a between the vertical and the line of two centres.",
         scene=three_logs,
         measure=drift(10.0),
         unit="m",

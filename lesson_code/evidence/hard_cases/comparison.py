@@ -16,7 +16,7 @@ from rich.table import Table
 
 from lesson_code.evidence.hard_cases.case import OURS, SOLVERS, Outcome, run_case
 from lesson_code.evidence.hard_cases.catalogue import CASES, by_theme, case_by_name
-from lesson_code.parallel import iter_tasks
+from lesson_code.parallel import iter_tasks, usable_cores
 from lesson_code.parallel.outcome import WorkerDiedError
 
 VERSION = 1
@@ -162,7 +162,8 @@ def measure_hard_cases(
     solvers : sequence of str, optional
         "ours" and others; all that are installed by default.
     workers, cluster, progress
-        As :func:`lesson_code.parallel.map_tasks` takes them.
+        As :func:`lesson_code.parallel.map_tasks` takes them; but there are two workers at the
+        least unless one is asked for. One alone would be this process, and die with a solver.
 
     Raises
     ------
@@ -174,6 +175,8 @@ def measure_hard_cases(
     for solver in chosen:
         if solver not in SOLVERS:
             raise ValueError(f"solver must be one of {', '.join(SOLVERS)}, got {solver!r}")
+    if workers is None:
+        workers = max(2, usable_cores())
     tasks = [(case.name, solver) for case in cases for solver in chosen]
     # The long ones first, or the last one would keep everybody waiting.
     order = sorted(range(len(tasks)), key=lambda n: not case_by_name(tasks[n][0]).is_long)

@@ -157,7 +157,7 @@ CASES = (
     case(
         name="seams-disc",
         title="A smooth disc slides over the seams of a floor, 1 to 10 m/s, 8 s",
-        why="It sinks in a little, and then meets the side of the next piece.",
+        why="It sinks in a little, and then meets the end of the next piece.",
         law="Without friction vx is constant.",
         scene=partial(slider_on_pieces, Circle(0.5), 0.5, 5.0),
         measure=change_of_speed(Circle(0.5), 0.5),
@@ -235,7 +235,7 @@ CASES = (
         measure=tipping_error,
         unit="deg",
         bound=0.01,
-        reason="over that angle by this much, it needs 4 s to fall",
+        reason="so little over that angle a box falls in 2 s, and it is watched for 5 s",
         failed_by=("naive", "pymunk", "box2d"),
     ),
     case(
