@@ -34,7 +34,7 @@ from lesson_code.reference import impact_closed_forms as closed
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
 from lesson_code.reference.event_closed_forms import escape_fraction
 from lesson_code.reference.rigid_body_closed_forms import stack_forces
-from lesson_code.view import plots, style
+from lesson_code.view import case_plots, plots, style
 from lesson_code.view.animation import animate
 from lesson_code.view.interactive import Slider, explore
 from lesson_code.view.show import show
@@ -380,19 +380,16 @@ for name in ("heavy-load", "tower-40", "dt-jumps", "energy-gains"):
     print(f"  Bound: {case.bound:g} {case.unit} ({case.reason})\n  Ours holds it: {outcome.held}")
 
 # %% [markdown]
-# Bars show by how much pymunk is over the bound where it is over it. The axis counts powers of ten.
+# The same as a picture: left of the line a bound is held, right of it each unit is a power of ten.
 
 # %%
-over = {n: measured.outcome(n, "pymunk").excess for n in measured.not_held("pymunk")}
-finite = {n: x for n, x in over.items() if np.isfinite(x)}
-ranked = sorted(finite, key=finite.__getitem__)[-18:]
-fig, ax = style.figure(width=7, height=4.6)
-ax.barh(ranked, [np.log10(finite[n]) for n in ranked], color=style.BLUE)
-ax.set_xlabel("powers of ten over the bound")
+fig, ax = style.figure(width=8, height=11)
+case_plots.over_the_bounds(ax, measured)
 show(
     fig,
-    "Eighteen cases in which pymunk is over the bound, as bars, the worst at the top: from eight "
-    "to more than twelve powers of ten.",
+    "A row for each case, with a mark for each solver, over the powers of ten by which it is over "
+    "the bound. All of our marks are left of the line. Most marks of the others are right of it, "
+    "up to twelve powers of ten and more.",
 )
 
 # %% [markdown]
