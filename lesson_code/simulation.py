@@ -133,8 +133,9 @@ def simulate(
     settings |= _impact_rules(chosen, impacts, restitution_law)
     reason = "asked for" if solver == chosen else "it solves every scene"
     if chosen == "exact":
-        exact = ExactSolver(scene, combine=settings["combine"])
-        return record_exact(exact, duration, sample, Plan(chosen, reason))
+        pair = settings["combine"]
+        exact = ExactSolver(scene, combine=pair, compiled=compiled, duration=duration)
+        return record_exact(exact, duration, sample, reason)
     if chosen in OTHERS:
         if compiled is not None:
             raise ValueError(f"compiled must be None for {chosen}, got {compiled!r}")

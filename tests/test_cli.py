@@ -79,6 +79,7 @@ def test_help_lists_every_command() -> None:
         ["play", "billiards"],
         ["measure", "chaos"],
         ["measure", "hard-cases"],
+        ["measure", "speed"],
     ],
 )
 def test_every_command_has_help(command: list[str]) -> None:
@@ -365,6 +366,45 @@ def test_measure_chaos_with_options_out_of_range_ends_with_2(
 ) -> None:
     """The error names the option."""
     result = workbook("measure", "chaos", *options)
+    assert result.exit_code == NOT_DONE
+    assert words in " ".join(result.stderr.split())
+
+
+def test_measure_speed_prints_one_json_object() -> None:
+    """One small scene; the bar is on standard error, and away when it is done."""
+    pytest.importorskip("numba")
+    options = ["--json", "--quick", "--only", "gas-10", "--repeats", "1"]
+    result = workbook("measure", "speed", *options)
+    assert result.exit_code == ALL_IS_WELL
+    report = json.loads(result.stdout)
+    assert (report["version"], report["command"], report["repeats"]) == (1, "measure speed", 1)
+    assert [scene["key"] for scene in report["scenes"]] == ["gas-10"]
+    assert {"sequential", "pymunk, tree"} <= {e["engine"] for e in report["scenes"][0]["engines"]}
+
+
+def test_measure_speed_prints_a_table() -> None:
+    """With the machine above it, and a row for each engine."""
+    pytest.importorskip("numba")
+    result = workbook("measure", "speed", "--quick", "--only", "gas-10", "--repeats", "1")
+    assert result.exit_code == ALL_IS_WELL
+    for words in ("cores", "gas of 10", "sequential", "substep", "exact", "pymunk, hash"):
+        assert words in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--repeats", "0"], "Invalid value for '--repeats'"),
+        (["--only", "gold"], "only must name some of gas-10"),
+        (["--profile", "gold-10"], "profile must be one of gas"),
+    ],
+)
+def test_measure_speed_with_options_out_of_range_ends_with_2(
+    options: list[str], words: str
+) -> None:
+    """The error names the option."""
+    pytest.importorskip("numba")
+    result = workbook("measure", "speed", *options)
     assert result.exit_code == NOT_DONE
     assert words in " ".join(result.stderr.split())
 

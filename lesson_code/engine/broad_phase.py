@@ -23,6 +23,7 @@ import math
 from typing import Protocol, TypeAlias
 
 from lesson_code.engine.constants import (
+    LAST_CELL,
     LEAST_MARGIN,
     MOST_MARGIN,
     PAIRS_ANYWAY,
@@ -30,7 +31,7 @@ from lesson_code.engine.constants import (
     SLOT_RATIO,
     STEPS_AHEAD,
 )
-from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PairRow, World
+from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PairRow, State, World
 from lesson_code.formulas.arithmetic import clamp
 
 Sides: TypeAlias = tuple[float, float, float, float]
@@ -191,13 +192,22 @@ def find_cells(world: World) -> None:
         body = world.bodies[i]
         body.is_large = max(body.max_x - body.min_x, body.max_y - body.min_y) > state.cell_size
         if not body.is_large:
-            body.cell_x = math.floor(body.min_x / state.cell_size)
-            body.cell_y = math.floor(body.min_y / state.cell_size)
+            body.cell_x = cell_of(state, body.min_x)
+            body.cell_y = cell_of(state, body.min_y)
             if body.inv_m == 0.0:
                 slot = slots[slot_of(state, body.cell_x, body.cell_y)]
                 body.next_in_cell = slot.index
                 slot.index = i
                 state.has_small_fixed = True
+
+
+def cell_of(state: State, side: float) -> int:
+    """Return the number of the column or row of cells in which a side lies.
+
+    All that lies beyond the last cell is taken into it: neighbours stay neighbours.
+    """
+    number: int = math.floor(clamp(side / state.cell_size, -LAST_CELL, LAST_CELL))
+    return number
 
 
 def sort_boxes(world: World) -> None:

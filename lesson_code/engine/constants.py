@@ -55,6 +55,11 @@ CELL_MARGIN = 1.01
 a cell exactly wider than it, or most of a heap of equal discs would count as large.
 """
 
+LAST_CELL = 1e9
+"""Number of the last cell of the grid on each side. A compiled program keeps the numbers in 32
+bits: it would take cell 2^31 for cell -2^31, and lose the pairs between it and its neighbour.
+"""
+
 SLOT_RATIO = 0.6180339887498949
 """Of the slots: how far a cell is from the one above it. The golden section, (sqrt(5) - 1) / 2."""
 

@@ -1,6 +1,6 @@
 """The two bodies of a contact: how fast its points part, how hard they are to part, a push.
 
-Every contact solver is made of these. Along a unit direction u, with lever arms r_a and r_b:
+Every impact is made of these. Along a unit direction u, with lever arms r_a and r_b:
 
     velocity   (v_b + w_b x r_b - v_a - w_a x r_a) . u
     mass       1 / (1/m_a + 1/m_b + (r_a x u)^2 / I_a + (r_b x u)^2 / I_b)
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Protocol, TypeAlias
 
-from lesson_code.engine.rows import BodyRow, ContactRow
+from lesson_code.engine.rows import ContactRow
 from lesson_code.formulas import contact, rigid_body
 from lesson_code.formulas.arithmetic import cross, dot
 from lesson_code.formulas.validation import equation
@@ -53,45 +53,11 @@ def velocity_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
     return along
 
 
-def velocity_at(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
-    """Return the relative velocity of the contact points along normal and tangent, m/s."""
-    on_a = contact_velocity((a.vx, a.vy), a.w, (c.ax, c.ay))
-    on_b = contact_velocity((b.vx, b.vy), b.w, (c.bx, c.by))
-    v = on_b[0] - on_a[0], on_b[1] - on_a[1]
-    return dot(v, normal_of(c)), dot(v, tangent_of(c))
-
-
-def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: XY) -> float:
-    """Return the same for the velocities of the position correction, m/s."""
-    on_a = contact_velocity((a.push_vx, a.push_vy), a.push_w, (c.ax, c.ay))
-    on_b = contact_velocity((b.push_vx, b.push_vy), b.push_w, (c.bx, c.by))
-    along: float = dot((on_b[0] - on_a[0], on_b[1] - on_a[1]), u)
-    return along
-
-
-def missing_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return how far the normal velocity is from its target, m/s; negative: too slow apart."""
-    return velocity_along(c, a, b, normal_of(c)) - c.target_vn
-
-
-def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return the same for the velocities of the position correction."""
-    return push_velocity_along(c, a, b, normal_of(c)) - c.push_speed
-
-
 def mass_along(c: ContactRow, a: MovingBody, b: MovingBody, u: XY) -> float:
     """Return the effective mass of the contact along u, kg."""
     ra_x_u, rb_x_u = cross((c.ax, c.ay), u), cross((c.bx, c.by), u)
     mass: float = effective_mass(a.inv_m, b.inv_m, a.inv_i, b.inv_i, ra_x_u, rb_x_u)
     return mass
-
-
-def skew_of(c: ContactRow, a: MovingBody, b: MovingBody) -> float:
-    """Return the tangent velocity that 1 N s along the normal makes at the contact, 1/kg."""
-    n, t = normal_of(c), tangent_of(c)
-    on_a: float = cross((c.ax, c.ay), n) * cross((c.ax, c.ay), t) * a.inv_i
-    on_b: float = cross((c.bx, c.by), n) * cross((c.bx, c.by), t) * b.inv_i
-    return on_a + on_b
 
 
 def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
@@ -101,37 +67,10 @@ def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
 
 def apply_impulse(c: ContactRow, a: MovingBody, b: MovingBody, u: XY, j: float) -> None:
     """Change the velocities of both bodies by an impulse j along u, N s."""
-    apply_vector(c, a, b, j * u[0], j * u[1])
-
-
-def apply_both(c: ContactRow, a: MovingBody, b: MovingBody, jn: float, jt: float) -> None:
-    """Change the velocities of both bodies by impulses along normal and tangent, N s."""
-    n, t = normal_of(c), tangent_of(c)
-    apply_vector(c, a, b, jn * n[0] + jt * t[0], jn * n[1] + jt * t[1])
-
-
-def apply_vector(c: ContactRow, a: MovingBody, b: MovingBody, jx: float, jy: float) -> None:
-    """Change the velocities of both bodies by an impulse with components, N s."""
+    jx, jy = j * u[0], j * u[1]
     a.vx -= jx * a.inv_m
     a.vy -= jy * a.inv_m
     a.w -= cross((c.ax, c.ay), (jx, jy)) * a.inv_i
     b.vx += jx * b.inv_m
     b.vy += jy * b.inv_m
     b.w += cross((c.bx, c.by), (jx, jy)) * b.inv_i
-
-
-def bring_to_total(c: ContactRow, a: BodyRow, b: BodyRow, total: float) -> None:
-    """Apply what a contact's normal impulse still lacks of a total, or has too much, N s."""
-    apply_impulse(c, a, b, normal_of(c), total - c.normal_impulse)
-    c.normal_impulse = total
-
-
-def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: XY, j: float) -> None:
-    """Change the velocities of the position correction by an impulse j along u, N s."""
-    jx, jy = j * u[0], j * u[1]
-    a.push_vx -= jx * a.inv_m
-    a.push_vy -= jy * a.inv_m
-    a.push_w -= cross((c.ax, c.ay), (jx, jy)) * a.inv_i
-    b.push_vx += jx * b.inv_m
-    b.push_vy += jy * b.inv_m
-    b.push_w += cross((c.bx, c.by), (jx, jy)) * b.inv_i

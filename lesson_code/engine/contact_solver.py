@@ -34,16 +34,13 @@ from lesson_code.engine.constants import (
     SLOP,
     STREAMS,
 )
-from lesson_code.engine.contact_motion import (
-    apply_both,
-    apply_impulse,
+from lesson_code.engine.contact_frame import (
+    apply_impulses,
     apply_push,
-    mass_along,
     missing_push,
-    normal_of,
-    skew_of,
-    tangent_of,
-    velocity_along,
+    normal_velocity,
+    set_frame,
+    tangent_velocity,
     velocity_at,
 )
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
@@ -61,11 +58,9 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
-        c.normal_mass = mass_along(c, a, b, normal_of(c))
-        c.tangent_mass = mass_along(c, a, b, tangent_of(c))
+        set_frame(c, a, b)
         # Also where they part already: else a third body that presses them together adds energy.
-        c.target_vn = -c.restitution * velocity_along(c, a, b, normal_of(c))
-        c.skew = skew_of(c, a, b)
+        c.target_vn = -c.restitution * normal_velocity(c, a, b)
         c.push_speed = push_speed_of(c, a, b, world.state.dt)
         if effects.manifolds:
             c.is_block = False
@@ -94,7 +89,7 @@ def give_again(world: World) -> None:
         a, b = world.bodies[c.a], world.bodies[c.b]
         c.normal_impulse *= longer  # a force is remembered, as an impulse a step
         c.tangent_impulse *= longer
-        apply_both(c, a, b, c.normal_impulse, c.tangent_impulse)
+        apply_impulses(c, a, b, c.normal_impulse, c.tangent_impulse)
 
 
 def longer_than_before(world: World) -> float:
@@ -131,11 +126,8 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
             c = world.contacts[k]
             a, b = world.bodies[c.a], world.bodies[c.b]
             if effects.manifolds and c.is_block:
-                solve_normals(c, world.contacts[k + 1], a, b)
-                solve_friction(c, a, b)
-            elif effects.manifolds and is_second_of_block(world, k):
-                solve_friction(c, a, b)
-            else:
+                solve_manifold(c, world.contacts[k + 1], a, b)
+            elif not (effects.manifolds and is_second_of_block(world, k)):
                 solve_contact(c, a, b)
 
 
@@ -152,15 +144,22 @@ def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     vt_after = vt + c.skew * more_n
     jt = friction_impulse(vt_after, c.tangent_mass, c.friction, jn, c.tangent_impulse)
     more_t = jt - c.tangent_impulse
-    apply_both(c, a, b, more_n, more_t)
+    apply_impulses(c, a, b, more_n, more_t)
     c.normal_impulse, c.tangent_impulse = jn, jt
+
+
+def solve_manifold(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Do the same at the two points of one manifold: both normal velocities at once."""
+    solve_normals(c, d, a, b)
+    solve_friction(c, a, b)
+    solve_friction(d, a, b)
 
 
 def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Stop the sliding, as far as Coulomb's limit mu jn allows."""
-    vt = velocity_along(c, a, b, tangent_of(c))
+    vt = tangent_velocity(c, a, b)
     total = friction_impulse(vt, c.tangent_mass, c.friction, c.normal_impulse, c.tangent_impulse)
-    apply_impulse(c, a, b, tangent_of(c), total - c.tangent_impulse)
+    apply_impulses(c, a, b, 0.0, total - c.tangent_impulse)
     c.tangent_impulse = total
 
 
@@ -172,7 +171,7 @@ def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     if found:
         for k in range(world.state.contact_count):
             c = world.contacts[k]
-            vn = velocity_along(c, world.bodies[c.a], world.bodies[c.b], normal_of(c))
+            vn = normal_velocity(c, world.bodies[c.a], world.bodies[c.b])
             c.push_speed -= max(vn, 0.0)
     return found
 
@@ -199,7 +198,7 @@ def is_second_of_block(world: World, k: int) -> bool:
 def solve_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Move the bodies apart, by an impulse that in total only pushes."""
     total = normal_impulse(missing_push(c, a, b), c.normal_mass, 0.0, c.push_impulse)
-    apply_push(c, a, b, normal_of(c), total - c.push_impulse)
+    apply_push(c, a, b, total - c.push_impulse)
     c.push_impulse = total
 
 

@@ -27,6 +27,7 @@ def find_overlaps(world: World, effects: Effects) -> bool:
     """Write the contacts of all candidate pairs; return whether the table had room for them."""
     state, m = world.state, world.manifold
     count = 0
+    state.static_count = 0
     for k in range(state.pair_count):
         pair = world.pairs[k]
         a, b = world.bodies[pair.a], world.bodies[pair.b]
@@ -43,6 +44,9 @@ def find_overlaps(world: World, effects: Effects) -> bool:
             contact.a, contact.b = pair.a, pair.b
             contact.restitution, contact.friction = restitution, friction
             write_point(contact, m, point)
+            if effects.seams and (a.inv_m == 0.0 or b.inv_m == 0.0):
+                world.static_contacts[state.static_count].index = count
+                state.static_count += 1
             count += 1
     state.contact_count = count
     return True

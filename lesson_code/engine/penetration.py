@@ -5,13 +5,18 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.broad_phase import bound
 from lesson_code.engine.combination import Combination
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import World
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
-from lesson_code.engine.world import find_pairs, turn_with_angle
+from lesson_code.engine.world import BroadPhase, seek_pairs, turn_with_angle
+
+EVERY_OVERLAP = EVERY_EFFECT._replace(seams=False)
+"""What overlaps are measured with: where a floor has a seam, two overlaps are two."""
 
 
 def deepest_overlaps(
@@ -25,14 +30,22 @@ def deepest_overlaps(
         for n, body in enumerate(world.bodies):
             body.x, body.y = positions[frame, n].tolist()
             body.angle = float(angles[frame, n])
-            turn_with_angle(world, body)
-        while not (find_pairs(world, broad_phase) and find_contacts(world)):
+        while (depth := measure_overlaps(world, broad_phase, EVERY_OVERLAP)) < 0.0:
             world = make_room(world)
-        depths[frame] = _deepest(world)
+        depths[frame] = depth
     return depths
 
 
-def _deepest(world: World) -> float:
-    """Return the largest penetration in the contact table, m; 0 when it is empty."""
-    in_use = range(world.state.contact_count)
-    return max((world.contacts[k].penetration for k in in_use), default=0.0)
+def measure_overlaps(world: World, broad_phase: BroadPhase, effects: Effects) -> float:
+    """Return the depth of the deepest overlap, m, 0 without one; -1 when a table was too small."""
+    for body in world.bodies:
+        turn_with_angle(world, body)
+    bound(world)
+    if not seek_pairs(world, broad_phase):
+        return -1.0
+    if not find_contacts(world, effects):
+        return -1.0
+    deepest = 0.0
+    for k in range(world.state.contact_count):
+        deepest = max(deepest, world.contacts[k].penetration)
+    return deepest

@@ -12,7 +12,7 @@ import numpy as np
 
 from lesson_code.engine.broad_phase import most_pairs
 from lesson_code.engine.compiled.arrays import lengthened
-from lesson_code.engine.rows import ContactRow, ImpulseRow, MemoryRow, PairRow, World
+from lesson_code.engine.rows import ContactRow, ImpulseRow, IndexRow, MemoryRow, PairRow, World
 
 SPARE = 1.5
 """Times the rows that are wanted: how many there are then, so that a table seldom grows."""
@@ -35,6 +35,7 @@ def make_room(world: World) -> World:
         pairs=longer(world.pairs, state.pairs_wanted, PairRow),
         sorted_pairs=longer(world.sorted_pairs, state.pairs_wanted, PairRow),
         contacts=longer(world.contacts, state.contacts_wanted, ContactRow),
+        static_contacts=longer(world.static_contacts, state.contacts_wanted, IndexRow),
         memory=longer(world.memory, state.contacts_wanted, MemoryRow),
         impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow),
     )

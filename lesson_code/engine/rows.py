@@ -98,8 +98,12 @@ class ContactRow:
     bx: float = 0.0  # m, lever arm on b
     by: float = 0.0
 
+    ra_x_n: float = 0.0  # m, lever arm on a about its centre of mass, of an impulse along n
+    rb_x_n: float = 0.0  # m, on b
+    ra_x_t: float = 0.0  # m, of an impulse along the tangent, which is n turned by +90 degrees
+    rb_x_t: float = 0.0  # m
     normal_mass: float = 0.0  # kg, effective mass along the normal
-    tangent_mass: float = 0.0  # kg, along the tangent, which is the normal turned by +90 degrees
+    tangent_mass: float = 0.0  # kg, along the tangent
     skew: float = 0.0  # 1/kg, the tangent velocity that 1 N s along the normal makes
     target_vn: float = 0.0  # m/s, relative normal velocity to reach at least: the bounce
     friction: float = 0.0  # of the pair
@@ -111,6 +115,7 @@ class ContactRow:
     penetration: float = 0.0  # m, > 0
     restitution: float = 0.0  # of the pair
     coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
+    compliance: float = 0.0  # 1/kg, in a block: the velocity at this point from 1 N s here
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_block: bool = False  # whether this row and the next are solved together: one manifold
     is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
@@ -185,6 +190,7 @@ class State:
 
     pair_count: int = 0  # rows in use
     contact_count: int = 0
+    static_count: int = 0
     memory_count: int = 0
     impulse_count: int = 0
 
@@ -211,6 +217,7 @@ class World(NamedTuple):
     slots: list[IndexRow]  # of the grid: where the boxes of each begin
     fixed_slots: list[IndexRow]  # the first body in each that nothing can push
     contacts: list[ContactRow]
+    static_contacts: list[IndexRow]  # those of them with a body that nothing can push
     memory: list[MemoryRow]
     impulses: list[ImpulseRow]  # the record, until somebody takes it away
     manifold: ManifoldRow  # scratch for the narrow phase

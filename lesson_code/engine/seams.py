@@ -30,34 +30,38 @@ ALONG = 1.0 - 1e-9
 def drop_seams(world: World) -> None:
     """Take the contacts with covered edges of static bodies out of the contact table."""
     chain_static_contacts(world)
-    for k in range(world.state.contact_count):
+    found = False
+    for n in range(world.state.static_count):
+        k = world.static_contacts[n].index
         world.contacts[k].is_covered = is_covered(world, k)
-    kept = 0
-    for k in range(world.state.contact_count):
-        if not world.contacts[k].is_covered:
-            if kept < k:
-                copy_contact(world.contacts[k], world.contacts[kept])
-            kept += 1
-    world.state.contact_count = kept
+        found = found or world.contacts[k].is_covered
+    if found:
+        close_up(world)
 
 
 def chain_static_contacts(world: World) -> None:
     """Let every body that can be pushed know its contacts with static bodies, the last first."""
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        if is_with_static(world, c):
-            world.bodies[pushed_body(world, c)].static_contact = -1
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        if is_with_static(world, c):
-            body = world.bodies[pushed_body(world, c)]
-            c.next_static = body.static_contact
-            body.static_contact = k
+    for n in range(world.state.static_count):
+        c = world.contacts[world.static_contacts[n].index]
+        world.bodies[pushed_body(world, c)].static_contact = -1
+    for n in range(world.state.static_count):
+        k = world.static_contacts[n].index
+        body = world.bodies[pushed_body(world, world.contacts[k])]
+        world.contacts[k].next_static = body.static_contact
+        body.static_contact = k
 
 
-def is_with_static(world: World, c: ContactRow) -> bool:
-    """Return whether just one of the two bodies can be pushed."""
-    return (world.bodies[c.a].inv_m > 0.0) != (world.bodies[c.b].inv_m > 0.0)
+def close_up(world: World) -> None:
+    """Let the contacts that are not covered stand side by side, in their order."""
+    kept = 0
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        is_static = world.bodies[c.a].inv_m == 0.0 or world.bodies[c.b].inv_m == 0.0
+        if not (is_static and c.is_covered):
+            if kept < k:
+                copy_contact(c, world.contacts[kept])
+            kept += 1
+    world.state.contact_count = kept
 
 
 def pushed_body(world: World, c: ContactRow) -> int:
@@ -68,8 +72,6 @@ def pushed_body(world: World, c: ContactRow) -> int:
 def is_covered(world: World, k: int) -> bool:
     """Return whether a contact is with an edge that is no higher than what carries the body."""
     c = world.contacts[k]
-    if not is_with_static(world, c):
-        return False
     pushed = pushed_body(world, c)
     n = world.bodies[pushed].static_contact
     while n >= 0:

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple
 from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.lib.recfunctions import structured_to_unstructured
 from numpy.typing import NDArray
 
 from lesson_code.engine import contact_solver, naive_solver, substep_solver
 from lesson_code.engine.combination import Combination
-from lesson_code.engine.compiled import Choice, as_arrays, choose, compiled_function, link
+from lesson_code.engine.compiled import (
+    Choice,
+    as_arrays,
+    as_numbers,
+    choose,
+    compiled_function,
+    link,
+)
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.direct_solver import direct_solver
 from lesson_code.engine.effects import effects_of
@@ -149,7 +154,6 @@ class EngineStepper:
         self._compiled = compiled
         self._events: list[NDArray[np.float64]] = []
         if compiled:
-            self.world = as_arrays(self.world)
             self._compile(splits_steps=False)
 
     def advance(self, steps: int) -> None:
@@ -205,15 +209,11 @@ class EngineStepper:
         self.pipeline = self.pipeline._replace(splits_steps=splits_steps)
         source = link(advance, pipeline=self.pipeline)
         self._program = compiled_function(source, "advance")
+        self.world = as_arrays(self.world, source)
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""
         state = self.world.state
-        table: Any = self.world.impulses[: state.impulse_count]
         if state.impulse_count > 0:
-            self._events.append(
-                structured_to_unstructured(table, dtype=float)
-                if isinstance(table, np.ndarray)
-                else np.array([astuple(row) for row in table], dtype=float)
-            )
+            self._events.append(as_numbers(self.world.impulses[: state.impulse_count]))
             state.impulse_count = 0

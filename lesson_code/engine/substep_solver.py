@@ -52,12 +52,8 @@ from lesson_code.engine.constants import (
     SOFT_DAMPING,
     SOFT_FREQUENCY,
 )
-from lesson_code.engine.contact_motion import (
-    bring_to_total,
-    missing_velocity,
-    normal_of,
-    velocity_along,
-)
+from lesson_code.engine.contact_frame import bring_to_total, missing_velocity, normal_velocity
+from lesson_code.engine.contact_motion import normal_of
 from lesson_code.engine.contact_solver import (
     give_again,
     has_overlap_to_undo,
@@ -167,7 +163,7 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         deep = max(c.penetration - soft_depth(world, c, longer * c.normal_impulse), 0.0)
-        vn = velocity_along(c, world.bodies[c.a], world.bodies[c.b], normal_of(c))
+        vn = normal_velocity(c, world.bodies[c.a], world.bodies[c.b])
         later = max(vn, 0.0) * world.state.dt * (world.state.substeps - 1)
         c.push_speed = max(PUSH_SHARE * deep - later, 0.0) / world.state.dt
     if has_overlap_to_undo(world, effects):
@@ -248,7 +244,7 @@ def solve_soft_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> 
 
 def missing_soft_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     """Return how far vn + gamma jn is from what the spring asks for, m/s."""
-    return velocity_along(c, a, b, normal_of(c)) + c.softness * c.normal_impulse - c.soft_vn
+    return normal_velocity(c, a, b) + c.softness * c.normal_impulse - c.soft_vn
 
 
 def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:

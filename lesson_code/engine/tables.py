@@ -63,6 +63,7 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         slots=[IndexRow() for _ in range(slots + 1)],  # one more, for where the last one ends
         fixed_slots=[IndexRow() for _ in range(slots)],
         contacts=[],
+        static_contacts=[],
         memory=[],
         impulses=[],
         manifold=ManifoldRow(),

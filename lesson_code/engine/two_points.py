@@ -21,15 +21,8 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from lesson_code.engine.constants import LEAST_DETERMINANT
-from lesson_code.engine.contact_motion import (
-    apply_push,
-    bring_to_total,
-    missing_push,
-    missing_velocity,
-    normal_of,
-)
+from lesson_code.engine.contact_frame import apply_push, missing_push, missing_velocity
 from lesson_code.engine.rows import BodyRow, ContactRow
-from lesson_code.formulas.arithmetic import cross
 
 Two: TypeAlias = tuple[float, float]
 Three: TypeAlias = tuple[float, float, float]
@@ -37,43 +30,55 @@ Three: TypeAlias = tuple[float, float, float]
 
 def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Compute the coupling of two points; where they are as good as one, leave them single."""
-    n = normal_of(c)
-    on_a = cross((c.ax, c.ay), n) * cross((d.ax, d.ay), n) * a.inv_i
-    on_b = cross((c.bx, c.by), n) * cross((d.bx, d.by), n) * b.inv_i
-    c.coupling = a.inv_m + b.inv_m + on_a + on_b
+    turning = c.ra_x_n * d.ra_x_n * a.inv_i + c.rb_x_n * d.rb_x_n * b.inv_i
+    c.coupling = a.inv_m + b.inv_m + turning
+    c.compliance, d.compliance = 1 / c.normal_mass, 1 / d.normal_mass
     c.is_block = 1 - c.coupling * c.coupling * c.normal_mass * d.normal_mass > LEAST_DETERMINANT
 
 
 def solve_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Bring both normal velocities to their targets, by impulses that only push."""
+    k = c.compliance, c.coupling, d.compliance
     missing = missing_velocity(c, a, b), missing_velocity(d, a, b)
-    totals = two_impulses(compliances(c, d), missing, (c.normal_impulse, d.normal_impulse))
-    bring_to_total(c, a, b, totals[0])
-    bring_to_total(d, a, b, totals[1])
+    totals = two_impulses(k, missing, (c.normal_impulse, d.normal_impulse))
+    apply_at_two(c, d, a, b, totals[0] - c.normal_impulse, totals[1] - d.normal_impulse)
+    c.normal_impulse, d.normal_impulse = totals
 
 
 def solve_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Undo the overlap at both points."""
+    k = c.compliance, c.coupling, d.compliance
     missing = missing_push(c, a, b), missing_push(d, a, b)
-    totals = two_impulses(compliances(c, d), missing, (c.push_impulse, d.push_impulse))
-    apply_push(c, a, b, normal_of(c), totals[0] - c.push_impulse)
-    apply_push(d, a, b, normal_of(d), totals[1] - d.push_impulse)
+    totals = two_impulses(k, missing, (c.push_impulse, d.push_impulse))
+    apply_push(c, a, b, totals[0] - c.push_impulse)
+    apply_push(d, a, b, totals[1] - d.push_impulse)
     c.push_impulse, d.push_impulse = totals
 
 
-def compliances(c: ContactRow, d: ContactRow) -> Three:
-    """Return k11, k12 and k22, 1/kg: the velocity at a point from 1 N s there or at the other."""
-    return 1 / c.normal_mass, c.coupling, 1 / d.normal_mass
+def apply_at_two(
+    c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jc: float, jd: float
+) -> None:
+    """Change the velocities of both bodies by impulses along the normal at both points, N s."""
+    jx, jy = (jc + jd) * c.nx, (jc + jd) * c.ny
+    a.vx -= jx * a.inv_m
+    a.vy -= jy * a.inv_m
+    a.w -= (jc * c.ra_x_n + jd * d.ra_x_n) * a.inv_i
+    b.vx += jx * b.inv_m
+    b.vy += jy * b.inv_m
+    b.w += (jc * c.rb_x_n + jd * d.rb_x_n) * b.inv_i
 
 
 def two_impulses(k: Three, missing: Two, before: Two) -> Two:
-    """Return the total impulses of two points, from what is missing after those so far."""
+    """Return the total impulses of two points, from what is missing after those so far.
+
+    k holds k11, k12 and k22, 1/kg: the velocity at a point from 1 N s there or at the other.
+    """
     k11, k12, k22 = k
     b1 = missing[0] - (k11 * before[0] + k12 * before[1])
     b2 = missing[1] - (k12 * before[0] + k22 * before[1])
-    determinant = k11 * k22 - k12 * k12
-    x1 = (k12 * b2 - k22 * b1) / determinant
-    x2 = (k12 * b1 - k11 * b2) / determinant
+    share = 1 / (k11 * k22 - k12 * k12)
+    x1 = (k12 * b2 - k22 * b1) * share
+    x2 = (k12 * b1 - k11 * b2) * share
     if x1 >= 0 and x2 >= 0:  # both carry
         return x1, x2
     if b1 < 0 and b2 - k12 * b1 / k11 >= 0:  # the first carries, the second opens

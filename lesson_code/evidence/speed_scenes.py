@@ -65,6 +65,9 @@ STEPS_TO_STAND = 60
 300 steps.
 """
 
+STEPS_STACK_LASTS = 60
+"""After that: pymunk's stack of 20 begins to lean, and is no stack any more."""
+
 STEPS_TO_MIX = 60
 """Until the discs of a gas have left their rows."""
 
@@ -90,6 +93,9 @@ class SpeedScene:
         What it shows, in a sentence.
     effects : tuple of str
         What has to be simulated in it.
+    lasts : int, optional
+        Steps after the warm-up in which it still shows that; then it has to be built anew. None:
+        it lasts as long as one likes.
 
     Examples
     --------
@@ -103,6 +109,7 @@ class SpeedScene:
     warm_up: int
     shows: str
     effects: tuple[str, ...]
+    lasts: int | None = None
 
     @property
     def slop(self) -> float:
@@ -179,6 +186,7 @@ def stack(count: int) -> SpeedScene:
         STEPS_TO_STAND,
         "A load is handed down contact by contact, and must not bring the boxes down.",
         RESTING,
+        lasts=STEPS_STACK_LASTS,
     )
 
 

@@ -11,12 +11,8 @@ from hypothesis import strategies as st
 
 from lesson_code.engine.contact_motion import (
     apply_impulse,
-    apply_push,
     mass_along,
-    missing_push,
-    missing_velocity,
     normal_of,
-    push_velocity_along,
     tangent_of,
     velocity_along,
 )
@@ -107,38 +103,9 @@ def test_impulse_keeps_momentum_and_turns_each_body_by_its_own_arm(
     np.testing.assert_array_equal(pushes(a, b), pushed)
 
 
-@given(bodies, bodies, contacts, components)
-def test_push_does_to_push_velocities_what_an_impulse_does_to_velocities(
-    a: BodyRow, b: BodyRow, c: ContactRow, j: float
-) -> None:
-    """And leaves the velocities alone: no overlap turns into speed."""
-    before, n = velocities(a, b), normal_of(c)
-    was = push_velocity_along(c, a, b, n)
-    apply_push(c, a, b, n, j)
-    change = push_velocity_along(c, a, b, n) - was
-    assert change == pytest.approx(j / mass_along(c, a, b, n), rel=ROUNDING, abs=10 * ROUNDING)
-    np.testing.assert_array_equal(velocities(a, b), before)
-
-
 def test_impulse_on_a_static_body_moves_only_the_other() -> None:
     """An inverse mass of 0 takes no velocity."""
     wall, ball = BodyRow(vx=1.0, w=2.0), BodyRow(inv_m=0.5, inv_i=0.5)
     c = ContactRow(nx=1.0, ay=3.0, by=1.0)
     apply_impulse(c, wall, ball, normal_of(c), 4.0)
     assert velocities(wall, ball).tolist() == [[1.0, 0.0, 2.0], [2.0, 0.0, -2.0]]
-
-
-@given(bodies, bodies, contacts)
-def test_missing_velocity_is_counted_from_the_target(a: BodyRow, b: BodyRow, c: ContactRow) -> None:
-    """Negative: they do not part fast enough yet."""
-    expected = velocity_along(c, a, b, normal_of(c)) - c.target_vn
-    assert missing_velocity(c, a, b) == expected
-
-
-@given(bodies, bodies, contacts)
-def test_missing_push_is_counted_from_the_speed_of_the_push(
-    a: BodyRow, b: BodyRow, c: ContactRow
-) -> None:
-    """The velocities of the correction alone: those of the motion have been taken off before."""
-    expected = push_velocity_along(c, a, b, normal_of(c)) - c.push_speed
-    assert missing_push(c, a, b) == expected

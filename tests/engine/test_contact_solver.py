@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.constants import LEAST_EXCESS, PUSH_SHARE, SLOP
-from lesson_code.engine.contact_solver import recall, store
+from lesson_code.engine.contact_solver import has_overlap_to_undo, push_speed_of, recall, store
 from lesson_code.engine.room import make_room
+from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.engine.tables import world_of
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
@@ -295,6 +296,46 @@ def test_overlap_of_bodies_that_part_by_themselves_is_not_pushed() -> None:
     ]
     run = simulate(Scene(bodies), 0.1)
     np.testing.assert_allclose(run.positions[:, 1, 0], 1.9 + run.times, atol=ROUNDING)
+
+
+@pytest.mark.parametrize(
+    ("vn", "left"),
+    [(0.0, 2.0), (0.5, 1.5), (5.0, -3.0), (-5.0, 2.0)],
+    ids=["all", "some by itself", "leaves by itself", "approach does not count"],
+)
+def test_push_speed_is_less_by_what_the_bodies_do_themselves(vn: float, left: float) -> None:
+    """The overlap is to be undone at 2 m/s; a negative speed asks for no push at all."""
+    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
+    world.contacts.append(ContactRow(a=0, b=1, nx=1.0, push_speed=2.0))
+    world.state.contact_count = 1
+    world.bodies[1].vx = vn
+    assert has_overlap_to_undo(world)
+    assert world.contacts[0].push_speed == left
+
+
+def test_overlaps_that_are_all_left_alone_are_none_to_undo() -> None:
+    """And the contacts stay as they are."""
+    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
+    world.contacts.extend(ContactRow(a=0, b=1, nx=1.0) for _ in range(3))
+    world.bodies[1].vx = 1.0
+    assert not has_overlap_to_undo(world)
+    world.state.contact_count = 3
+    assert not has_overlap_to_undo(world)
+    assert [c.push_speed for c in world.contacts] == [0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("extent", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize(("excess", "share"), [(0.0, 0), (0.99, 0), (1.01, 1), (50, 1)])
+def test_overlap_is_undone_only_beyond_a_hundredth_of_the_slop(
+    extent: float, excess: float, share: int
+) -> None:
+    """Beyond it the whole excess over the slop counts: PUSH_SHARE of it in a step."""
+    slop = SLOP * extent
+    over = excess * LEAST_EXCESS * slop
+    c = ContactRow(penetration=slop + over)
+    a, b = BodyRow(extent=extent), BodyRow(extent=2 * extent)
+    speed = push_speed_of(c, a, b, dt=0.25)
+    assert speed == pytest.approx(share * PUSH_SHARE * over / 0.25, rel=1e-9)
 
 
 def test_overlap_of_coincident_discs_is_undone_along_x() -> None:

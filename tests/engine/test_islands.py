@@ -13,9 +13,7 @@ from lesson_code import Body, Circle, Combination, Polygon, Scene, Segment
 from lesson_code.engine.broad_phase import all_pairs
 from lesson_code.engine.contact_motion import (
     apply_impulse,
-    apply_push,
     normal_of,
-    push_velocity_along,
     tangent_of,
     velocity_along,
 )
@@ -29,7 +27,7 @@ from lesson_code.engine.islands import (
 )
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.room import make_room
-from lesson_code.engine.rows import World
+from lesson_code.engine.rows import BodyRow, ContactRow, World
 from lesson_code.engine.tables import world_of
 from lesson_code.engine.world import find_pairs
 
@@ -43,6 +41,22 @@ def detected(bodies: list[Body]) -> World:
     while not (find_pairs(world, all_pairs) and find_contacts(world)):
         world = make_room(world)
     return world
+
+
+def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Any) -> float:
+    """Return the relative velocity of the correction along u, as the motion's would be."""
+    pushed = [BodyRow(vx=r.push_vx, vy=r.push_vy, w=r.push_w) for r in (a, b)]
+    return velocity_along(c, *pushed, u)
+
+
+def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: Any, j: float) -> None:
+    """Change the velocities of the correction as an impulse would those of the motion."""
+    pushed = [BodyRow(inv_m=row.inv_m, inv_i=row.inv_i) for row in (a, b)]
+    apply_impulse(c, *pushed, u, j)
+    for row, gained in zip((a, b), pushed, strict=True):
+        row.push_vx += gained.vx
+        row.push_vy += gained.vy
+        row.push_w += gained.w
 
 
 def ball(x: float, y: float = 0.49, mass: float | None = 1.0, **motion: Any) -> Body:

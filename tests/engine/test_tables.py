@@ -9,7 +9,7 @@ import pytest
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.combination import GEOMETRIC_MEAN, MAX, UNSPECIFIED
-from lesson_code.engine.constants import FEWEST_FOR_GRID, LARGEST_IN_GRID
+from lesson_code.engine.constants import FEWEST_FOR_GRID, LARGEST_IN_GRID, MOST_MARGIN
 from lesson_code.engine.rows import BodyRow, World
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
 
@@ -65,10 +65,10 @@ def test_state_holds_the_settings() -> None:
 
 
 def test_cell_of_the_grid_holds_every_body_but_a_few_much_larger_ones() -> None:
-    """Discs of 1 to 2 m and a floor of 100 m: cells of a little more than 2 m."""
+    """Discs of 1 to 2 m and a floor of 100 m: a little more than 2 m and a margin on each side."""
     discs = [Body(Circle(radius), mass=1) for radius in (0.5, 0.6, 1.0)]
     floor = Body(Segment((-50, 0), (50, 0)))
-    assert 2.0 < tables(*discs, floor).state.cell_size < 2.1
+    assert tables(*discs, floor).state.cell_size == pytest.approx(2 + 2 * 0.7, rel=0.02)
 
 
 @pytest.mark.parametrize("factor", [0.99, 1.01])
@@ -76,8 +76,9 @@ def test_cell_of_the_grid_leaves_out_what_is_larger_than_its_limit(factor: float
     """Up to four times the median a body still shapes the cells."""
     large = 0.5 * LARGEST_IN_GRID * factor
     bodies = [Body(Circle(r), mass=1) for r in (0.5, 0.5, 0.5, large)]
-    expected = 2 * large if factor < 1 else 1.0
-    assert tables(*bodies).state.cell_size == pytest.approx(expected, rel=0.02)
+    width = 2 * large if factor < 1 else 1.0
+    with_margins = width * (1 + 2 * MOST_MARGIN)
+    assert tables(*bodies).state.cell_size == pytest.approx(with_margins, rel=0.02)
 
 
 def test_cell_of_the_grid_without_bodies_is_a_metre() -> None:

@@ -8,10 +8,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from lesson_code.engine.constants import LEAST_DETERMINANT
-from lesson_code.engine.contact_motion import mass_along, normal_of
+from lesson_code.engine.contact_frame import set_frame
 from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.engine.two_points import (
-    compliances,
     couple,
     solve_normals,
     solve_pushes,
@@ -30,12 +29,6 @@ inverse_masses = st.floats(0.1, 10)
 shares = st.floats(-0.99, 0.99)
 
 
-def points(k11: float, k12: float, k22: float) -> tuple[ContactRow, ContactRow]:
-    """Return two points of given compliance and coupling."""
-    c = ContactRow(nx=1.0, normal_mass=1 / k11, coupling=k12)
-    return c, ContactRow(nx=1.0, normal_mass=1 / k22)
-
-
 # K = [[2, 1], [1, 2]]; the velocities that are missing, and the impulses that mend them
 BY_HAND = {
     "both carry": ((-3, -3), (1, 1)),
@@ -52,8 +45,7 @@ def test_impulses_worked_by_hand_are_found(
     missing: tuple[float, float], expected: tuple[float, float]
 ) -> None:
     """2 x 2 linear equations, or one."""
-    k = compliances(*points(2, 1, 2))
-    assert two_impulses(k, missing, (0.0, 0.0)) == pytest.approx(expected)
+    assert two_impulses((2.0, 1.0, 2.0), missing, (0.0, 0.0)) == pytest.approx(expected)
 
 
 @given(
@@ -72,7 +64,7 @@ def test_impulses_of_two_points_solve_their_complementarity_problem(
 ) -> None:
     """Impulses x >= 0, velocities w >= 0, and where x > 0 there w = 0: they push or they open."""
     k = np.array([[k11, share * np.sqrt(k11 * k22)], [share * np.sqrt(k11 * k22), k22]])
-    x = np.array(two_impulses(compliances(*points(k11, k[0, 1], k22)), missing, before))
+    x = np.array(two_impulses((k11, float(k[0, 1]), k22), missing, before))
     w = missing + k @ (x - before)
     assert (x >= 0).all()
     assert (w >= -ROUNDING).all()
@@ -90,7 +82,8 @@ def test_velocities_at_both_points_reach_their_targets_in_one_visit(
     a, b = BodyRow(inv_m=1.0, inv_i=1.0), BodyRow(inv_m=m, inv_i=i, vy=-1.0)
     c = ContactRow(ny=1.0, ax=ax, ay=1.0, bx=bx, by=-1.0, target_vn=0.5)
     d = ContactRow(ny=1.0, ax=ax + apart, ay=1.0, bx=bx + apart, by=-1.0, target_vn=0.5)
-    c.normal_mass, d.normal_mass = mass_along(c, a, b, normal_of(c)), mass_along(d, a, b, (0, 1))
+    set_frame(c, a, b)
+    set_frame(d, a, b)
     couple(c, d, a, b)
     determinant = 1 - c.coupling**2 * c.normal_mass * d.normal_mass
     assume(determinant > NARROW)
@@ -108,7 +101,7 @@ def test_pushes_at_both_points_undo_what_each_overlaps() -> None:
     c = ContactRow(ny=1.0, bx=-1.0, by=-1.0, push_speed=1.0)
     d = ContactRow(ny=1.0, bx=1.0, by=-1.0, push_speed=3.0)
     for point in (c, d):
-        point.normal_mass = mass_along(point, floor, box, (0.0, 1.0))
+        set_frame(point, floor, box)
     couple(c, d, floor, box)
     solve_pushes(c, d, floor, box)
     assert (box.push_vy, box.push_w) == pytest.approx((2.0, 1.0))
@@ -121,6 +114,6 @@ def test_points_as_good_as_one_are_left_single() -> None:
     for apart, is_block in ((0.0, False), (1e-6, False), (1e-2, True), (1.0, True)):
         c, d = ContactRow(ny=1.0, bx=0.5), ContactRow(ny=1.0, bx=0.5 + apart)
         for point in (c, d):
-            point.normal_mass = mass_along(point, a, b, (0.0, 1.0))
+            set_frame(point, a, b)
         couple(c, d, a, b)
         assert c.is_block is is_block, f"{apart} m apart, limit {LEAST_DETERMINANT}"

@@ -94,7 +94,7 @@ def test_stages_come_in_the_order_of_the_pipeline(monkeypatch: pytest.MonkeyPatc
 def test_correction_without_an_overlap_to_undo_is_left_out() -> None:
     """Nobody pays for sweeps that have nothing to do."""
     called: list[str] = []
-    solver = noting_solver(called)._replace(has_overlap_to_undo=lambda _: False)
+    solver = noting_solver(called)._replace(has_overlap_to_undo=lambda *_: False)
     world = world_of(Scene([FLOOR]), dt=0.1, iterations=2, combine=Combination())
     assert step(world, pipeline(solver))
     assert called == ["prepare", "warm_start", "solve", "solve", "store"]

@@ -161,7 +161,7 @@ def test_ensemble_is_the_same_for_one_worker_and_for_two() -> None:
         ({"runs": 0}, "runs must be >= 1, got 0"),
         ({"duration": 0.0}, "duration must be > 0"),
         ({"duration": 0.01}, "duration must be longer"),
-        ({"covered": 1.0}, "covered must be < pi/4"),
+        ({"covered": 1.0}, "covered must be so small that rows of 5 fit"),
     ],
 )
 def test_ensemble_that_cannot_be_measured_is_refused(options: Any, words: str) -> None:

@@ -131,8 +131,8 @@ def test_advance_makes_many_steps_in_one_call() -> None:
     at_once, singly = stepper(scenes.box_stack(3)), stepper(scenes.box_stack(3))
     at_once.advance(30)
     for _ in range(30):
-        singly.step()
-    assert at_once.states() == singly.states()
+        singly.advance(1)
+    assert at_once.states().tobytes() == singly.states().tobytes()
 
 
 # Bounces
@@ -275,9 +275,9 @@ def test_run_without_impulses_is_the_same_run() -> None:
     kept, lean = stepper(scene), stepper(scene, keep_impulses=False)
     for engine in (kept, lean):
         engine.advance(60)
-    assert kept.states() == lean.states()
+    assert kept.states().tobytes() == lean.states().tobytes()
     assert len(kept.events()) > 0
-    assert lean.events() == []
+    assert lean.events().shape == (0, 10)
 
 
 # The door
@@ -288,7 +288,7 @@ def test_simulate_takes_box2d_and_records_every_step() -> None:
     scene = scenes.box_stack(2)
     first, second = (run_of(scene, 0.5, dt=0.125) for _ in range(2))
     assert first.times.tolist() == [0, 0.125, 0.25, 0.375, 0.5]
-    assert str(first.plan) == "solver: box2d (asked for)"
+    assert str(first.plan) == "solver: box2d (asked for); C++ (Box2D's own)"
     assert first.positions.tobytes() == second.positions.tobytes()
     assert run_of(Scene(), 0.5).positions.shape == (31, 0, 2)
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Run, Scene, simulate
-from lesson_code.engine.constants import SLOP
+from lesson_code.engine.constants import LEAST_EXCESS, SLOP
 from lesson_code.evidence import scenes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
 from lesson_code.reference.rigid_body_closed_forms import (
@@ -161,11 +161,16 @@ def test_pymunk_leaves_a_tall_box_turning_after_a_flat_landing() -> None:
 
 
 def test_stack_of_ten_boxes_stands_for_a_minute_without_drift() -> None:
-    """Each box sinks by its slop and stays; none moves sideways. pymunk's stack has fallen."""
+    """Each box sinks by its slop and stays; none moves sideways. pymunk's stack has fallen.
+
+    Sinks into the one below, that is; by a hundredth of the slop more where it began deeper.
+    """
     run = simulate(scenes.box_stack(10), 60.0, sample="end")
     moved = run.positions[-1, 1:] - run.positions[0, 1:]
     assert np.abs(moved[:, 0]).max() <= ROUNDING
-    assert moved[:, 1] == pytest.approx(-SLOP * np.arange(1, 11), abs=1e-6)
+    sunk = -np.diff(moved[:, 1], prepend=0.0)
+    assert sunk.min() >= SLOP - ROUNDING
+    assert sunk.max() <= SLOP * (1 + LEAST_EXCESS) + ROUNDING
     assert np.abs(run.velocities[-1]).max() <= ROUNDING
     theirs = simulate(scenes.box_stack(10), 60.0, solver="pymunk", sample="end")
     assert theirs.positions[-1, 10, 1] < 2.0

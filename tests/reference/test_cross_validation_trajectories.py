@@ -55,7 +55,7 @@ def test_trajectory_in_pymunks_order_is_bit_equal(count: int, seconds: int, cont
     theirs = PymunkStepper(scene, dt=DT, iterations=10, substeps=1, combine=combination("pymunk"))
     ours = ChipmunkReplica(scene, DT)
     for step in range(seconds * 60):
-        theirs.step()
+        theirs.advance(1)
         ours.step(theirs.visited)
         assert np.array_equal(theirs.states(), ours.states()), f"step {step}"
     assert ours.contacts >= contacts
@@ -67,7 +67,7 @@ def test_order_of_contacts_is_part_of_the_result() -> None:
     theirs = PymunkStepper(scene, dt=DT, iterations=10, substeps=1, combine=combination("pymunk"))
     ours = ChipmunkReplica(scene, DT)
     for _ in range(600):
-        theirs.step()
+        theirs.advance(1)
         ours.step(theirs.visited[::-1])
     assert np.abs(np.subtract(theirs.states(), ours.states()))[:, :2].max() > 0.1
 

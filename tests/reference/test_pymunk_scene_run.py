@@ -79,9 +79,10 @@ def test_run_without_impulses_is_the_same_run() -> None:
     for engine in (kept, lean):
         engine.advance(60)
     assert not lean.corrects_coefficients
-    assert kept.states() == lean.states()
+    assert kept.states().tobytes() == lean.states().tobytes()
     assert len(kept.events()) > 0
-    assert (lean.events(), lean.visited) == ([], [])
+    assert lean.events().shape == (0, 10)
+    assert lean.visited == []
 
 
 def test_advance_makes_many_steps_in_one_call() -> None:
@@ -89,8 +90,8 @@ def test_advance_makes_many_steps_in_one_call() -> None:
     at_once, singly = stepper(scenes.box_stack(3)), stepper(scenes.box_stack(3))
     at_once.advance(30)
     for _ in range(30):
-        singly.step()
-    assert at_once.states() == singly.states()
+        singly.advance(1)
+    assert at_once.states().tobytes() == singly.states().tobytes()
 
 
 def test_broad_phases_find_the_same_contacts() -> None:

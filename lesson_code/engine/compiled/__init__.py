@@ -5,7 +5,7 @@ module         what it does
 =============  ==================================================================
 ``linker``     puts the functions that a run needs into one module, as source
 ``known``      works out what is decided before the run
-``arrays``     turns tables of rows into arrays of records, and back
+``arrays``     turns tables of rows into arrays of records
 ``library``    compiles a module, and keeps the machine code for the next time
 ``choice``     decides whether a run is worth compiling
 =============  ==================================================================
@@ -14,9 +14,9 @@ Both ways give the same bits: no operation is reordered or left out. Nothing her
 understand the engine, and without Numba everything runs, only more slowly.
 """
 
-from lesson_code.engine.compiled.arrays import as_arrays, as_rows
+from lesson_code.engine.compiled.arrays import as_arrays, as_numbers
 from lesson_code.engine.compiled.choice import Choice, choose
 from lesson_code.engine.compiled.library import compiled_function
 from lesson_code.engine.compiled.linker import link
 
-__all__ = ["Choice", "as_arrays", "as_rows", "choose", "compiled_function", "link"]
+__all__ = ["Choice", "as_arrays", "as_numbers", "choose", "compiled_function", "link"]

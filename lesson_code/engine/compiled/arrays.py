@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import typing
 from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.lib.recfunctions import structured_to_unstructured
 from numpy.typing import NDArray
 
 Tables = TypeVar("Tables", bound=tuple[Any, ...])
@@ -16,40 +18,54 @@ KINDS = {float: np.float64, int: np.int32, bool: np.bool_}
 """What a field of a row becomes. 2,147,483,647 bodies are enough, and half the bytes are faster."""
 
 LINE = 64
-"""Bytes that a processor reads at once. Rows of more than half of that begin on such a border."""
+"""Bytes that a processor reads at once. A table begins on such a border."""
+
+UNIT = 32
+"""Bytes: rows of more than this are made a multiple of it, so that few lie across a border."""
 
 
-def as_arrays(tables: Tables) -> Tables:
+def as_arrays(tables: Tables, source: str) -> Tables:
     """Return a named tuple of tables, each list of rows as an array and each row as a record.
 
-    A table without rows has the kind of its rows from the annotation of its field.
+    Rows keep only the fields that a program names: it pays for no other. A table without rows has
+    the kind of its rows from the annotation of its field.
 
-    >>> from typing import NamedTuple
-    >>> from lesson_code.engine.rows import PairRow
-    >>> class Two(NamedTuple):
-    ...     one: PairRow
-    ...     many: list[PairRow]
-    >>> as_arrays(Two(PairRow(1, 2), [])).many.dtype.names
-    ('a', 'b')
+    Parameters
+    ----------
+    tables : named tuple
+        Lists of rows and single rows; or what this function has returned for another program.
+    source : str
+        The program.
+
+    Examples
+    --------
+    >>> from lesson_code import Combination, Scene
+    >>> from lesson_code.engine.tables import world_of
+    >>> world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+    >>> as_arrays(world, "pair.b += box.cell_x").pairs.dtype.names
+    ('b',)
     """
-    kinds = row_kinds(type(tables))
-    parts = [
-        _array(table, kinds[name]) if isinstance(table, list) else _record(table, kinds[name])
-        for name, table in zip(kinds, tables, strict=True)
-    ]
-    return type(tables)(*parts)
+    used = frozenset(re.findall(r"\.(\w+)", source))
+    return type(tables)(
+        *[
+            _array(table, kind, used)
+            if isinstance(table, (list, np.ndarray))
+            else _record(table, kind)
+            for table, kind in zip(tables, row_kinds(type(tables)).values(), strict=True)
+        ]
+    )
 
 
-def as_rows(tables: Tables) -> Tables:
-    """Return the tables that :func:`as_arrays` was given, with what has been written since."""
-    kinds = row_kinds(type(tables))
-    parts = [
-        [kinds[name](*values) for values in table.tolist()]
-        if isinstance(table, np.ndarray)
-        else kinds[name](*table.item())
-        for name, table in zip(kinds, tables, strict=True)
-    ]
-    return type(tables)(*parts)
+def as_numbers(table: Any) -> NDArray[np.float64]:
+    """Return a table, a list of rows or an array of records, as numbers: a row's fields in a row.
+
+    >>> from lesson_code.engine.rows import PairRow
+    >>> as_numbers([PairRow(1, 2), PairRow(1, 3)]).tolist()
+    [[1.0, 2.0], [1.0, 3.0]]
+    """
+    if isinstance(table, np.ndarray):
+        return structured_to_unstructured(table, dtype=float)
+    return np.array([dataclasses.astuple(row) for row in table], dtype=float)
 
 
 def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:
@@ -69,34 +85,43 @@ def row_kinds(tables: type) -> dict[str, Any]:
 
 
 @cache
-def dtype_of(row: Any) -> np.dtype[Any]:
-    """Return the kind of record for a kind of row."""
+def dtype_of(row: Any, used: frozenset[str] | None = None) -> np.dtype[Any]:
+    """Return the kind of record for a kind of row, with the fields that are used."""
     hints = typing.get_type_hints(row)
-    fields = [(field.name, KINDS[hints[field.name]]) for field in dataclasses.fields(row)]
+    names = [field.name for field in dataclasses.fields(row)]
+    kept = [name for name in names if used is None or name in used] or names[:1]
+    fields = [(name, KINDS[hints[name]]) for name in kept]
     dtype = np.dtype(fields, align=True)
-    if dtype.itemsize <= LINE // 2:
+    if dtype.itemsize <= UNIT:
         return dtype
-    size = -(-dtype.itemsize // LINE) * LINE
-    offsets = [dtype.fields[name][1] for name, _ in fields]  # type: ignore[index]
-    kinds = [kind for _, kind in fields]
+    columns: dict[str, Any] = dict(dtype.fields or {})
     return np.dtype(
-        {"names": list(dtype.names or ()), "formats": kinds, "offsets": offsets, "itemsize": size},
+        {
+            "names": list(columns),
+            "formats": [kind for _, kind in fields],
+            "offsets": [columns[name][1] for name in columns],
+            "itemsize": -(-dtype.itemsize // UNIT) * UNIT,
+        },
         align=True,
     )
 
 
-def _array(rows: list[Any], kind: Any) -> NDArray[Any]:
-    """Return a list of rows as an array of records."""
-    array = _zeros(len(rows), dtype_of(kind))
-    names = [field.name for field in dataclasses.fields(kind)]
-    for name in names:
-        array[name] = [getattr(row, name) for row in rows]
+def _array(rows: Any, kind: Any, used: frozenset[str] | None) -> NDArray[Any]:
+    """Return rows, or the rows of an array, as an array of records."""
+    array = _zeros(len(rows), dtype_of(kind, used))
+    names = array.dtype.names or ()
+    if isinstance(rows, np.ndarray):
+        for name in set(names) & set(rows.dtype.names or ()):
+            array[name] = rows[name]
+    else:
+        for name in names:
+            array[name] = [getattr(row, name) for row in rows]
     return array
 
 
 def _record(row: Any, kind: Any) -> Any:
     """Return one row as a record whose fields can be written by name."""
-    return _array([row], kind).view(np.recarray)[0]
+    return row if isinstance(row, np.record) else _array([row], kind, None).view(np.recarray)[0]
 
 
 def _zeros(rows: int, dtype: np.dtype[Any]) -> NDArray[Any]:

@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 PROGRAMS_KEPT = 64
-"""In the folder: the ones that were used longest ago are deleted, so that it does not grow."""
+"""In the folder: the ones that were made longest ago are deleted, so that it does not grow."""
 
 FOLDER_VARIABLE = "WORKBOOK_CACHE"
 """Environment variable that names another folder for compiled programs."""
@@ -83,7 +83,8 @@ def _load(source: str) -> tuple[types.ModuleType, bool]:
     """Return a program as a module, and whether its machine code can be kept."""
     name = _name_of(source)
     try:
-        path, keeps = _written(folder(), name, source), True
+        path = _written(folder(), name, source)
+        keeps = os.access(path.parent, os.W_OK)  # else Numba finds no place for machine code
     except OSError:  # a home that cannot be written to
         path, keeps = _written(Path(tempfile.mkdtemp()), name, source), False
     spec = importlib.util.spec_from_file_location(name, path)

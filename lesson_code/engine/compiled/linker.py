@@ -67,7 +67,7 @@ def link(entry: Callable[..., Any], **bound: Any) -> str:
     <BLANKLINE>
     """
     program = _Program()
-    program.add(entry, bound)
+    program.add(entry, bound | _stages_by_default(entry, set(bound)))
     return program.source()
 
 
@@ -140,11 +140,10 @@ class _Specialised(ast.NodeTransformer):
         arguments = self._tree.args
         kept = [arg for arg in arguments.args if arg.arg not in self._bound]
         free = len(arguments.args) - len(arguments.defaults)
-        has_default = {arg.arg for arg in arguments.args[free:]}
         arguments.defaults = [
-            default
+            self.visit(default)
             for arg, default in zip(arguments.args[free:], arguments.defaults, strict=True)
-            if arg in kept and arg.arg in has_default
+            if arg in kept
         ]
         arguments.args = kept
         self._tree.body = self._block(self._tree.body)
@@ -153,6 +152,8 @@ class _Specialised(ast.NodeTransformer):
         """Return the statements of a block that are left over."""
         kept: list[ast.stmt] = []
         for statement in body:
+            if kept and isinstance(kept[-1], ast.Return):
+                break  # what follows cannot be reached
             if isinstance(statement, ast.If) and (test := self._value(statement.test)):
                 kept += self._block(statement.body if test.value else statement.orelse)
             elif not (isinstance(statement, ast.Assign) and self._is_about_stages(statement)):
@@ -226,9 +227,13 @@ class _Specialised(ast.NodeTransformer):
         parameters = inspect.signature(called).parameters
         given = list(zip(parameters, node.args, strict=False))
         bound = {name: self._value(arg).value for name, arg in given if self._is_stage(arg)}
+        by_name = {word.arg: word.value for word in node.keywords if word.arg}
+        bound |= {n: self._value(arg).value for n, arg in by_name.items() if self._is_stage(arg)}
         node.args = [self.visit(arg) for name, arg in given if name not in bound]
+        node.keywords = [word for word in node.keywords if word.arg not in bound]
         for keyword in node.keywords:
             keyword.value = self.visit(keyword.value)
+        bound |= _stages_by_default(called, {name for name, _ in given} | set(by_name))
         name = self._program.add(called, bound)
         if not (isinstance(node.func, ast.Name) and node.func.id == name):
             node.func = ast.Name(name, ast.Load())
@@ -246,6 +251,17 @@ class _Specialised(ast.NodeTransformer):
         if isinstance(node.ctx, ast.Load) and node.id in self._global:
             self._program.use(node.id, self._global[node.id], self._function.__name__)
         return node
+
+
+def _stages_by_default(function: Any, given: set[str]) -> dict[str, Any]:
+    """Return the stages that a function takes for parameters that are not given."""
+    parameters = inspect.signature(inspect.unwrap(function)).parameters
+    return {
+        name: parameter.default
+        for name, parameter in parameters.items()
+        if name not in given and parameter.default is not parameter.empty
+        if is_stage(parameter.default)
+    }
 
 
 def _is_ours(function: Any) -> bool:
@@ -282,5 +298,8 @@ def _functions_of(module: str) -> dict[str, str]:
 
 
 def _text(value: Any) -> str:
-    """Return a constant as source; infinity has no literal of its own."""
-    return "float('inf')" if value == math.inf else repr(value)
+    """Return a constant as source; infinities have no literals of their own."""
+    if isinstance(value, tuple):
+        return "(" + "".join(f"{_text(part)}, " for part in value) + ")"
+    is_infinite = isinstance(value, float) and math.isinf(value)
+    return f"float('{value}')" if is_infinite else repr(value)

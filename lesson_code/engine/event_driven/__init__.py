@@ -1,7 +1,8 @@
 """The event-driven solver: exact, from collision to collision, with no time step.
 
-Read solver (the loop), foretelling (what can happen to a disc), collisions (what then happens),
-support (resting), motion, queue and cells. Its discs live each in a time of their own.
+Read loop (from event to event), foretelling (what can happen to a disc), collisions (what then
+happens), support (resting), motion, queue and cells. Its discs live each in a time of their own.
+solver drives the loop for a scene, as plain Python or compiled.
 """
 
 from lesson_code.engine.event_driven.recording import record_exact

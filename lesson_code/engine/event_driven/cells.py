@@ -11,8 +11,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.broad_phase import slot_of
-from lesson_code.engine.event_driven.rows import DiscRow, Tables
-from lesson_code.engine.rows import IndexRow
+from lesson_code.engine.event_driven.rows import DiscRow, ExactState, SlotRow, Tables
 
 
 def enter_cell(tables: Tables, i: int) -> None:
@@ -23,7 +22,7 @@ def enter_cell(tables: Tables, i: int) -> None:
     put_into_slot(tables, i)
 
 
-def slot_under(tables: Tables, disc: DiscRow) -> IndexRow:
+def slot_under(tables: Tables, disc: DiscRow) -> SlotRow:
     """Return the slot of a disc's cell."""
     return tables.slots[slot_of(tables.state, disc.cell_x, disc.cell_y)]
 
@@ -32,18 +31,18 @@ def put_into_slot(tables: Tables, i: int) -> None:
     """Put a disc before the others in the slot of its cell."""
     disc = tables.discs[i]
     slot = slot_under(tables, disc)
-    disc.next_in_slot = slot.index
-    slot.index = i
+    disc.next_in_slot = slot.first_disc
+    slot.first_disc = i
 
 
 def leave_cell(tables: Tables, i: int) -> None:
     """Take a disc out of its cell."""
     disc = tables.discs[i]
     slot = slot_under(tables, disc)
-    if slot.index == i:
-        slot.index = disc.next_in_slot
+    if slot.first_disc == i:
+        slot.first_disc = disc.next_in_slot
         return
-    before = tables.discs[slot.index]
+    before = tables.discs[slot.first_disc]
     while before.next_in_slot != i:
         before = tables.discs[before.next_in_slot]
     before.next_in_slot = disc.next_in_slot
@@ -68,9 +67,8 @@ def cross_border(tables: Tables, i: int, side: int) -> None:
     put_into_slot(tables, i)
 
 
-def is_endless(tables: Tables, disc: DiscRow, side: int) -> bool:
+def is_endless(state: ExactState, disc: DiscRow, side: int) -> bool:
     """Return whether a disc's cell has no border on a side."""
-    state = tables.state
     if side == 0:
         return disc.cell_x == state.last_x
     if side == 1:
@@ -80,9 +78,9 @@ def is_endless(tables: Tables, disc: DiscRow, side: int) -> bool:
     return disc.cell_y == state.first_y
 
 
-def border_gap(tables: Tables, disc: DiscRow, side: int) -> float:
+def border_gap(state: ExactState, disc: DiscRow, side: int) -> float:
     """Return how far a disc's centre is inside a border of its cell, m."""
-    size = tables.state.cell_size
+    size = state.cell_size
     if side == 0:
         return (disc.cell_x + 1) * size - disc.x
     if side == 1:

@@ -26,7 +26,7 @@ from lesson_code.engine.contact_motion import (
 )
 from lesson_code.engine.event_driven.constants import CLOCK, LEAST_HOP, LEAST_LOSS, PLACE
 from lesson_code.engine.event_driven.motion import move_to, seen_from
-from lesson_code.engine.event_driven.rows import DiscRow, Tables
+from lesson_code.engine.event_driven.rows import DiscRow, ExactState, Tables
 from lesson_code.engine.event_driven.support import let_go, motion_along_face, settle, ways_to_ends
 from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.formulas import contact
@@ -51,16 +51,15 @@ def collide_discs(tables: Tables, i: int, j: int) -> None:
     c.restitution = combined(tables.state.restitution_rule, a.restitution, b.restitution)
     c.friction = combined(tables.state.friction_rule, a.friction, b.friction)
     pressed = dot((b.ax - a.ax, b.ay - a.ay), normal_of(c)) < 0.0
-    meet(tables, a, b, pressed)
+    meet(tables.state, c, a, b, pressed)
     for disc in (a, b):
-        let_go(tables, disc)
+        let_go(tables.state, disc)
         disc.met = tables.state.now
         disc.changes += 1
 
 
-def meet(tables: Tables, a: MovingBody, b: MovingBody, pressed: bool) -> None:
+def meet(state: ExactState, c: ContactRow, a: MovingBody, b: MovingBody, pressed: bool) -> None:
     """Give the impulses of an impact between two discs, or in a pile."""
-    state, c = tables.state, tables.contact
     vn = velocity_along(c, a, b, normal_of(c))
     if vn <= -max(state.slow, state.hop):
         push(c, a, b, vn)
@@ -83,12 +82,12 @@ def collide_obstacle(tables: Tables, i: int, k: int, feature: int) -> None:
     vn = velocity_along(c, obstacle, disc, normal_of(c))
     rested, support, pull = disc.support >= 0, disc.support, (disc.ax, disc.ay)
     disc.changes += 1
-    let_go(tables, disc)
+    let_go(tables.state, disc)
     gravity = tables.state.gravity_x, tables.state.gravity_y
     pressing = -dot(gravity, normal_of(c))
     pressed = pressing > 0.0
     if tables.state.now - disc.met <= tables.state.pile_time:
-        meet(tables, obstacle, disc, pressed)
+        meet(tables.state, c, obstacle, disc, pressed)
     elif not (pressed and comes_to_rest(tables, disc, -c.restitution * vn, pressing)):
         push(c, obstacle, disc, vn)
     elif rested and support != k and dot(pull, normal_of(c)) <= 0.0:
@@ -177,7 +176,7 @@ def leave_face(tables: Tables, disc: DiscRow) -> None:
     obstacle, c = tables.obstacles[disc.support], tables.contact
     aim(c, tables.corners[disc.face].nx, tables.corners[disc.face].ny)
     touch_with_rim(c, disc)
-    let_go(tables, disc)
+    let_go(tables.state, disc)
     disc.changes += 1
     part(c, obstacle, disc, 0.0, tables.state.hop)
 

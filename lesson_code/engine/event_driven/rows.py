@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
+from lesson_code.engine.event_driven.constants import EVENTS_A_CALL
+from lesson_code.engine.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
 from lesson_code.geometry.rows import Corner
 
 NOTHING, DISC, OBSTACLE, CELL, GRIP, END = range(6)
@@ -15,42 +16,58 @@ NOTHING, DISC, OBSTACLE, CELL, GRIP, END = range(6)
 
 @dataclass(slots=True)
 class DiscRow:
-    """A disc: its state at a time of its own, how it moves from there, and its next event."""
+    """A disc: its state at a time of its own, how it moves from there, and its next event.
 
-    body: int = 0  # its place in the scene
-    inv_m: float = 0.0  # 1/kg
-    inv_i: float = 0.0  # 1/(kg m^2)
-    radius: float = 0.0  # m
-    restitution: float = -1.0  # negative: left to the other body
-    friction: float = -1.0  # likewise
+    What is read when its neighbours look ahead stands first, in two blocks of 64 bytes.
+    """
 
     time: float = 0.0  # s, when the disc had the state below
     x: float = 0.0  # m
     y: float = 0.0
-    angle: float = 0.0  # rad
     vx: float = 0.0  # m/s
     vy: float = 0.0
-    w: float = 0.0  # rad/s
+    radius: float = 0.0  # m
+    cell_x: int = 0  # the grid cell of the centre
+    cell_y: int = 0
+    next_in_slot: int = -1  # the next disc in the same slot of the grid; -1 for the last
+    changes: int = 0  # how often this disc's motion has changed
+
     ax: float = 0.0  # m/s^2, the same until the next event
     ay: float = 0.0
-    alpha: float = 0.0  # rad/s^2, likewise
-
-    met: float = -math.inf  # s, when it last met a disc
-    support: int = -1  # the obstacle whose face the disc rests on; -1: it flies
-    face: int = 0  # which face
-    held: bool = False  # whether a second face holds it too: it does not move at all
-
-    event_time: float = 0.0  # s, of the next event
+    event_time: float = math.inf  # s, of the next event
     event_kind: int = NOTHING
     partner: int = -1  # the other disc, or the obstacle
     feature: int = 0  # of the obstacle: an edge k, or the corner k as -1 - k
     partner_changes: int = 0  # the partner's `changes` when the event was foretold
-    changes: int = 0  # how often this disc's motion has changed
-    heap_place: int = 0  # where it stands in the queue
+    angle: float = 0.0  # rad
+    w: float = 0.0  # rad/s
+    alpha: float = 0.0  # rad/s^2, the same until the next event
 
-    cell_x: int = 0  # the grid cell of the centre
-    cell_y: int = 0
-    next_in_slot: int = -1  # the next disc in the same slot of the grid; -1 for the last
+    inv_m: float = 0.0  # 1/kg
+    inv_i: float = 0.0  # 1/(kg m^2)
+    restitution: float = -1.0  # negative: left to the other body
+    friction: float = -1.0  # likewise
+    met: float = -math.inf  # s, when it last met a disc
+    body: int = 0  # its place in the scene
+    support: int = -1  # the obstacle whose face the disc rests on; -1: it flies
+    face: int = 0  # which face
+    held: bool = False  # whether a second face holds it too: it does not move at all
+
+
+@dataclass(slots=True)
+class EventRow:
+    """The earliest event among some discs, in the queue."""
+
+    time: float = math.inf  # s
+    disc: int = 0  # to which it happens
+
+
+@dataclass(slots=True)
+class SlotRow:
+    """A slot of the grid: cells whose numbers agree in their last digits share it."""
+
+    first_disc: int = -1  # the first disc with its centre in one of them; -1: there is none
+    first_near: int = -1  # the first NearRow of one of them; -1: there is none
 
 
 @dataclass(slots=True)
@@ -87,7 +104,14 @@ class ExactState:
     hop: float = 0.0  # m/s, in a pile impacts slower than this lose no energy
     pile_time: float = 0.0  # s, a disc that has met no disc for so long is in no pile
 
-    collisions: int = 0  # so far
+    until: float = -math.inf  # s, later events are left alone
+    stops_at_collision: bool = False  # whether to stop after the next one, too
+    keeps_impulses: bool = False  # whether they are written down
+    has_begun: bool = False  # whether the first events have been foretold
+    events_left: int = EVENTS_A_CALL  # after so many more the driver has a look
+
+    collisions: int = 0  # since the driver has last counted them
+    impulse_count: int = 0  # rows in use
     events_at_once: int = 0  # so far, at this very instant
     window: float = 0.0  # s, the time of one hop: for so long events in piles are counted
     window_start: float = 0.0  # s, when that counting began
@@ -102,9 +126,9 @@ class Tables(NamedTuple):
     obstacles: list[BodyRow]
     obstacle_bodies: list[IndexRow]  # the obstacles' places in the scene
     corners: list[Corner]
-    queue: list[IndexRow]  # a heap of all discs, the earliest event first
-    slots: list[IndexRow]  # of the grid: the first disc in each
-    near_slots: list[IndexRow]  # of the grid: the first NearRow in each
+    queue: list[EventRow]  # of all discs' events, the earliest in row 1
+    slots: list[SlotRow]  # of the grid
     near: list[NearRow]
     everywhere: list[IndexRow]  # obstacles that are near everywhere
     contact: ContactRow  # scratch for a collision
+    impulses: list[ImpulseRow]  # the record, until the driver takes it away

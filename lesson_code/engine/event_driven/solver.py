@@ -1,100 +1,54 @@
-"""The event-driven solver: from collision to collision, with no time step between them.
+"""The event-driven solver at work on one scene: its tables, its errors, its record of impulses.
 
-    1 the disc whose event comes first lives on to it
-    2 the event happens: a hit, a border of a cell, the end of sliding
-    3 the events of all discs whose motion has changed are foretold anew
-
-A disc knows only its own next event. If its partner's motion has changed since it was foretold,
-the event is stale: it is thrown away, and the disc's next event is foretold anew.
-
-References
-----------
-Rapaport, The Event Scheduling Problem in Molecular Dynamic Simulation (1980). Lubachevsky, How to
-Simulate Billiards and Similar Systems (1991): one event a disc. Bannerman, Strobl, Formella and
-Poeschel, Stable Algorithm for Event Detection in Event-Driven Particle Dynamics (2014): an overlap
-that closes is an event now.
+What happens in it is told by :mod:`lesson_code.engine.event_driven.loop`.
 """
 
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
+import sys
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from lesson_code.engine.combination import Combination
-from lesson_code.engine.event_driven.cells import cross_border
-from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
-from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
-from lesson_code.engine.event_driven.foretelling import foretell
-from lesson_code.engine.event_driven.motion import move_to, place_at, turning_at, velocity_at
-from lesson_code.engine.event_driven.rows import (
-    CELL,
-    DISC,
-    END,
-    GRIP,
-    OBSTACLE,
-    DiscRow,
-    Tables,
+from lesson_code.engine.compiled import (
+    Choice,
+    as_arrays,
+    as_numbers,
+    choose,
+    compiled_function,
+    link,
 )
-from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding
+from lesson_code.engine.event_driven.constants import (
+    EVENT_SECONDS,
+    EVENTS_A_CALL,
+    MOST_AHEAD,
+    RECORD_ROWS,
+)
+from lesson_code.engine.event_driven.loop import (
+    COLLISION,
+    NO_END,
+    PAUSE,
+    RECORD_FULL,
+    advance_until,
+)
+from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
 from lesson_code.engine.event_driven.tables import tables_of
-from lesson_code.engine.recording import Event
+from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
+from lesson_code.engine.room import longer
+from lesson_code.engine.rows import ImpulseRow
 from lesson_code.engine.scene import Body, Scene
 from lesson_code.geometry.shapes import Circle
 
-State: TypeAlias = tuple[float, float, float, float, float, float]
-"""x, y, angle, vx, vy, w."""
 
-
-def next_time(tables: Tables) -> float:
-    """Return the time of the next event, s; ``math.inf`` when there is none."""
-    return tables.discs[tables.queue[0].index].event_time if tables.queue else math.inf
-
-
-def next_event(tables: Tables) -> bool:
-    """Let the next event happen, and return whether it was a collision."""
-    i, state = tables.queue[0].index, tables.state
-    disc = tables.discs[i]
-    count_event(tables, disc)
-    state.now = max(state.now, disc.event_time)
-    move_to(disc, state.now)
-    is_hit = happen(tables, i)
-    foretell(tables, i)
-    state.collisions += is_hit
-    return is_hit
-
-
-def count_event(tables: Tables, disc: DiscRow) -> None:
-    """Count the events that happen at once, and those of discs in piles within one hop."""
-    state = tables.state
-    if disc.event_time > state.now:
-        state.events_at_once = 0
-    state.events_at_once += 1
-    if disc.event_time - state.window_start > state.window:
-        state.window_start, state.events_in_piles = disc.event_time, 0
-    if disc.event_kind == DISC or disc.event_time - disc.met <= state.pile_time:
-        state.events_in_piles += 1
-
-
-def happen(tables: Tables, i: int) -> bool:
-    """Let the event of a disc happen, and return whether it was a collision."""
-    disc = tables.discs[i]
-    kind, partner = disc.event_kind, disc.partner
-    if kind == DISC:
-        if tables.discs[partner].changes != disc.partner_changes:
-            return False  # stale: the partner has gone another way
-        collide_discs(tables, i, partner)
-        foretell(tables, partner)
-    elif kind == OBSTACLE:
-        collide_obstacle(tables, i, partner, disc.feature)
-    elif kind == CELL:
-        cross_border(tables, i, disc.feature)
-    elif kind == GRIP:
-        stop_sliding(tables, disc)
-        slide_or_roll(tables, disc)
-        disc.changes += 1
-    elif kind == END:
-        leave_face(tables, disc)
-    return kind in (DISC, OBSTACLE)
+@cache
+def program() -> str:
+    """Return the source of the program that the loop is compiled as: one for all scenes."""
+    return link(advance_until)
 
 
 class ExactSolver:
@@ -108,93 +62,159 @@ class ExactSolver:
         How a pair's coefficients come from its bodies'.
     keep_impulses : bool
         Whether every impulse is written down.
+    compiled : bool or None
+        Whether the stages run as compiled code. They do the same to the last bit. None: they begin
+        as plain Python, and are compiled if the work ahead repays it.
+    duration : float
+        s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
+
+    Attributes
+    ----------
+    tables : Tables
+        Lists of rows or, when compiled, arrays of records.
+    choice : Choice
+        Whether they are compiled, and why.
+    collisions : int
+        So far.
 
     Raises
     ------
     ValueError
-        The scene holds what the solver cannot do.
+        The scene holds what the solver cannot do, or cannot be compiled as was asked.
     """
 
-    def __init__(self, scene: Scene, *, combine: Combination, keep_impulses: bool = True) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        combine: Combination,
+        keep_impulses: bool = True,
+        compiled: bool | None = False,
+        duration: float = math.inf,
+    ) -> None:
         reason = why_not(scene)
         if reason:
             raise ValueError(f"the exact solver cannot take this scene: {reason}")
         self.scene = scene
         self.tables = tables_of(scene, combine)
-        self._keep_impulses = keep_impulses
-        self._disc_of = {disc.body: i for i, disc in enumerate(self.tables.discs)}
-        self._events: list[Event] = []
-        for i in range(len(self.tables.discs)):
-            foretell(self.tables, i)
-
-    @property
-    def collisions(self) -> int:
-        """The number of collisions so far."""
-        return self.tables.state.collisions
+        self.tables.state.keeps_impulses = keep_impulses
+        self.collisions = 0
+        self._events: list[NDArray[np.float64]] = []
+        self._advance: Callable[[Any], int] = advance_until
+        self._asked, self._duration = compiled, duration
+        self._events_done = 0
+        self.choice = Choice(False, "a small run")
+        self._choose(len(self.tables.discs) * MOST_AHEAD)
+        self.advance(-1.0)  # no event yet, but all are foretold
 
     def next_collision(self, until: float) -> float | None:
         """Go on to the next collision, and return its time, s; None: there is none until then."""
-        while next_time(self.tables) <= until:
-            is_hit = next_event(self.tables)
-            self._refuse_endless_loop()
-            if is_hit:
-                if self._keep_impulses:
-                    self._note_impulse()
-                return self.tables.state.now
-        return None
+        stopped_by = self._run(until, stops_at_collision=True)
+        return float(self.tables.state.now) if stopped_by == COLLISION else None
 
     def advance(self, until: float) -> None:
-        """Go on until a time, s."""
-        while self.next_collision(until) is not None:
-            pass
+        """Go on until a time, s.
 
-    def states(self, time: float) -> list[State]:
-        """Return x, y, angle, vx, vy, w of every body at a time after the last event, s."""
-        moving = {disc.body: _disc_state(disc, time) for disc in self.tables.discs}
-        return [
-            moving[n] if n in moving else _obstacle_state(body, time)
-            for n, body in enumerate(self.scene.bodies)
-        ]
+        Raises
+        ------
+        RuntimeError
+            The collisions at one instant have no end.
+        """
+        self._run(until, stops_at_collision=False)
 
-    def events(self) -> list[Event]:
-        """Return the impulses so far."""
-        return self._events
+    def states(self, time: float) -> NDArray[np.float64]:
+        """Return x, y, angle, vx, vy, w of every body at a time after the last event, s.
 
-    def _note_impulse(self) -> None:
-        """Write down the impulse of the collision that has just happened."""
-        state, c = self.tables.state, self.tables.contact
-        if c.normal_impulse == 0.0:
+        The shape is (N, 6).
+        """
+        bodies = self.scene.bodies
+        states = np.array([_state_unpushed(body, time) for body in bodies], dtype=float)
+        states = states.reshape(-1, STATE_NUMBERS)
+        free = [n for n, body in enumerate(bodies) if not body.is_static]
+        states[free] = _disc_states(self.tables.discs, time)
+        return states
+
+    def events(self) -> NDArray[np.float64]:
+        """Return the impulses so far, shape (K, 10)."""
+        self._take_impulses()
+        self._events = [np.concatenate([np.empty((0, EVENT_NUMBERS)), *self._events])]
+        return self._events[0]
+
+    def _run(self, until: float, *, stops_at_collision: bool) -> int:
+        """Go on until a time or the next collision, and return which of them came first."""
+        state = self.tables.state
+        state.until = min(until, sys.float_info.max)  # not to the events that never happen
+        state.stops_at_collision = stops_at_collision
+        while True:
+            stopped_by = self._advance(self.tables)
+            self.collisions += int(state.collisions)
+            state.collisions = 0
+            if stopped_by == NO_END:
+                raise RuntimeError(
+                    f"the exact solver finds no end of the collisions at {state.now} s: the discs "
+                    'lie in a pile; solver="sequential" can hold it'
+                )
+            if stopped_by == RECORD_FULL:
+                self._take_impulses()
+                self._make_room()
+            elif stopped_by == PAUSE:
+                self._look_ahead()
+                state = self.tables.state
+            else:
+                return stopped_by
+
+    def _look_ahead(self) -> None:
+        """Estimate the work that is left, and choose again whether to compile it.
+
+        It is as much as in the time so far, but no more than :data:`MOST_AHEAD` times what is done:
+        many a run comes to rest.
+        """
+        state = self.tables.state
+        self._events_done += EVENTS_A_CALL
+        state.events_left = EVENTS_A_CALL
+        left = max(self._duration - state.now, 0.0)
+        ahead = min(left / state.now, MOST_AHEAD) if state.now > 0.0 else MOST_AHEAD
+        self._choose(self._events_done * ahead)
+
+    def _choose(self, events: float) -> None:
+        """Compile what is still plain Python if so many events repay it, or if it was asked for."""
+        if self.choice.compiled or self._asked is False:
             return
-        disc = self.tables.discs[self._disc_of[c.b]]
-        x, y = disc.x + c.bx, disc.y + c.by
-        a, b, sign = (c.a, c.b, 1.0) if c.a < c.b else (c.b, c.a, -1.0)
-        self._events.append(
-            (
-                *(state.now, a, b, x, y, sign * c.nx, sign * c.ny),
-                *(c.normal_impulse, c.tangent_impulse, 0.0),
-            )
-        )
+        self.choice = choose(self._asked, events * EVENT_SECONDS, program)
+        if self.choice.compiled:
+            self.tables = as_arrays(self.tables, program())
+            self._advance = compiled_function(program(), "advance_until")
 
-    def _refuse_endless_loop(self) -> None:
-        """Stop when too many events have happened at once."""
-        state, discs = self.tables.state, len(self.tables.discs)
-        if max(state.events_at_once, state.events_in_piles) > MOST_EVENTS_AT_ONCE * discs:
-            raise RuntimeError(
-                f"the exact solver finds no end of the collisions at {state.now} s: the discs lie "
-                'in a pile; solver="sequential" can hold it'
-            )
+    def _take_impulses(self) -> None:
+        """Take the impulses out of their table."""
+        state = self.tables.state
+        if state.impulse_count > 0:
+            self._events.append(as_numbers(self.tables.impulses[: state.impulse_count]))
+            state.impulse_count = 0
+
+    def _make_room(self) -> None:
+        """Lengthen the table of impulses, up to what is worth emptying at once."""
+        table = self.tables.impulses
+        rows = min(2 * len(table) + 1, RECORD_ROWS)
+        self.tables = self.tables._replace(impulses=longer(table, rows, ImpulseRow))
 
 
-def _disc_state(disc: DiscRow, time: float) -> State:
+def _disc_states(discs: Any, time: float) -> NDArray[np.float64]:
+    """Return the states of all discs; the formulas serve one disc, and columns of many."""
+    if isinstance(discs, np.ndarray):
+        return np.column_stack(_disc_state(discs.view(np.recarray), time))
+    return np.array([_disc_state(disc, time) for disc in discs]).reshape(-1, STATE_NUMBERS)
+
+
+def _disc_state(disc: Any, time: float) -> Any:
     """Return the state of a disc."""
-    x, y = place_at(disc, time)
-    vx, vy = velocity_at(disc, time)
+    (x, y), (vx, vy) = place_at(disc, time), velocity_at(disc, time)
     angle, w = turning_at(disc, time)
     return x, y, angle, vx, vy, w
 
 
-def _obstacle_state(body: Body, time: float) -> State:
-    """Return the state of a body that nothing can push."""
+def _state_unpushed(body: Body, time: float) -> tuple[float, ...]:
+    """Return the state of a body that nothing pushes."""
     (x, y), (vx, vy) = body.position, body.velocity
     return x + vx * time, y + vy * time, body.angle, vx, vy, 0.0
 

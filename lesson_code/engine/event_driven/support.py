@@ -16,17 +16,17 @@ import math
 
 from lesson_code.engine.combination import combined
 from lesson_code.engine.event_driven.motion import seen_from
-from lesson_code.engine.event_driven.rows import DiscRow, Tables
+from lesson_code.engine.event_driven.rows import DiscRow, ExactState, Tables
 from lesson_code.formulas.arithmetic import dot
 from lesson_code.geometry.impact_times import line_impact_time
 from lesson_code.geometry.rows import following
 
 
-def let_go(tables: Tables, disc: DiscRow) -> None:
+def let_go(state: ExactState, disc: DiscRow) -> None:
     """Let gravity alone act on a disc."""
     disc.support = -1
     disc.held = False
-    disc.ax, disc.ay = tables.state.gravity_x, tables.state.gravity_y
+    disc.ax, disc.ay = state.gravity_x, state.gravity_y
     disc.alpha = 0.0
 
 

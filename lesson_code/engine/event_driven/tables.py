@@ -18,8 +18,8 @@ from lesson_code.engine.event_driven.constants import (
     SLOW,
     STILL,
 )
-from lesson_code.engine.event_driven.queue import build
-from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, Tables
+from lesson_code.engine.event_driven.queue import queue_for
+from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, SlotRow, Tables
 from lesson_code.engine.event_driven.support import let_go
 from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
 from lesson_code.engine.scene import Scene
@@ -39,20 +39,19 @@ def tables_of(scene: Scene, combine: Combination) -> Tables:
         obstacles=[world.bodies[n] for n in fixed],
         obstacle_bodies=[IndexRow(n) for n in fixed],
         corners=world.corners,
-        queue=[IndexRow(i) for i in range(len(discs))],
-        slots=[IndexRow() for _ in range(slots)],
-        near_slots=[IndexRow() for _ in range(slots)],
+        queue=queue_for(len(discs)),
+        slots=[SlotRow() for _ in range(slots)],
         near=[],
         everywhere=[],
         contact=ContactRow(),
+        impulses=[],
     )
     _bound_grid(tables)
     for i in range(len(discs)):
-        let_go(tables, discs[i])
+        let_go(tables.state, discs[i])
         enter_cell(tables, i)
     for k in range(len(fixed)):
         _note_obstacle(tables, k)
-    build(discs, tables.queue)
     return tables
 
 
@@ -130,9 +129,9 @@ def _note_obstacle(tables: Tables, k: int) -> None:
         return
     for cell_x in columns:
         for cell_y in lines:
-            slot = tables.near_slots[slot_of(tables.state, cell_x, cell_y)]
-            tables.near.append(NearRow(k, cell_x, cell_y, slot.index))
-            slot.index = len(tables.near) - 1
+            slot = tables.slots[slot_of(tables.state, cell_x, cell_y)]
+            tables.near.append(NearRow(k, cell_x, cell_y, slot.first_near))
+            slot.first_near = len(tables.near) - 1
 
 
 def _box(tables: Tables, obstacle: BodyRow) -> tuple[float, float, float, float]:

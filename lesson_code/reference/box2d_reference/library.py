@@ -16,9 +16,7 @@ def box2d() -> Any:
     """
     try:
         with warnings.catch_warnings():
-            # The binding's types warn while they are made. Where warnings are errors, that kills
-            # the process: the binding does not look whether it has raised.
-            warnings.simplefilter("ignore")
+            warnings.simplefilter("ignore")  # as an error, one of its own would end the process
             import Box2D
     except ModuleNotFoundError as missing:
         raise ModuleNotFoundError(

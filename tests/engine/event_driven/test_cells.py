@@ -19,9 +19,9 @@ from lesson_code.engine.event_driven.cells import (
     leave_cell,
 )
 from lesson_code.engine.event_driven.constants import FEW_DISCS
+from lesson_code.engine.event_driven.loop import next_event, next_time
 from lesson_code.engine.event_driven.motion import place_at
 from lesson_code.engine.event_driven.rows import CELL, Tables
-from lesson_code.engine.event_driven.solver import next_event, next_time
 from lesson_code.engine.event_driven.tables import tables_of
 
 ELASTIC = Material(restitution=1.0)
@@ -53,7 +53,7 @@ def tables_for(scene: Scene) -> Tables:
 
 def found_in_cell(tables: Tables, cell_x: int, cell_y: int) -> list[int]:
     """Return the discs that the grid finds in a cell."""
-    found, i = [], tables.slots[slot_of(cell_x, cell_y, len(tables.slots))].index
+    found, i = [], tables.slots[slot_of(tables.state, cell_x, cell_y)].first_disc
     while i >= 0:
         if (tables.discs[i].cell_x, tables.discs[i].cell_y) == (cell_x, cell_y):
             found.append(i)
@@ -69,10 +69,12 @@ def box() -> tuple[Body, ...]:
 
 def test_every_disc_is_found_in_its_cell_after_thousands_of_events() -> None:
     """Exactly once, and its centre is in that cell."""
-    solver = ExactSolver(scattered(64, 1, box()), combine=combination("workbook"))
+    solver = ExactSolver(
+        scattered(64, 1, box()), combine=combination("workbook"), keep_impulses=False
+    )
     tables, size, crossings = solver.tables, solver.tables.state.cell_size, 0
     for event in range(6000):
-        crossings += tables.discs[tables.queue[0].index].event_kind == CELL
+        crossings += tables.discs[tables.queue[1].disc].event_kind == CELL
         next_event(tables)
         if event % 100 == 0:
             for i, disc in enumerate(tables.discs):
@@ -128,7 +130,7 @@ def test_disc_that_crosses_a_border_is_found_beyond_it(side: int, cell: tuple[in
 def test_gaps_to_the_borders_of_a_cell_worked_by_hand() -> None:
     """A disc of 0.5 m: its cell is 1 m wide, but for a margin."""
     tables = tables_for(Scene([Body(Circle(0.5), mass=1.0, position=(0.25, 2.5))] * 20))
-    gaps = [border_gap(tables, tables.discs[0], side) for side in range(4)]
+    gaps = [border_gap(tables.state, tables.discs[0], side) for side in range(4)]
     assert gaps == pytest.approx([0.75, 0.25, 0.5, 0.5], abs=1e-8)
 
 
@@ -138,13 +140,13 @@ def test_few_discs_have_one_cell_without_borders() -> None:
     tables = tables_for(Scene([Body(Circle(0.5), mass=1.0, position=x) for x in places]))
     assert math.isinf(tables.state.cell_size)
     assert {(disc.cell_x, disc.cell_y) for disc in tables.discs} == {(0, 0)}
-    assert all(is_endless(tables, tables.discs[0], side) for side in range(4))
+    assert all(is_endless(tables.state, tables.discs[0], side) for side in range(4))
 
 
 def test_many_discs_that_fly_apart_for_ever_cross_no_borders_in_the_end() -> None:
     """The outermost cells go on for ever: a year of flight takes a few hundred events."""
     scene = scattered(2 * FEW_DISCS, 4)
-    solver = ExactSolver(scene, combine=combination("workbook"))
+    solver = ExactSolver(scene, combine=combination("workbook"), keep_impulses=False)
     for _ in range(5000):
         if math.isinf(next_time(solver.tables)):
             break

@@ -189,7 +189,7 @@ def test_disc_that_falls_into_a_wedge_comes_to_rest_between_both_walls(
     state = solver.states(60.0)[2]
     assert solver.tables.discs[0].held
     assert state[:2] == pytest.approx(place, abs=1e-9)
-    assert state[3:5] == (0.0, 0.0)
+    assert state[3:5].tolist() == [0.0, 0.0]
     assert solver.next_collision(1e9) is None
 
 

@@ -285,5 +285,5 @@ def test_collisions_and_impulses_are_counted_alike() -> None:
     for solver in (kept, other):
         solver.advance(5.0)
     assert len(kept.events()) == kept.collisions == other.collisions > 20
-    assert other.events() == []
-    assert kept.states(5.0) == other.states(5.0)
+    assert len(other.events()) == 0
+    assert kept.states(5.0).tolist() == other.states(5.0).tolist()

@@ -158,7 +158,7 @@ def test_disc_at_rest_never_comes_to_an_end() -> None:
 def test_disc_that_is_let_go_falls() -> None:
     """Gravity alone."""
     tables = resting(velocity=(3, 0))
-    let_go(tables, tables.discs[0])
+    let_go(tables.state, tables.discs[0])
     disc = tables.discs[0]
     assert (disc.support, disc.held, disc.ax, disc.ay, disc.alpha) == (-1, False, 0, -10, 0)
 

@@ -9,6 +9,7 @@ import pytest
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine.combination import UNSPECIFIED, combination
 from lesson_code.engine.event_driven.constants import HOP, REST, STILL
+from lesson_code.engine.event_driven.loop import next_time
 from lesson_code.engine.event_driven.rows import Tables
 from lesson_code.engine.event_driven.tables import tables_of
 
@@ -68,4 +69,4 @@ def test_cell_is_a_little_wider_than_the_largest_disc() -> None:
 def test_tables_of_an_empty_scene_are_empty() -> None:
     """No disc, no obstacle, no event."""
     tables = tables_for()
-    assert (tables.discs, tables.obstacles, tables.queue) == ([], [], [])
+    assert (tables.discs, tables.obstacles, next_time(tables)) == ([], [], math.inf)

@@ -9,16 +9,25 @@ from __future__ import annotations
 import json
 import os
 import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from lesson_code.cli.measuring import measure
+from lesson_code.cli.shared import (
+    AsJson,
+    cell_progress,
+    clear_errors,
+    console,
+    errors,
+    print_json,
+    say_error,
+)
 
 if TYPE_CHECKING:
+    from rich.progress import Progress
+
     from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
 
 app = typer.Typer(
@@ -29,42 +38,13 @@ app = typer.Typer(
 )
 play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 app.add_typer(play, name="play")
-measure = typer.Typer(no_args_is_help=True, help="Measure what the workbook says of itself.")
 app.add_typer(measure, name="measure")
-
-console = Console()
-errors = Console(stderr=True)
-
-AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
-Workers = Annotated[
-    int | None,
-    typer.Option(min=1, help="Processes that share the work; one for each core by default."),
-]
-Cluster = Annotated[
-    str | None,
-    typer.Option(
-        metavar="ADDRESS",
-        help='Let a dask cluster do the work: tcp://HOST:PORT, or "local" to start one here.',
-    ),
-]
 
 
 def main() -> None:
     """Run the command."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
     app()
-
-
-@contextmanager
-def _clear_errors() -> Iterator[None]:
-    """Turn an error about what was asked into one line and exit code 2."""
-    try:
-        yield
-    except typer.Exit:  # is a RuntimeError too, but none of these
-        raise
-    except (ValueError, OSError, RuntimeError) as error:
-        _say_error(f"workbook: {error}", style="bold red")
-        raise typer.Exit(2) from None
 
 
 @app.command("open")
@@ -83,7 +63,7 @@ def open_workbook(
     from lesson_code.notebook_tools import server
     from lesson_code.notebook_tools.root import find_root
 
-    with _clear_errors():
+    with clear_errors():
         root = find_root()
         notebooks = sorted((root / "notebooks").glob("*.ipynb"))
         found = [path for path in notebooks if path.name.startswith(notebook)]
@@ -111,7 +91,7 @@ def check(
     as_json: AsJson = False,
 ) -> None:
     """Run every notebook and solution again, and compare each output with the stored one."""
-    with _clear_errors():
+    with clear_errors():
         if exercises:
             _check_exercises(as_json)
         else:
@@ -125,11 +105,11 @@ def _check_notebooks(as_json: bool) -> None:
 
     root = find_root()
     paths = [p for f in ("notebooks", "solutions") for p in sorted((root / f).glob("*.ipynb"))]
-    with _progress() as progress:
+    with cell_progress() as progress:
         results = run_notebooks(paths, watcher=_watcher(progress))
     failed = [result for result in results if not result.passed]
     if as_json:
-        _print_json(
+        print_json(
             {
                 "version": 1,
                 "command": "check",
@@ -140,7 +120,7 @@ def _check_notebooks(as_json: bool) -> None:
         )
     else:
         for result in failed:
-            _say_error(f"{result.notebook}, code cell {result.cell + 1}:\n{result.message}")
+            say_error(f"{result.notebook}, code cell {result.cell + 1}:\n{result.message}")
         console.print(f"{len(paths)} notebooks, {len(results)} cells, {len(failed)} failed")
     raise typer.Exit(1 if failed else 0)
 
@@ -154,10 +134,10 @@ def _check_exercises(as_json: bool) -> None:
     with errors.status("exercises") as status:
         found = list(faults(root, told=status.update))
     if as_json:
-        _print_json({"version": 1, "command": "check --exercises", "faults": found})
+        print_json({"version": 1, "command": "check --exercises", "faults": found})
     else:
         for fault in found:
-            _say_error(fault)
+            say_error(fault)
         console.print(f"exercises: {len(found)} faults")
     raise typer.Exit(1 if found else 0)
 
@@ -177,12 +157,12 @@ def grade(
     """Grade one submission; its code runs in a process of its own, with limits."""
     from lesson_code.grading import report
 
-    with _clear_errors():
+    with clear_errors():
         if nbval:
             _grade_under_nbval(submission, exercise, as_json)
         graded = report.grade(submission, exercise=exercise, seed=seed)
         if as_json:
-            _print_json(graded.as_dict())
+            print_json(graded.as_dict())
         else:
             report.print_report(graded, console)
     raise typer.Exit(0 if graded.is_full else 1)
@@ -195,11 +175,11 @@ def _grade_under_nbval(path: Path, exercise: str | None, as_json: bool) -> None:
 
     submission, chosen = _submission_and_exercise(path, exercise)
     errors.print("nbval runs the submission's code in a kernel without any isolation.")
-    with _progress() as progress:
+    with cell_progress() as progress:
         outcomes = grade_under_nbval(submission, chosen, find_root(), _watcher(progress))
     passed = all(outcome.passed for outcome in outcomes)
     if as_json:
-        _print_json(
+        print_json(
             {
                 "version": 1,
                 "command": "grade --nbval",
@@ -228,7 +208,7 @@ def merge(
     from lesson_code.grading.nbval_grading import merge as merged
     from lesson_code.notebook_tools.root import find_root
 
-    with _clear_errors():
+    with clear_errors():
         read, chosen = _submission_and_exercise(submission, exercise)
         text = json.dumps(merged(read, chosen, find_root()), indent=1)
         output.write_text(text + "\n", encoding="utf-8")
@@ -255,10 +235,10 @@ def quiz(
     from lesson_code.quiz.bank import chapter_numbers
     from lesson_code.quiz.terminal import run_quiz
 
-    with _clear_errors():
+    with clear_errors():
         result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
         if as_json:
-            _print_json(result.as_dict() | {"command": "quiz"})
+            print_json(result.as_dict() | {"command": "quiz"})
 
 
 @play.command("billiards")
@@ -270,63 +250,11 @@ def play_billiards(
     """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
     from lesson_code.programs.billiards import play as play_program
 
-    with _clear_errors():
+    with clear_errors():
         if headless and frames is None:
             raise ValueError("--headless needs --frames: without a window nobody can close it")
         outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
     console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
-
-
-@measure.command("chaos")
-def measure_chaos(
-    runs: Annotated[int, typer.Option(min=1, help="How many disturbed runs.")] = 28,
-    workers: Workers = None,
-    cluster: Cluster = None,
-    as_json: AsJson = False,
-) -> None:
-    """How fast two gases of discs part that began almost alike."""
-    from lesson_code.evidence import chaos
-
-    with _clear_errors():
-        measured = chaos.measure_chaos(runs, workers=workers, cluster=cluster, progress="runs")
-    if as_json:
-        _print_json(measured.as_dict())
-    else:
-        console.print(measured.as_table())
-
-
-@measure.command("hard-cases")
-def measure_cases(
-    only: Annotated[
-        list[str] | None, typer.Option("--only", metavar="NAME", help="Only this case.")
-    ] = None,
-    solvers: Annotated[
-        list[str] | None,
-        typer.Option("--solver", help="ours, naive, pymunk or box2d; all by default."),
-    ] = None,
-    workers: Workers = None,
-    cluster: Cluster = None,
-    store: Annotated[
-        bool, typer.Option("--store", help="Keep the result for the notebook.")
-    ] = False,
-    as_json: AsJson = False,
-) -> None:
-    """Scenes in which solvers go wrong: ours beside naive, pymunk and Box2D."""
-    from lesson_code.evidence import hard_cases
-
-    with _clear_errors():
-        if store and (only or solvers):
-            raise ValueError("--store needs all cases and all solvers: leave out --only, --solver")
-        measured = hard_cases.measure_hard_cases(
-            only, solvers=solvers, workers=workers, cluster=cluster, progress="hard cases"
-        )
-    if store:
-        hard_cases.store(measured)
-    if as_json:
-        _print_json(measured.as_dict())
-    else:
-        console.print(measured.as_table())
-    raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
 
 
 @app.command()
@@ -342,12 +270,12 @@ def regenerate(
     from lesson_code.notebook_tools.root import find_root
 
     tasks = {exercise.name: exercise.task_ids for exercise in EXERCISES}
-    with _clear_errors():
+    with clear_errors():
         root = find_root()
         if only_check:
             lines = drifted(root, tasks)
             for line in lines:
-                _say_error(line)
+                say_error(line)
             raise typer.Exit(1 if lines else 0)
         begins = tuple(names or [""])
         wanted = [f for f in derived_files(root, tasks) if f.path.name.startswith(begins)]
@@ -356,17 +284,6 @@ def regenerate(
         for file in wanted:
             file.write()
             console.print(f"{file.path.relative_to(root)}", soft_wrap=True, highlight=False)
-
-
-def _progress() -> Progress:
-    """Return a progress bar that leaves standard output to the results."""
-    return Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        console=errors,
-    )
 
 
 def _watcher(progress: Progress) -> Watcher:
@@ -383,13 +300,3 @@ def _watcher(progress: Progress) -> Watcher:
         progress.advance(bars[result.notebook])
 
     return Watcher(collected, finished)
-
-
-def _say_error(line: str, style: str | None = None) -> None:
-    """Write a line on standard error as it is: not cut, no part of it taken for markup."""
-    errors.print(line, style=style, markup=False, highlight=False, soft_wrap=True)
-
-
-def _print_json(value: dict[str, Any]) -> None:
-    """Print one JSON object on standard output."""
-    typer.echo(json.dumps(value, indent=2))

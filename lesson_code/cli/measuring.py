@@ -1,0 +1,122 @@
+"""``workbook measure``: what the workbook says of itself, measured again."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from lesson_code.cli.shared import AsJson, clear_errors, console, print_json, share_bar
+
+measure = typer.Typer(no_args_is_help=True, help="Measure what the workbook says of itself.")
+
+TABLE_WIDTH = 100
+"""Columns that the widest tables need."""
+
+Workers = Annotated[
+    int | None,
+    typer.Option(min=1, help="Processes that share the work; one for each core by default."),
+]
+Cluster = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS",
+        help='Let a dask cluster do the work: tcp://HOST:PORT, or "local" to start one here.',
+    ),
+]
+
+
+@measure.command("chaos")
+def measure_chaos(
+    runs: Annotated[int, typer.Option(min=1, help="How many disturbed runs.")] = 28,
+    workers: Workers = None,
+    cluster: Cluster = None,
+    as_json: AsJson = False,
+) -> None:
+    """How fast two gases of discs part that began almost alike."""
+    from lesson_code.evidence import chaos
+
+    with clear_errors():
+        measured = chaos.measure_chaos(runs, workers=workers, cluster=cluster, progress="runs")
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        console.print(measured.as_table())
+
+
+@measure.command("hard-cases")
+def measure_cases(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="NAME", help="Only this case.")
+    ] = None,
+    solvers: Annotated[
+        list[str] | None,
+        typer.Option("--solver", help="ours, naive, pymunk or box2d; all by default."),
+    ] = None,
+    workers: Workers = None,
+    cluster: Cluster = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Keep the result for the notebook.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Scenes in which solvers go wrong: ours beside naive, pymunk and Box2D."""
+    from lesson_code.evidence import hard_cases
+
+    with clear_errors():
+        if store and (only or solvers):
+            raise ValueError("--store needs all cases and all solvers: leave out --only, --solver")
+        measured = hard_cases.measure_hard_cases(
+            only, solvers=solvers, workers=workers, cluster=cluster, progress="hard cases"
+        )
+    if store:
+        hard_cases.store(measured)
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        wide = Console(width=max(console.width, TABLE_WIDTH))
+        wide.print(measured.as_table())
+    raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
+
+
+@measure.command("speed")
+def measure_speed(
+    only: Annotated[
+        list[str] | None,
+        typer.Option(help="Only such scenes or parts: gas-100, gas, standing, memory, ..."),
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Small scenes and few repeats: under a minute.")
+    ] = False,
+    repeats: Annotated[
+        int | None, typer.Option(min=1, help="Batches of each engine in each scene.")
+    ] = None,
+    profile: Annotated[
+        str | None,
+        typer.Option(metavar="SCENE", help="The time of each of our stages in a scene instead."),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """How fast the engines are: ours, pymunk, and Box2D where it is installed."""
+    from lesson_code.evidence.speed import measure as speed
+    from lesson_code.evidence.speed.profile import profile_scene
+    from lesson_code.evidence.speed.report import machine_line
+
+    with clear_errors():
+        if profile is not None:
+            profiled = profile_scene(profile)
+            if as_json:
+                print_json(profiled.as_dict())
+            else:
+                console.print(profiled.as_table())
+            return
+        with share_bar() as told:
+            measured = speed.measure_speed(repeats=repeats, quick=quick, only=only or (), told=told)
+    if as_json:
+        print_json(measured.as_dict())
+        return
+    wide = Console(width=max(console.width, TABLE_WIDTH))
+    wide.print(machine_line(), highlight=False)
+    for table in measured.as_tables():
+        wide.print(table)

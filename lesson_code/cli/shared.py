@@ -1,0 +1,66 @@
+"""What the commands share: where they print, how they show progress, and how they fail."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+console = Console()
+errors = Console(stderr=True)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
+
+
+@contextmanager
+def clear_errors() -> Iterator[None]:
+    """Turn an error about what was asked into one line and exit code 2."""
+    try:
+        yield
+    except typer.Exit:  # is a RuntimeError too, but none of these
+        raise
+    except (ValueError, OSError, RuntimeError) as error:
+        say_error(f"workbook: {error}", style="bold red")
+        raise typer.Exit(2) from None
+
+
+def cell_progress() -> Progress:
+    """Return a progress bar that leaves standard output to the results."""
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        console=errors,
+    )
+
+
+@contextmanager
+def share_bar() -> Iterator[Callable[[str, float], None]]:
+    """Show a bar; what is yielded hears what is being done, and what share of all is done."""
+    columns = TextColumn("{task.description:40.40}"), BarColumn(), TimeElapsedColumn()
+    with Progress(*columns, TimeRemainingColumn(), console=errors, transient=True) as progress:
+        bar = progress.add_task("", total=1.0)
+        yield lambda what, share: progress.update(bar, description=what, completed=share)
+
+
+def say_error(line: str, style: str | None = None) -> None:
+    """Write a line on standard error as it is: not cut, no part of it taken for markup."""
+    errors.print(line, style=style, markup=False, highlight=False, soft_wrap=True)
+
+
+def print_json(value: dict[str, Any]) -> None:
+    """Print one JSON object on standard output."""
+    typer.echo(json.dumps(value, indent=2))

@@ -1,0 +1,26 @@
+"""How fast the engines are, side by side: what ``workbook measure speed`` prints.
+
+==============  =======================================================================
+module          what it does
+==============  =======================================================================
+``engines``     gives one scene to each engine, all behind the same few methods
+``quality``     measures how deep bodies stand in each other, and what energy does
+``clock``       what they are compared by
+``race``        runs the engines in turns, and times them
+``standing``    looks for what lets a stack of 20 stand for a minute, and times that
+``few_bodies``  compares the exact solver with pymunk at equal error
+``processes``   measures in fresh processes: imports, first runs, memory
+``statistics``  medians, growth, and whether two runs are of equal quality
+``targets``     what is wanted
+``limits``      whether it is reached, beyond the ratios of single scenes
+``report``      all results, as tables or as one JSON object
+``measure``     chooses what to measure, and does it
+``profile``     the time of each stage of the engine in a scene
+==============  =======================================================================
+
+The scenes are in :mod:`lesson_code.evidence.speed_scenes`.
+"""
+
+from lesson_code.evidence.speed.measure import measure_speed
+
+__all__ = ["measure_speed"]

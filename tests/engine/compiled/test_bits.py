@@ -1,0 +1,339 @@
+"""Compiled or plain: the same bits, in every scene there is, with every solver.
+
+All scenes of a solver share one program, which can do everything. The plain run uses the stages
+that suit its scene: so it is shown too that these leave out nothing that matters.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
+from lesson_code.engine import stepper
+from lesson_code.engine.broad_phase import uniform_grid
+from lesson_code.engine.compiled import link
+from lesson_code.engine.effects import EVERY_EFFECT
+from lesson_code.engine.stepper import EngineStepper
+from lesson_code.evidence import disc_scenes, exact_scenes, scenes, speed_scenes
+from lesson_code.evidence.disc_gas import disc_gas, gas_of
+from lesson_code.evidence.spinning_discs import Disc, scene_of
+
+pytest.importorskip("numba")
+
+SOLVERS = ["sequential", "substep", "naive"]
+DT = 1 / 60
+
+
+def share_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let every compiled run of a solver use one program: it takes 10 to 30 s to compile one."""
+
+    def link_all(function: Any, pipeline: Any) -> str:
+        every = pipeline._replace(
+            effects=EVERY_EFFECT, broad_phase=uniform_grid, splits_steps=True, keeps_impulses=True
+        )
+        return link(function, pipeline=every)
+
+    monkeypatch.setattr(stepper, "link", link_all)
+
+
+@pytest.fixture(autouse=True)
+def one_program_for_all(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Share them in every test here."""
+    share_programs(monkeypatch)
+
+
+def at_work(scene: Scene, solver: str, compiled: bool, **settings: Any) -> EngineStepper:
+    """Return a solver at work on a scene."""
+    usual = {"dt": DT, "iterations": 4, "substeps": 2, "combine": Combination()}
+    return EngineStepper(scene, solver=solver, compiled=compiled, **(usual | settings))
+
+
+def both(scene: Scene, solver: str, steps: int, **settings: Any) -> list[EngineStepper]:
+    """Return a compiled and a plain run, so many steps later."""
+    runs = [at_work(scene, solver, compiled, **settings) for compiled in (True, False)]
+    for run in runs:
+        run.advance(steps)
+    return runs
+
+
+def assert_same_bits(compiled: EngineStepper, plain: EngineStepper) -> None:
+    """States, impulses and how far the run has come."""
+    assert compiled.states().tobytes() == plain.states().tobytes()
+    assert compiled.events().tobytes() == plain.events().tobytes()
+    for name in ("steps_done", "time", "contact_count", "memory_count", "dt_before"):
+        assert getattr(compiled.world.state, name) == getattr(plain.world.state, name), name
+
+
+# The scenes
+
+
+def mixed_heap() -> Scene:
+    """Return discs, boxes and rods that fall into a pit, turned and turning, with damping."""
+    rng = np.random.default_rng(3)
+    walls = [Segment((-2, 0), (2, 0)), Segment((-2, 0), (-2, 20)), Segment((2, 0), (2, 20))]
+    shapes = (Circle(0.3), Polygon.box(0.6, 0.4), Segment((-0.3, 0), (0.3, 0), radius=0.1))
+    bodies = [
+        Body(
+            shapes[n % 3], mass=1 + n % 2, position=(n % 4 - 1.5, 0.5 + n // 4),
+            angle=rng.uniform(-3, 3), angular_velocity=rng.uniform(-9, 9),
+            velocity=rng.uniform(-3, 3, 2), material=Material(0.1 * (n % 5), 0.2 * (n % 4)),
+        )
+        for n in range(27)
+    ]  # fmt: skip
+    return Scene([*map(Body, walls), *bodies], gravity=(0.5, -10), damping=0.2)
+
+
+def moving_walls() -> Scene:
+    """Return a bat that comes, a roller that turns, a saw that does both, and balls between."""
+    bats = [
+        Body(Polygon.box(0.5, 4), position=(-2, 0), velocity=(1.5, 0)),
+        Body(Circle(0.7), position=(0, -2), angular_velocity=5, material=Material(0.2, 0.9)),
+        Body(Polygon.regular(5, 0.8), position=(2, 0), velocity=(-0.5, 0), angular_velocity=-3),
+    ]
+    balls = [Body(Circle(0.3), mass=1, position=(0.7 * k - 1, 0.1 * k)) for k in range(4)]
+    return Scene([*bats, *balls], gravity=(0, -5))
+
+
+def fast_mix() -> Scene:
+    """Return balls, boxes and rods that fly and turn so fast that steps are split at impacts."""
+    rng = np.random.default_rng(11)
+    walls = exact_scenes.box(8, 8)
+    shapes = (Circle(0.1), Polygon.box(0.3, 0.1), Segment((-0.2, 0), (0.2, 0), radius=0.02))
+    bodies = [
+        Body(
+            shapes[n % 3], mass=1, position=(1 + n % 4 * 2, 1 + n // 4 * 2),
+            velocity=rng.uniform(-60, 60, 2), angular_velocity=rng.uniform(-60, 60),
+            material=Material(0.8, 0.3),
+        )
+        for n in range(12)
+    ]  # fmt: skip
+    return Scene([*walls, *bodies])
+
+
+def spinning_pair() -> Scene:
+    """Return two discs that hit each other with spin and friction."""
+    a = Disc(2.0, 0.5, np.array([-0.6, 0.0]), np.array([2.0, 0.3]), 4.0)
+    b = Disc(1.0, 0.7, np.array([0.65, 0.1]), np.array([-1.0, 0.0]), -7.0)
+    return scene_of(a, b, 0.6, 0.4)
+
+
+def turned_back() -> Scene:
+    """Return balls that a plain run has left flying, with their velocities turned round."""
+    run = simulate(disc_scenes.scattered_balls(1.0), 1.0, solver="exact")
+    return exact_scenes.turned_back(run)
+
+
+SCENES: dict[str, Callable[[], Scene]] = {
+    "no bodies": Scene,
+    "one body": lambda: Scene([Body(Circle(1), mass=1, velocity=(1, 2))], gravity=(0, -10)),
+    "static bodies alone": lambda: Scene([Body(Circle(1)), Body(Circle(1), velocity=(1, 0))]),
+    "damping alone": lambda: Scene([Body(Polygon.box(1, 2), mass=1, velocity=(9, 1))], damping=0.7),
+    "disc gas": lambda: disc_gas(5, 0.3, seed=1),
+    "dense gas": lambda: gas_of(30, 0.6, seed=2),
+    "row of discs": lambda: disc_scenes.row_of_discs(5, 0.01),
+    "cue between two": lambda: disc_scenes.cue_between_two(upper_first=True),
+    "scattered balls": lambda: disc_scenes.scattered_balls(0.9),
+    "rack break": lambda: disc_scenes.rack_break(0.95),
+    "balls at a wall": lambda: exact_scenes.balls_at_wall(60.0, count=8, dt=DT),
+    "turning rod": lambda: exact_scenes.turning_rod(20.0, phase=0.4, dt=DT),
+    "two blocks": lambda: exact_scenes.two_blocks(100.0),
+    "ball in a box": exact_scenes.ball_in_a_box,
+    "bouncing to rest": lambda: exact_scenes.bouncing_to_rest(0.5),
+    "turned back": turned_back,
+    "spinning pair": spinning_pair,
+    "box on incline": lambda: scenes.box_on_incline(0.3, 0.2),
+    "disc on incline": lambda: scenes.disc_on_incline(0.4, 0.5),
+    "sliding disc": lambda: scenes.sliding_disc(3.0, 0.3),
+    "disc in wedge": lambda: scenes.disc_in_wedge(0.5, 0.7),
+    "ball on plank": lambda: scenes.ball_on_plank(0.6),
+    "box landing flat": lambda: scenes.box_landing_flat(1, 3, 2.0, 0.5),
+    "box stack": lambda: scenes.box_stack(6),
+    "box pyramid": lambda: scenes.box_pyramid(6),
+    "speed: gas": lambda: speed_scenes.gas(40).scene,
+    "speed: dense gas": lambda: speed_scenes.dense_gas(30).scene,
+    "speed: settled discs": lambda: speed_scenes.settled_discs(50).scene,
+    "speed: stack": lambda: speed_scenes.stack(8).scene,
+    "speed: pyramid": lambda: speed_scenes.pyramid(4).scene,
+    "speed: bin": lambda: speed_scenes.bin_of_shapes(24).scene,
+    "mixed heap": mixed_heap,
+    "moving walls": moving_walls,
+    "fast mix": fast_mix,
+}
+"""Every builder of scenes in `evidence`, and what they leave out."""
+
+STEPS = 40
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
+def test_compiled_run_has_the_bits_of_the_plain_one(
+    build: Callable[[], Scene], solver: str
+) -> None:
+    """Every state and every impulse."""
+    assert_same_bits(*both(build(), solver, STEPS))
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"dt": 1 / 240},
+        {"dt": 0.05, "iterations": 1},
+        {"iterations": 10, "substeps": 1},
+        {"iterations": 3, "substeps": 5},
+        {"combine": Combination("max", "product")},
+    ],
+    ids=str,
+)
+def test_compiled_run_has_the_bits_of_the_plain_one_whatever_the_settings(
+    settings: dict[str, Any], solver: str
+) -> None:
+    """Steps, sweeps, parts of steps and rules of combination are numbers in the tables."""
+    assert_same_bits(*both(mixed_heap(), solver, 25, **settings))
+
+
+# Calls and tables
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_compiled_run_in_many_calls_has_the_bits_of_one_call(solver: str) -> None:
+    """Though every call hands all tables over again."""
+    at_once, one_by_one = (at_work(mixed_heap(), solver, compiled=True) for _ in range(2))
+    at_once.advance(90)
+    for _ in range(90):
+        one_by_one.advance(1)
+    assert_same_bits(at_once, one_by_one)
+    assert len(at_once.events()) > 100
+
+
+def test_compiled_run_stops_for_room_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tables begin empty; those for pairs, contacts and impulses grow, and more than once."""
+    wanted: list[tuple[int, int, int]] = []
+    make_room = stepper.make_room
+
+    def watched(world: Any) -> Any:
+        state = world.state
+        wanted.append((state.pairs_wanted, state.contacts_wanted, state.impulses_wanted))
+        return make_room(world)
+
+    monkeypatch.setattr(stepper, "make_room", watched)
+    compiled, plain = both(mixed_heap(), "sequential", 90)
+    assert_same_bits(compiled, plain)
+    assert wanted[: len(wanted) // 2] == wanted[len(wanted) // 2 :]
+    assert all(sum(step[n] > 0 for step in wanted) > 1 for n in range(3))
+
+
+def test_run_without_steps_changes_nothing() -> None:
+    """No step, no bit."""
+    compiled, plain = both(mixed_heap(), "sequential", 0)
+    assert_same_bits(compiled, plain)
+    assert compiled.events().shape == (0, 10)
+
+
+# What is refused
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("compiled", [True, False])
+def test_body_that_is_lost_is_refused_in_the_same_words(solver: str, compiled: bool) -> None:
+    """It falls at 1e308 m/s^2 and is beyond all numbers in the second step."""
+    wall, ball = Body(Circle(1), position=(9, 9)), Body(Circle(1), mass=1)
+    scene = Scene([wall, ball], gravity=(0, -1e308))
+    run = at_work(scene, solver, compiled, dt=1.0, substeps=1)
+    with pytest.raises(FloatingPointError, match=r"^body 1 has left the range of floating point$"):
+        run.advance(9)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("compiled", [True, False])
+def test_bodies_that_are_heaped_are_refused_in_the_same_words(solver: str, compiled: bool) -> None:
+    """400 in one place: 30,000 pairs would be allowed, and they stop counting soon after."""
+    heap = Scene([Body(Circle(0.5), mass=1) for _ in range(400)])
+    words = "bodies must not be heaped into one another: 400 of them overlap in .* pairs or more"
+    with pytest.raises(ValueError, match=words):
+        at_work(heap, solver, compiled).advance(1)
+
+
+@pytest.mark.parametrize("cells", [0.0, 1e9, -(2.0**31), 2.0**63])
+def test_pairs_around_the_last_cell_are_the_same(cells: float) -> None:
+    """Compiled, a cell has a number of 32 bits; each of 30 discs in a row is beside another."""
+    cell = at_work(gas_of(30, 0.3, seed=4), "sequential", compiled=False).world.state.cell_size
+    start = cells * cell - 15 * 0.9
+    row = [Body(Circle(0.5), mass=1, position=(start + 0.9 * k, 0)) for k in range(30)]
+    compiled, plain = both(Scene(row), "sequential", 1)
+    assert_same_bits(compiled, plain)
+    assert compiled.world.state.pair_count == plain.world.state.pair_count >= 29
+
+
+# Through the door
+
+
+def thrown_discs(speed: float) -> Scene:
+    """Return discs alone, without corners: so the scene asks for the smallest program."""
+    wall = Body(Circle(1), position=(3, 0))
+    discs = [
+        Body(Circle(0.1), mass=1, position=(0, 0.15 * k), velocity=(speed, 0), material=Material(1))
+        for k in range(-3, 3)
+    ]
+    return Scene([wall, *discs])
+
+
+@pytest.mark.parametrize("speed", [5.0, 400.0], ids=["slow", "fast"])
+def test_simulate_gives_the_same_run_compiled_or_plain(
+    monkeypatch: pytest.MonkeyPatch, speed: float
+) -> None:
+    """Linked as the scene asks for it; where a fast body is met, with the splitting of steps."""
+    linked: list[bool] = []
+
+    def watched(function: Any, pipeline: Any) -> str:
+        linked.append(pipeline.splits_steps)
+        return link(function, pipeline=pipeline)
+
+    monkeypatch.setattr(stepper, "link", watched)
+    scene = thrown_discs(speed)
+    compiled, plain = (simulate(scene, 1.0, compiled=choice) for choice in (True, False))
+    assert linked == ([False, True] if speed > 100 else [False])
+    for name in ("positions", "velocities", "angles", "angular_velocities", "times"):
+        assert getattr(compiled, name).tobytes() == getattr(plain, name).tobytes(), name
+    for mine, its in zip(
+        vars(compiled.contacts).values(), vars(plain.contacts).values(), strict=True
+    ):
+        assert mine.tobytes() == its.tobytes()
+    assert len(plain.contacts) > 0
+    assert str(compiled.plan).endswith("compiled (asked for)")
+    assert str(plain.plan).endswith("plain Python (asked for)")
+
+
+# Indices
+
+
+def test_no_index_is_out_of_range(programs: Path) -> None:
+    """Compiled with Numba's checks, in a process of their own; unchecked, a wrong one may crash."""
+    env = os.environ | {
+        "NUMBA_BOUNDSCHECK": "1",
+        "NUMBA_OPT": "0",  # the checks are the same, and sooner there
+        "WORKBOOK_CACHE": str(programs / "checked"),
+        "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path]),
+    }
+    code = "import test_bits; test_bits.run_checked()"
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout) == (0, "same bits"), done.stderr
+
+
+def run_checked() -> None:
+    """Run some scenes in a program with checks, and compare; see the test above."""
+    with pytest.MonkeyPatch.context() as patch:
+        share_programs(patch)
+        for build in (mixed_heap, fast_mix, moving_walls, SCENES["speed: gas"]):
+            assert_same_bits(*both(build(), "sequential", 30))
+    sys.stdout.write("same bits")

@@ -1,0 +1,225 @@
+"""The sweeps of sequential impulses: what one visit does, and that each contact is visited once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lesson_code import Body, Circle, Combination, Scene
+from lesson_code.engine import contact_solver
+from lesson_code.engine.constants import FEWEST_FOR_STREAMS, STREAMS
+from lesson_code.engine.contact_frame import (
+    apply_impulses,
+    apply_push,
+    missing_push,
+    missing_velocity,
+    push_velocity,
+    set_frame,
+    velocity_at,
+)
+from lesson_code.engine.contact_motion import (
+    apply_impulse,
+    mass_along,
+    normal_of,
+    tangent_of,
+    velocity_along,
+)
+from lesson_code.engine.contact_solver import solve_contact, stride_of_visits
+from lesson_code.engine.rows import BodyRow, ContactRow, World
+from lesson_code.engine.tables import world_of
+from lesson_code.formulas.contact import friction_impulse, normal_impulse
+
+ROUNDING = 1e-10
+"""m/s, rad/s and N s: of arms, speeds and impulses up to 10 and of 1/kg up to 1e2 x 10, some
+dozen operations, each right to 1e-16 of numbers below 1e4."""
+
+components = st.floats(-10, 10)
+inverses = st.one_of(st.just(0.0), st.floats(0.1, 10))
+bodies = st.builds(
+    BodyRow, vx=components, vy=components, w=components, inv_m=st.floats(0.1, 10), inv_i=inverses
+)
+contacts = st.builds(
+    ContactRow, nx=st.just(0.6), ny=st.just(-0.8), ax=components, ay=components,
+    bx=components, by=components, target_vn=st.floats(0, 10), friction=st.floats(0, 2),
+    normal_impulse=st.floats(0, 10), tangent_impulse=components,
+)  # fmt: skip
+
+
+def ready(c: ContactRow, a: BodyRow, b: BodyRow) -> ContactRow:
+    """Return a contact with its arms and effective masses."""
+    set_frame(c, a, b)
+    return c
+
+
+def numbers(row: Any, *names: str) -> list[float]:
+    """Return some fields of a row."""
+    return [getattr(row, name) for name in names]
+
+
+# One visit
+
+
+@given(bodies, bodies, contacts)
+def test_skew_is_the_coupling_of_normal_and_tangent(a: BodyRow, b: BodyRow, c: ContactRow) -> None:
+    """The sum of (r x n)(r x t) / I, and what 1 N s along n does to the velocity along t."""
+    rn = [x * c.ny - y * c.nx for x, y in ((c.ax, c.ay), (c.bx, c.by))]
+    rt = [x * c.nx + y * c.ny for x, y in ((c.ax, c.ay), (c.bx, c.by))]
+    k_nt = rn[0] * rt[0] * a.inv_i + rn[1] * rt[1] * b.inv_i
+    assert ready(c, a, b).skew == pytest.approx(k_nt, abs=ROUNDING)
+    before = velocity_along(c, a, b, tangent_of(c))
+    apply_impulse(c, a, b, normal_of(c), 1.0)
+    after = velocity_along(c, a, b, tangent_of(c))
+    assert after - before == pytest.approx(k_nt, abs=ROUNDING)
+
+
+@given(bodies, bodies, contacts)
+def test_velocities_read_at_once_are_those_read_singly(
+    a: BodyRow, b: BodyRow, c: ContactRow
+) -> None:
+    """Along normal and tangent, by lever arms that are set once."""
+    singly = velocity_along(c, a, b, normal_of(c)), velocity_along(c, a, b, tangent_of(c))
+    assert velocity_at(ready(c, a, b), a, b) == pytest.approx(singly, abs=ROUNDING)
+
+
+@given(bodies, bodies, contacts)
+def test_effective_masses_of_a_frame_are_those_along_normal_and_tangent(
+    a: BodyRow, b: BodyRow, c: ContactRow
+) -> None:
+    """Seen from the contact or from the axes."""
+    ready(c, a, b)
+    assert c.normal_mass == pytest.approx(mass_along(c, a, b, normal_of(c)), rel=ROUNDING)
+    assert c.tangent_mass == pytest.approx(mass_along(c, a, b, tangent_of(c)), rel=ROUNDING)
+
+
+@given(bodies, bodies, contacts, components)
+def test_push_does_to_push_velocities_what_an_impulse_does_to_velocities(
+    a: BodyRow, b: BodyRow, c: ContactRow, j: float
+) -> None:
+    """And leaves the velocities alone: no overlap turns into speed."""
+    ready(c, a, b)
+    before = [numbers(row, "vx", "vy", "w") for row in (a, b)]
+    apply_push(c, a, b, j)
+    assert push_velocity(c, a, b) == pytest.approx(j / c.normal_mass, rel=ROUNDING, abs=ROUNDING)
+    assert [numbers(row, "vx", "vy", "w") for row in (a, b)] == before
+
+
+@given(bodies, bodies, contacts)
+def test_what_is_missing_is_counted_from_the_target(a: BodyRow, b: BodyRow, c: ContactRow) -> None:
+    """Negative: they do not part fast enough yet. The velocities of motion do not count as push."""
+    c.push_speed = 2.5
+    a.push_vx, b.push_w = 1.5, -0.5
+    vn = velocity_along(ready(c, a, b), a, b, normal_of(c))
+    assert missing_velocity(c, a, b) == pytest.approx(vn - c.target_vn, abs=ROUNDING)
+    pushed = -1.5 * c.nx - 0.5 * (c.bx * c.ny - c.by * c.nx)
+    assert missing_push(c, a, b) == pytest.approx(pushed - 2.5, abs=ROUNDING)
+
+
+@given(bodies, bodies, contacts, components, components)
+def test_impulses_applied_at_once_are_those_applied_singly(
+    a: BodyRow, b: BodyRow, c: ContactRow, jn: float, jt: float
+) -> None:
+    """Velocities are linear in the impulses."""
+    names = ("vx", "vy", "w")
+    at_once = [BodyRow(*numbers(row, *names, "inv_m", "inv_i")) for row in (a, b)]
+    apply_impulses(ready(c, a, b), *at_once, jn, jt)
+    apply_impulse(c, a, b, normal_of(c), jn)
+    apply_impulse(c, a, b, tangent_of(c), jt)
+    for one, other in zip(at_once, (a, b), strict=True):
+        assert numbers(one, *names) == pytest.approx(numbers(other, *names), abs=ROUNDING)
+
+
+@given(bodies, bodies, contacts)
+def test_visit_is_the_normal_impulse_and_then_friction(
+    a: BodyRow, b: BodyRow, c: ContactRow
+) -> None:
+    """Though it reads the velocities once: the skew says how the first changes the second."""
+    ready(c, a, b)
+    names = ("vx", "vy", "w")
+    once = [BodyRow(*numbers(row, *names, "inv_m", "inv_i")) for row in (a, b)]
+    jn_before, jt_before = c.normal_impulse, c.tangent_impulse
+    n, t = normal_of(c), tangent_of(c)
+    missing = velocity_along(c, a, b, n) - c.target_vn
+    jn = float(normal_impulse(missing, c.normal_mass, 0.0, jn_before))
+    apply_impulse(c, a, b, n, jn - jn_before)
+    vt = velocity_along(c, a, b, t)
+    jt = float(friction_impulse(vt, c.tangent_mass, c.friction, jn, jt_before))
+    apply_impulse(c, a, b, t, jt - jt_before)
+
+    solve_contact(c, *once)
+    assert (c.normal_impulse, c.tangent_impulse) == pytest.approx((jn, jt), abs=ROUNDING)
+    for measured, expected in zip(once, (a, b), strict=True):
+        assert numbers(measured, *names) == pytest.approx(numbers(expected, *names), abs=ROUNDING)
+
+
+# All visits
+
+COUNTS = [
+    *(0, 1, 2, STREAMS, FEWEST_FOR_STREAMS - 1),
+    *range(FEWEST_FOR_STREAMS, FEWEST_FOR_STREAMS + 2 * STREAMS + 1),
+    *(10 * FEWEST_FOR_STREAMS - 1, 10 * FEWEST_FOR_STREAMS + 3),
+]
+
+
+def with_contacts(count: int) -> World:
+    """Return tables with so many contacts."""
+    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
+    world.contacts.extend(ContactRow(a=0, b=1, feature=k) for k in range(count))
+    world.state.contact_count = count
+    return world
+
+
+VISITS = ("solve_contact", "solve_manifold", "solve_push", "solve_pushes")
+
+
+def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[str, list[int]]:
+    """Return the contacts that each kind of visit is made to in a sweep, in its order."""
+    visited: dict[str, list[int]] = {name: [] for name in VISITS}
+    with monkeypatch.context() as patch:
+        for name in VISITS:
+            note = visited[name].append
+            patch.setattr(contact_solver, name, lambda c, *_, note=note: note(c.feature))
+        getattr(contact_solver, sweep)(world)
+    return visited
+
+
+@pytest.mark.parametrize(
+    ("sweep", "visit"), [("solve", "solve_contact"), ("correct", "solve_push")]
+)
+@pytest.mark.parametrize("count", COUNTS)
+def test_sweep_visits_every_contact_once(
+    monkeypatch: pytest.MonkeyPatch, count: int, sweep: str, visit: str
+) -> None:
+    """Few in their order; many in four streams, which need not be equally long."""
+    visited = visits(monkeypatch, with_contacts(count), sweep)[visit]
+    assert sorted(visited) == list(range(count))
+    if count < FEWEST_FOR_STREAMS:
+        assert visited == sorted(visited)
+
+
+def test_streams_of_a_sweep_are_far_apart_in_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 101 contacts, 26 lie between two visits: 0, 26, 52, 78, then 1, 27, ..."""
+    visited = visits(monkeypatch, with_contacts(101), "solve")["solve_contact"]
+    assert visited[:6] == [0, 26, 52, 78, 1, 27]
+    assert stride_of_visits(101) == 26
+
+
+@pytest.mark.parametrize("count", [10, FEWEST_FOR_STREAMS, FEWEST_FOR_STREAMS + 5])
+def test_sweep_solves_the_two_points_of_a_block_together(
+    monkeypatch: pytest.MonkeyPatch, count: int
+) -> None:
+    """Also where the two would belong to different streams; neither is visited alone."""
+    world = with_contacts(count)
+    for k in range(1, count - 1, 3):
+        world.contacts[k].is_block = True
+    firsts = list(range(1, count - 1, 3))
+    seconds = [k + 1 for k in firsts]
+    alone = sorted(set(range(count)) - {*firsts, *seconds})
+    solved = visits(monkeypatch, world, "solve")
+    assert sorted(solved["solve_manifold"]) == firsts
+    assert sorted(solved["solve_contact"]) == alone
+    pushed = visits(monkeypatch, world, "correct")
+    assert sorted(pushed["solve_pushes"]) == firsts
+    assert sorted(pushed["solve_push"]) == alone
