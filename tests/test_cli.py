@@ -78,6 +78,7 @@ def test_help_lists_every_command() -> None:
         *([name] for name in COMMANDS),
         ["play", "billiards"],
         ["measure", "chaos"],
+        ["measure", "hard-cases"],
         ["measure", "speed"],
     ],
 )
@@ -299,6 +300,36 @@ def test_billiards_that_cannot_be_played_end_with_2(options: list[str], words: s
 
 
 # measure
+
+
+def test_measure_hard_cases_prints_one_json_object() -> None:
+    """Ours holds the case, pymunk does not; nothing else is printed."""
+    result = workbook(
+        "measure", "hard-cases", "--json", "--workers", "1", "--only", "kane",
+        "--solver", "ours", "--solver", "pymunk",
+    )  # fmt: skip
+    assert result.exit_code == ALL_IS_WELL
+    told = json.loads(result.stdout)
+    assert (told["version"], told["command"]) == (1, "measure hard-cases")
+    assert told["held"] == {"ours": 1, "pymunk": 0}
+
+
+def test_measure_hard_cases_prints_a_table() -> None:
+    """A line for the case, under its theme."""
+    result = workbook("measure", "hard-cases", "--workers", "1", "--only", "zeno")
+    assert result.exit_code == ALL_IS_WELL
+    assert "Bounces" in result.stdout
+    assert "zeno" in result.stdout
+
+
+@pytest.mark.parametrize(
+    "wrong", [["--only", "easy"], ["--solver", "mine"], ["--store", "--only", "kane"]]
+)
+def test_measure_hard_cases_refuses_what_it_does_not_know(wrong: list[str]) -> None:
+    """In one line that names what is wrong, before anything is run."""
+    result = workbook("measure", "hard-cases", *wrong)
+    assert result.exit_code == NOT_DONE
+    assert "must be" in result.stderr or "needs all cases" in result.stderr
 
 
 def test_measure_chaos_prints_one_json_object_whoever_does_the_work() -> None:

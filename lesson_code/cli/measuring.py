@@ -45,6 +45,41 @@ def measure_chaos(
         console.print(measured.as_table())
 
 
+@measure.command("hard-cases")
+def measure_cases(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="NAME", help="Only this case.")
+    ] = None,
+    solvers: Annotated[
+        list[str] | None,
+        typer.Option("--solver", help="ours, naive, pymunk or box2d; all by default."),
+    ] = None,
+    workers: Workers = None,
+    cluster: Cluster = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Keep the result for the notebook.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Scenes in which solvers go wrong: ours beside naive, pymunk and Box2D."""
+    from lesson_code.evidence import hard_cases
+
+    with clear_errors():
+        if store and (only or solvers):
+            raise ValueError("--store needs all cases and all solvers: leave out --only, --solver")
+        measured = hard_cases.measure_hard_cases(
+            only, solvers=solvers, workers=workers, cluster=cluster, progress="hard cases"
+        )
+    if store:
+        hard_cases.store(measured)
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        wide = Console(width=max(console.width, TABLE_WIDTH))
+        wide.print(measured.as_table())
+    raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
+
+
 @measure.command("speed")
 def measure_speed(
     only: Annotated[

@@ -83,7 +83,37 @@ def corner_impact(
     >>> impact.expected.round(12) + 0.0
     array([0., 1., 0.])
     """
-    shape, surface = Polygon.box(width, height), Material(restitution, friction)
+    surface = Material(restitution, friction)
+    box, arm = box_on_corner(width, height, angle, velocity, angular_velocity, surface)
+    floor = Body(Segment((-50, 0), (50, 0)), material=surface)
+    inverse_inertia = 1 / box.shape.inertia_per_mass
+    struck = Struck(1.0, inverse_inertia, velocity, angular_velocity, arm)
+    impact = impact_with_friction(
+        Struck(0.0, 0.0, (0, 0), 0.0, (0, 0)), struck, (0, 1), restitution, friction
+    )
+    after = np.array([*impact.velocities[1], impact.angular_velocities[1]])
+    knn, knt = 1 + arm[0] ** 2 * inverse_inertia, -arm[0] * arm[1] * inverse_inertia
+    return CornerImpact(Scene([floor, box]), impact.kind, after, float(friction * abs(knt) / knn))
+
+
+def box_on_corner(
+    width: float,
+    height: float,
+    angle: float,
+    velocity: tuple[float, float],
+    angular_velocity: float,
+    surface: Material,
+) -> tuple[Body, Any]:
+    """Return a box of 1 kg whose lowest corner is just in the floor after a step, and its arm.
+
+    The arm leads from the centre to that corner, shape (2,), m. The arguments are those of
+    :func:`corner_impact`.
+
+    >>> box, arm = box_on_corner(1.0, 1.0, math.pi / 4, (0.0, 0.0), 0.0, Material())
+    >>> arm.round(6) + 0.0
+    array([ 0.      , -0.707107])
+    """
+    shape = Polygon.box(width, height)
     cos, sin = math.cos(angle), math.sin(angle)
     corners = np.array(shape.vertices) @ np.array([[cos, sin], [-sin, cos]])
     arm = corners[corners[:, 1].argmin()]
@@ -97,15 +127,7 @@ def corner_impact(
         mass=1.0,
         material=surface,
     )
-    floor = Body(Segment((-50, 0), (50, 0)), material=surface)
-    inverse_inertia = 1 / shape.inertia_per_mass
-    struck = Struck(1.0, inverse_inertia, velocity, angular_velocity, arm)
-    impact = impact_with_friction(
-        Struck(0.0, 0.0, (0, 0), 0.0, (0, 0)), struck, (0, 1), restitution, friction
-    )
-    after = np.array([*impact.velocities[1], impact.angular_velocities[1]])
-    knn, knt = 1 + arm[0] ** 2 * inverse_inertia, -arm[0] * arm[1] * inverse_inertia
-    return CornerImpact(Scene([floor, box]), impact.kind, after, float(friction * abs(knt) / knn))
+    return box, arm
 
 
 def random_corners(count: int, seed: int) -> Iterator[CornerImpact]:

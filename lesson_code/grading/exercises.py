@@ -10,6 +10,7 @@ from lesson_code.grading.task import Task
 from lesson_code.grading.tasks import (
     billiards,
     circles,
+    hard_cases,
     one_dimension,
     reflection,
     restitution,
@@ -55,6 +56,7 @@ EXERCISES = (
     Exercise("05_spin_and_friction", "Spin and friction", spin_and_friction.TASKS),
     Exercise("06_sat_and_manifolds", "SAT and manifolds", separating_axes.TASKS),
     Exercise("07_time_of_impact", "Time of impact", time_of_impact.TASKS),
+    Exercise("09_hard_cases", "Hard cases", hard_cases.TASKS),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 

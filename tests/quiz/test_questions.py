@@ -173,6 +173,24 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             F(14 - math.isqrt(5**2 - 3**2), 3 - 2),
         ],
     ),
+    "09-sweeps": (
+        100 * F(3, 3 + 1) ** 2,
+        [
+            100 * F(3, 3 + 1),
+            100 * (1 - 2 * F(1, 3 + 1)),
+            100 * F(1, 3 + 1) ** 2,
+            100 * F(1, 2) ** 2,
+        ],
+    ),
+    "09-jumps": (
+        F(9, 10) * F((3 - 1) ** 2, 3) ** 2,
+        [
+            F(9, 10) * F((3 - 1) ** 2, 3),
+            F(9, 10) * F((3 - 1) ** 2, 3) ** 4,
+            F(9, 10) * F((3 - 1) ** 2, 3) * 2,
+            F(9, 10) * 3**2,
+        ],
+    ),
 }
 
 
@@ -237,6 +255,8 @@ def test_equal_masses_only_the_exchange_keeps_momentum_and_energy_and_changes_so
         ("05-what-is-kept", "The total momentum and the total angular momentum"),
         ("07-zero", "The hit is lost"),
         ("07-at-the-instant", "Nothing, or something only if rounding"),
+        ("09-cradle", "two equations for five unknowns"),
+        ("09-energy", "more energy after the impact"),
     ],
 )
 def test_right_option_says(key: str, right: str) -> None:

@@ -1,0 +1,181 @@
+"""What a hard case is: a scene, what is measured in it, and the bound that a solver has to hold."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.engine.run import Run
+from lesson_code.engine.scene import Scene
+from lesson_code.simulation import simulate
+
+Options: TypeAlias = Mapping[str, Any]
+"""Arguments of :func:`lesson_code.simulate`, by name."""
+
+OURS = "ours"
+"""What our solver is called, whichever of ours a case is given to."""
+
+PEERS = ("naive", "pymunk", "box2d")
+"""Whom ours is compared with."""
+
+SOLVERS = (OURS, *PEERS)
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A hard case in the hands of one solver.
+
+    Attributes
+    ----------
+    scene : Scene
+        The case's scene.
+    options : mapping
+        What :func:`lesson_code.simulate` is told: the solver and its settings.
+    """
+
+    scene: Scene
+    options: Options
+
+    @property
+    def solver(self) -> str:
+        """The solver's name, as :func:`lesson_code.simulate` takes it."""
+        return str(self.options["solver"])
+
+    def run(self, duration: float, scene: Scene | None = None, **more: Any) -> Run:
+        """Return a run of the case's scene, or of another one; the case's options come first."""
+        return simulate(
+            self.scene if scene is None else scene, duration, **{**more, **self.options}
+        )
+
+
+Measure: TypeAlias = Callable[[Trial], float]
+"""Lets one or more scenes run, and returns how far the result is from what it should be, >= 0."""
+
+
+@dataclass(frozen=True)
+class HardCase:
+    """A scene in which solvers go wrong, and how it is found out whether one does.
+
+    Attributes
+    ----------
+    name : str
+        A short one for the command line.
+    theme : str
+        The heading under which the case stands.
+    title : str
+        What is in the scene.
+    why : str
+        Why it is hard, in a sentence.
+    law : str
+        The law or reference that says what is right.
+    scene : callable
+        Returns the scene; where many are needed, a typical one.
+    measure : callable
+        Takes a Trial; returns a number >= 0 that is 0 where all is right.
+    unit : str
+        Of that number; "" for a ratio or a count.
+    bound : float
+        The measure may be so large, and no larger.
+    reason : str
+        Why the bound is what it is.
+    ours : mapping
+        Our solver and its settings.
+    options : mapping
+        What every solver is told, such as dt.
+    failed_by : tuple of str
+        Solvers of whom it is known that they do not hold the bound.
+    is_long : bool
+        Whether our run takes more than some seconds.
+    """
+
+    name: str
+    theme: str
+    title: str
+    why: str
+    law: str
+    scene: Callable[[], Scene]
+    measure: Measure
+    unit: str
+    bound: float
+    reason: str
+    ours: Options = field(default_factory=lambda: {"solver": "direct"})
+    options: Options = field(default_factory=dict)
+    failed_by: tuple[str, ...] = ()
+    is_long: bool = False
+
+    def trial(self, solver: str) -> Trial:
+        """Return the case in the hands of a solver: "ours" or one of the others by its name.
+
+        Raises
+        ------
+        ValueError
+            The solver is none of those.
+        """
+        if solver not in SOLVERS:
+            raise ValueError(f"solver must be one of {', '.join(SOLVERS)}, got {solver!r}")
+        own = self.ours if solver == OURS else {"solver": solver}
+        return Trial(self.scene(), {**self.options, **own})
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a solver did in a case.
+
+    Attributes
+    ----------
+    case, solver : str
+        Their names.
+    value : float
+        What was measured; nan where the solver came to no end.
+    bound : float
+        The case's.
+    seconds : float
+        Wall-clock time.
+    error : str
+        Why there is no value; "" where there is one.
+    """
+
+    case: str
+    solver: str
+    value: float
+    bound: float
+    seconds: float = 0.0
+    error: str = ""
+
+    @property
+    def held(self) -> bool:
+        """Whether the bound was held; nan holds nothing."""
+        return self.value <= self.bound
+
+    @property
+    def excess(self) -> float:
+        """How many times the bound the value is; infinite over a bound of 0."""
+        if self.bound > 0.0 or math.isnan(self.value):
+            return self.value / self.bound if self.bound > 0.0 else math.nan
+        return math.inf if self.value > 0.0 else 0.0
+
+
+def run_case(case: HardCase, solver: str = OURS) -> Outcome:
+    """Return how a solver does in a case; an exception of the solver is an outcome, too.
+
+    A solver that takes the whole process with it (pymunk does on some input) can only be survived
+    from outside: :func:`lesson_code.evidence.hard_cases.measure_hard_cases` does that.
+    """
+    trial = case.trial(solver)
+    begin = time.perf_counter()
+    value, error = math.nan, ""
+    try:
+        with np.errstate(all="ignore"):  # what overflows is the result
+            value = float(case.measure(trial))
+    except ModuleNotFoundError:
+        raise
+    except Exception as fault:  # whatever a solver dies of is its result
+        error = f"{type(fault).__name__}: {fault}"
+    if not math.isfinite(value) and not error:
+        error = "no finite number"
+    return Outcome(case.name, solver, value, case.bound, time.perf_counter() - begin, error)
