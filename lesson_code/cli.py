@@ -295,6 +295,55 @@ def measure_chaos(
         console.print(measured.as_table())
 
 
+@measure.command("accuracy")
+def measure_accuracy(
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Coarse settings only, in plain Python.")
+    ] = False,
+    only: Annotated[
+        list[str] | None,
+        typer.Option(metavar="SCENE", help="Only scenes that begin so; can be repeated."),
+    ] = None,
+    repeats: Annotated[int, typer.Option(min=1, help="Timed runs of each point.")] = 7,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw a figure too: .png, .svg or .pdf.")
+    ] = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Put the result where notebook 08 finds it.")
+    ] = False,
+    workers: Annotated[
+        int, typer.Option(min=1, help="Processes that share the errors; times need one.")
+    ] = 1,
+    cluster: Cluster = None,
+    as_json: AsJson = False,
+) -> None:
+    """What accuracy costs: error against time, for every method, in scenes with known answers."""
+    from lesson_code.evidence import work_precision
+    from lesson_code.evidence.work_precision.tables import as_tables
+
+    with _clear_errors():
+        result = work_precision.measure_accuracy(
+            only or (),
+            quick=quick,
+            repeats=repeats,
+            workers=workers,
+            cluster=cluster,
+            progress=errors.is_terminal,
+        )
+        if store:
+            before = work_precision.stored() if work_precision.STORED.exists() else result
+            work_precision.store(before.merged(result))
+        if plot is not None:
+            from lesson_code.view.precision_plots import all_scenes
+
+            all_scenes(result).savefig(plot)
+    if as_json:
+        _print_json(result.as_dict())
+    else:
+        for table in as_tables(result):
+            console.print(table)
+
+
 @app.command()
 def regenerate(
     only_check: Annotated[
