@@ -317,7 +317,7 @@ def measure_accuracy(
     cluster: Cluster = None,
     as_json: AsJson = False,
 ) -> None:
-    """What accuracy costs: error against time, for every method, in scenes with known answers."""
+    """Measure what accuracy costs: error against time of all methods, where answers are known."""
     from lesson_code.evidence import work_precision
     from lesson_code.evidence.work_precision.tables import as_tables
 
