@@ -2,9 +2,10 @@
 
 Errors are the same wherever they are computed: they may be shared out over processes or a cluster.
 Times are taken in this process alone, one after the other: one run of every point, then the next
-run of every point, so that a busy moment of the machine strikes all alike. The first run of each is
-not timed. What is left out of the time is the making of the tables; the exact solver's
-forecast at the start is part of its work.
+run of every point, so that a busy moment of the machine strikes all alike. The first run of each
+is a warm-up, whose time counts only where one run is so long that there is no second. What is left
+out of the time is the making of the tables; the exact solver's forecast at the start is part of its
+work.
 """
 
 from __future__ import annotations
@@ -45,6 +46,9 @@ REPEATS = 7
 
 LONG = 0.5
 """s: after so much time spent on it, a point is not run again."""
+
+ONCE = 2.0
+"""s: what takes longer is run a single time. Nothing that is done once matters beside that."""
 
 TOO_LONG_IN_PYTHON = 2.0
 """s: what would take longer is not run in plain Python, where there is compiled code too."""
@@ -193,9 +197,9 @@ def _points(task: Task, found: Found, compiles: bool) -> Iterable[Point]:
 def in_turns(points: Sequence[Point], repeats: int, progress: bool = False) -> list[Point]:
     """Return points with their times: the shortest of some runs, one of each in turn."""
     runs = {n: _prepared(p) for n, p in enumerate(points) if math.isfinite(p.error)}
-    best, spent = dict.fromkeys(runs, math.inf), dict.fromkeys(runs, 0.0)
-    for run in runs.values():
-        run()  # what is done once, such as loading a program, is done now
+    first = {n: run() for n, run in runs.items()}  # a program is loaded here, for one
+    best = {n: taken if taken > ONCE else math.inf for n, taken in first.items()}
+    spent = {n: taken if taken > ONCE else 0.0 for n, taken in first.items()}
     rounds = range(repeats)
     for _ in track(rounds, points[0].scene, transient=True) if progress else rounds:
         for n, run in runs.items():

@@ -107,7 +107,7 @@ def exact_powers(stream: Random) -> Iterator[Arguments]:
 
 
 def scattered(stream: Random) -> Iterator[Arguments]:
-    """Draw errors that lie off their line, by factors of up to two, the last one by chance small."""
+    """Draw errors that lie off their line, by factors of up to two; the last is small by chance."""
     for count in (5, 7):
         steps = _steps(stream, count)
         order, factor = stream.uniform(0.8, 1.3), stream.uniform(3.0, 9.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 
@@ -14,7 +15,9 @@ def box2d() -> Any:
         Box2D is not installed; the message says what to install.
     """
     try:
-        import Box2D
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # where warnings are errors, its own end the process
+            import Box2D
     except ModuleNotFoundError as missing:
         raise ModuleNotFoundError(
             'Box2D must be installed to run a scene in it: pip install "Box2D>=2.3.10"',
