@@ -22,10 +22,12 @@ from lesson_code.evidence.work_precision import (
     cheapest,
     in_words,
     order_of,
+    orders,
     scenes,
     splits,
 )
 from lesson_code.evidence.work_precision.methods import COMPILED, PLAIN
+from lesson_code.evidence.work_precision.orders import FLOOR
 from lesson_code.view import style
 
 LOOKS: dict[str, tuple[str, Any]] = {
@@ -41,6 +43,13 @@ LOOKS: dict[str, tuple[str, Any]] = {
 
 EDGE = 0.97
 """Of the height of the axes: there stand the failures."""
+
+ROOM_BELOW = 300
+"""Below the least error the axis goes on by this factor: there stand the orders, and what has no
+error but rounding, each with an arrow and its figure."""
+
+ROUNDING_AT = 0.12
+"""Of the height of the axes: there stands what has no error but rounding."""
 
 COLUMNS = 4
 """Panels side by side in the figure of all scenes."""
@@ -81,32 +90,59 @@ def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = 
         The scene was not measured.
     """
     for (method, code), points in result.lines(scene).items():
-        sound = [p for p in points if not p.failure and _cost(p, work) > 0]
+        sound = [p for p in points if not p.failure and p.error > FLOOR]
         color, marker = LOOKS[method]
         dashed = "--" if code == PLAIN else "-"
         look: dict[str, Any] = {"color": color, "marker": marker, "markersize": 5, "linewidth": 1.2}
         if scenes()[scene].swept != "dt":
             dashed = ""  # settings of which none is finer than the other make no line
-            look |= {"alpha": 0.5} if code == PLAIN else {}
+            look |= {"markerfacecolor": "white"} if code == PLAIN else {}
         ax.plot([_cost(p, work) for p in sound], _errors(sound), linestyle=dashed, **look)
         _draw_fit(ax, sound, order_of(points), work, color)
         _draw_failures(ax, [p for p in points if p.failure], work, color)
+        _draw_rounding(ax, [p for p in points if not p.failure and p.error <= FLOOR], work)
     across = "visits to a contact" if work else "time, ms"
     ax.set(xscale="log", yscale="log", xlabel=across, ylabel="error, m")
+    ax.set_ylim(bottom=_bottom(result.of(scene)))
+    ax.text(
+        0.98, 0.03, _orders_in_words(result, scene), fontsize=8, ha="right", transform=ax.transAxes
+    )
     ax.set_title(scene, fontsize=11)
     return ax
+
+
+def _bottom(points: Iterable[Point]) -> float:
+    """Return where the axis of errors ends: below all of them but what is only rounding, m."""
+    least = min((p.error for p in points if p.error > FLOOR), default=1.0)
+    return least / ROOM_BELOW
+
+
+def _orders_in_words(result: WorkPrecision, scene: str) -> str:
+    """Return the fitted order of each method, in its fastest code, a line for each."""
+    found: dict[str, float] = {}
+    for (method, _), fit in orders(result, scene).items():
+        found.setdefault(method, fit.order)
+    return "\n".join(
+        f"{method}: order {round(order, 2) + 0.0:.2f}" for method, order in found.items()
+    )
 
 
 def how_wrong(ax: Axes, result: WorkPrecision, scene: str, error: float) -> Axes:
     """Draw a scene's figure, a line at an error, and a ring about what reaches it most cheaply."""
     work_precision(ax, result, scene)
     ax.axhline(error, color=style.INK, linewidth=1)
+    ax.set_ylim(bottom=min(error / 2, ax.get_ylim()[0]))
     best = cheapest(result, scene, error)
     if best is None:
         ax.set_title(f"{scene}, within {error:.2g} m: nothing that was tried", fontsize=11)
         return ax
     ring: dict[str, Any] = {"markersize": 15, "markerfacecolor": "none", "markeredgewidth": 2}
-    ax.plot(best.milliseconds, best.error, marker="o", color=style.INK, linestyle="", **ring)
+    if best.error > FLOOR:
+        ax.plot(best.milliseconds, best.error, marker="o", color=style.INK, linestyle="", **ring)
+    else:
+        below = ax.get_xaxis_transform()
+        look = {"marker": "o", "color": style.INK, "linestyle": "", "transform": below, **ring}
+        ax.plot(best.milliseconds, ROUNDING_AT, **look)
     ax.set_title(f"{scene}, within {error:.2g} m: {in_words(best)}", fontsize=11)
     return ax
 
@@ -153,6 +189,12 @@ def errors_over_steps(
     return ax
 
 
+def legend_beside(ax: Axes, points: Iterable[Point]) -> None:
+    """Put the legend of some points to the right of the axes."""
+    beside: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}
+    ax.legend(handles=handles(points), frameon=False, fontsize=9, **beside)
+
+
 def handles(points: Iterable[Point]) -> list[Line2D]:
     """Return what a legend outside of the axes needs: methods in their codes, and what else."""
     made = [_handle(*line) for line in dict.fromkeys(point.line for point in points)]
@@ -194,6 +236,26 @@ def _draw_failures(ax: Axes, points: Iterable[Point], work: bool, color: str) ->
             _cross(ax, cost, color)
         else:
             ax.plot(0.03, EDGE, transform=ax.transAxes, **_cross_look(color))
+
+
+def _draw_rounding(ax: Axes, points: Sequence[Point], work: bool) -> None:
+    """Draw at the lower edge what has no error but rounding, with an arrow and the error."""
+    for point in points[:1]:
+        color, marker = LOOKS[point.method]
+        x, below = _cost(point, work), ax.get_xaxis_transform()
+        ax.plot(
+            x, ROUNDING_AT, transform=below, color=color, marker=marker, markersize=7, linestyle=""
+        )
+        ax.annotate(
+            f"\u2193 {point.error:.0e} m",
+            (x, 0.0),
+            xytext=(x, 0.03),
+            xycoords=below,
+            textcoords=below,
+            ha="center",
+            fontsize=8,
+            color=style.INK,
+        )
 
 
 def _cross(ax: Axes, x: float, color: str) -> None:
