@@ -91,8 +91,8 @@ def fit_power(steps, errors):
 check_task("8.3", fit_power)
 
 # %% [markdown] tags=["solution"]
-# **Why.** In logarithms a power is a straight line: p is its slope. Its height at ln dt = 0 is ln C,
-# and exp makes C of that: the error that a step of 1 s would have.
+# **Why.** In logarithms a power is a straight line: p is its slope. Its height at ln dt = 0 is
+# ln C, and exp makes C of that: the error that a step of 1 s would have.
 
 # %% [markdown]
 # ## Task 8.4 Equal work (4 points)
