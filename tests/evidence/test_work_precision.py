@@ -14,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code.evidence import work_precision
+from lesson_code.evidence.speed_scenes import stack
 from lesson_code.evidence.work_precision import (
     Point,
     WorkPrecision,
@@ -38,6 +39,7 @@ from lesson_code.evidence.work_precision.methods import (
     stepper,
 )
 from lesson_code.evidence.work_precision.result import best_of, from_dict, store
+from lesson_code.evidence.work_precision.scenes import pressed
 from lesson_code.evidence.work_precision.tables import as_tables
 from lesson_code.reference.pymunk_reference import PymunkStepper
 
@@ -173,17 +175,31 @@ def test_error_of_the_direct_solver_at_rest_is_rounding(scene: str) -> None:
 # Splits of sweeps
 
 
-def test_heavy_on_light_wants_both_substeps_and_iterations() -> None:
-    """100 sweeps a step: pymunk stands with 10 x 10, and falls with 1 x 100 and with 100 x 1.
+def test_substeps_beat_iterations_under_a_heavy_box() -> None:
+    """100 sweeps a step hold 1,000 kg on 1 kg in ten sub-steps; in one, pymunk lets it fall.
 
     One second is enough to see it.
     """
     scene = replace(scenes()["heavy on light"], duration=1.0, times=(0.5, 1.0))
-    errors = {}
-    for substeps in (1, 10, 100):
-        setting = Setting(1 / 60, 100 // substeps, substeps)
-        errors[substeps] = scene.error(sampled(scene, METHODS["pymunk"], setting, compiled=False))
-    assert errors[10] < errors[1] / 2
+    errors = [
+        scene.error(sampled(scene, METHODS["pymunk"], Setting(1 / 60, k, n), compiled=False))
+        for n, k in ((1, 100), (10, 10))
+    ]
+    assert errors[1] < errors[0] / 10
+
+
+def test_springs_under_a_tower_want_both() -> None:
+    """The same sweeps in one sub-step, in 5 and in 25: the best is in the middle, by far.
+
+    Ten boxes for two seconds, so that it is soon seen.
+    """
+    given_scene = pressed(stack(10).scene)
+    tower = replace(scenes()["stack of 20"], scene=given_scene, duration=2.0, times=(1.0, 2.0))
+    errors = [
+        tower.error(sampled(tower, METHODS["substep"], Setting(1 / 60, k, n), compiled=False))
+        for n, k in ((1, 25), (5, 5), (25, 1))
+    ]
+    assert errors[1] < min(errors[0], errors[2]) / 10
 
 
 def test_settings_of_equal_work_have_equal_sweeps() -> None:
@@ -424,12 +440,22 @@ def test_stored_orders_are_those_of_the_lesson() -> None:
         assert fits[line].order == pytest.approx(1, abs=FIRST_ORDER)
 
 
-def test_stored_splits_have_an_optimum_inside() -> None:
-    """100 sweeps a step under the heavy box: springs, or pymunk, are best between the two ends."""
-    for scene, method in (("stack of 20", "substep"), ("heavy on light", "pymunk")):
-        points = splits(stored(), scene, 100)[method]
-        best = min(points, key=lambda p: p.error)
-        assert points[0].substeps < best.substeps < points[-1].substeps
+def test_stored_splits_of_springs_have_an_optimum_inside() -> None:
+    """100 sweeps a step under a tower: the solver with springs stands best between the ends."""
+    points = splits(stored(), "stack of 20", 100)["substep"]
+    best = min(points, key=lambda p: p.error)
+    assert points[0].substeps < best.substeps < points[-1].substeps
+    assert points[0].failure == points[-1].failure == "fell"
+
+
+@pytest.mark.parametrize("method", ["sequential", "pymunk"])
+@pytest.mark.parametrize("scene", ["stack of 20", "heavy on light"])
+def test_stored_splits_of_rigid_contacts_want_substeps(scene: str, method: str) -> None:
+    """At equal sweeps the error of rigid contacts falls all the way to 100 sub-steps."""
+    points = splits(stored(), scene, 100)[method]
+    sound = [p.error for p in points if not p.failure]
+    assert sound == sorted(sound, reverse=True)
+    assert len(sound) > 3
 
 
 def test_stored_result_answers_how_wrong_it_may_be() -> None:

@@ -194,7 +194,7 @@ def stack_of_20() -> PrecisionScene:
     """Return twenty boxes on each other, which should stand still for 5 s."""
     return PrecisionScene(
         "stack of 20",
-        _pressed(stack(STACKED).scene),
+        pressed(stack(STACKED).scene),
         5.0,
         tenths(5.0),
         _farthest_from_start,
@@ -212,7 +212,7 @@ def heavy_on_light() -> PrecisionScene:
     heavy = Body(above.shape, mass=LOAD, position=above.position, material=above.material)
     return PrecisionScene(
         "heavy on light",
-        _pressed(Scene([ground, below, heavy], gravity=(0, -GRAVITY))),
+        pressed(Scene([ground, below, heavy], gravity=(0, -GRAVITY))),
         5.0,
         tenths(5.0),
         _farthest_from_start,
@@ -224,7 +224,7 @@ def heavy_on_light() -> PrecisionScene:
     )
 
 
-def _pressed(scene: Scene) -> Scene:
+def pressed(scene: Scene) -> Scene:
     """Return a pile whose bodies stand in each other by so little that no solver pushes.
 
     Bodies that only touch have no contact yet: each would fall until it overlaps the one below, the
