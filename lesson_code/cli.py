@@ -318,10 +318,13 @@ def measure_accuracy(
     as_json: AsJson = False,
 ) -> None:
     """Measure what accuracy costs: error against time of all methods, where answers are known."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small systems: more threads are slower
     from lesson_code.evidence import work_precision
     from lesson_code.evidence.work_precision.tables import as_tables
 
     with _clear_errors():
+        if store and quick:
+            raise ValueError("--store wants a full measurement, not a quick one")
         result = work_precision.measure_accuracy(
             only or (),
             quick=quick,
