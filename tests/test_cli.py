@@ -357,7 +357,7 @@ def test_measure_accuracy_prints_a_table() -> None:
     options = ["--quick", "--only", "slide", "--repeats", "1"]
     result = workbook("measure", "accuracy", *options)
     assert result.exit_code == ALL_IS_WELL
-    for words in ("slide to roll", "along the floor", "exact", "pymunk", "Order of the error"):
+    for words in ("slide to roll", "along the floor", "exact", "pymunk, C: order 1"):
         assert words in result.stdout
 
 

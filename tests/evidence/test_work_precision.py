@@ -330,7 +330,7 @@ def test_quick_measurement_of_a_scene_has_every_method_and_a_time_for_each() -> 
     lines = result.lines("drop")
     assert [method for method, _ in lines] == [method.name for method in methods_here()]
     for (method, _), points in lines.items():
-        assert len(points) == (1 if method == "exact" else measure.QUICK)
+        assert len(points) == (1 if method == "exact" else measure.QUICK["dt"])
         assert all(p.seconds > 0 and not p.failure for p in points)
 
 

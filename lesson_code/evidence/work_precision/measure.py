@@ -48,8 +48,8 @@ LONG = 0.5
 """s: after so much time spent on it, a point is not run again."""
 
 IN_A_ROW = 2
-"""Runs of a point in its turn: the first brings its code back into the processor's memory, which the
-others have used meanwhile. That costs 0.1 ms, as much as the shortest runs."""
+"""Runs of a point in its turn: the first brings its code back into the processor's caches, which
+the others have used meanwhile. That costs 0.1 ms, as much as the shortest runs."""
 
 ONCE = 2.0
 """s: what takes longer is run a single time. Nothing that is done once matters beside that."""
@@ -60,8 +60,11 @@ TOO_LONG_IN_PYTHON = 2.0
 VISIT, TEST = 4e-6, 12e-6
 """s, about, of plain Python: for a visit to a contact, and for the test of a pair."""
 
-QUICK = 4
-"""Settings of a line in a quick measurement: the coarsest."""
+QUICK = {"dt": 4, "sweeps": 2}
+"""Settings of a line in a quick measurement, the coarsest, by what is swept."""
+
+HURRY = 0.1
+"""Of :data:`LONG` and :data:`ONCE`, in a quick measurement."""
 
 Task: TypeAlias = tuple[str, str, Setting, bool]
 """Scene, method, setting, and whether it is compiled."""
@@ -118,7 +121,8 @@ def measure_accuracy(
     ]
     timed: list[Point] = []
     for name in dict.fromkeys(point.scene for point in points):
-        timed += in_turns([p for p in points if p.scene == name], repeats, progress)
+        group = [p for p in points if p.scene == name]
+        timed += in_turns(group, repeats, progress, patience=HURRY if quick else 1.0)
     return WorkPrecision(tuple(timed), repeats, machine())
 
 
@@ -177,7 +181,7 @@ def _tasks(wanted: Iterable[PrecisionScene], quick: bool, compiles: bool) -> Ite
         for method in methods_here():
             compiled = compiles and COMPILED in method.codes
             settings = list(method.settings(scene))
-            for setting in settings[: QUICK if quick else None]:
+            for setting in settings[: QUICK[scene.swept] if quick else None]:
                 yield scene.name, method.name, setting, compiled
 
 
@@ -198,16 +202,18 @@ def _points(task: Task, found: Found, compiles: bool) -> Iterable[Point]:
 # Times
 
 
-def in_turns(points: Sequence[Point], repeats: int, progress: bool = False) -> list[Point]:
-    """Return points with their times: the shortest of some runs, one of each in turn."""
+def in_turns(
+    points: Sequence[Point], repeats: int, progress: bool = False, patience: float = 1.0
+) -> list[Point]:
+    """Return points with their times: the shortest of some runs, one or two of each in turn."""
     runs = {n: _prepared(p) for n, p in enumerate(points) if math.isfinite(p.error)}
     first = {n: run() for n, run in runs.items()}  # a program is loaded here, for one
-    best = {n: taken if taken > ONCE else math.inf for n, taken in first.items()}
-    spent = {n: taken if taken > ONCE else 0.0 for n, taken in first.items()}
+    best = {n: taken if taken > patience * ONCE else math.inf for n, taken in first.items()}
+    spent = {n: 0.0 if math.isinf(best[n]) else math.inf for n in runs}
     rounds = range(repeats)
     for _ in track(rounds, points[0].scene, transient=True) if progress else rounds:
         for n, run in runs.items():
-            if spent[n] < LONG:
+            if spent[n] < patience * LONG:
                 taken = [run() for _ in range(IN_A_ROW)]
                 best[n], spent[n] = min(best[n], *taken), spent[n] + sum(taken)
     return [replace(p, seconds=best.get(n, math.nan)) for n, p in enumerate(points)]
