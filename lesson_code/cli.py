@@ -325,6 +325,8 @@ def measure_accuracy(
     with _clear_errors():
         if store and quick:
             raise ValueError("--store wants a full measurement, not a quick one")
+        if plot is not None and plot.suffix not in (".png", ".svg", ".pdf"):
+            raise ValueError(f"--plot must end in .png, .svg or .pdf, got {plot.name!r}")
         result = work_precision.measure_accuracy(
             only or (),
             quick=quick,

@@ -367,6 +367,7 @@ def test_measure_accuracy_prints_a_table() -> None:
         (["--repeats", "0"], "Invalid value for '--repeats'"),
         (["--only", "moon"], "scene must be one of ball in a box"),
         (["--quick", "--store"], "--store wants a full measurement"),
+        (["--plot", "figure.txt"], "--plot must end in .png, .svg or .pdf"),
     ],
 )
 def test_measure_accuracy_with_options_out_of_range_ends_with_2(

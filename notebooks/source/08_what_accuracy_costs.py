@@ -272,10 +272,10 @@ for name in ("ball in a box", "drop", "slide to roll", "gas", "pi blocks"):
 # Minutes, hours, decades: the lower the order, the worse. Nobody has run that. The law is carried
 # far beyond the steps that it was fitted on, and rounding would come in before.
 #
-# But the exact solver *refuses* the last two scenes: boxes in a pile have contacts all the time, and no next
-# collision. There the **direct** solver plays its part. It writes down all contacts as one system
-# of equations and solves it. It takes tenths of a second where sweeps take hundredths; what it
-# leaves of an error is rounding.
+# But the exact solver *refuses* the last two scenes: boxes in a pile have contacts all the time,
+# and no next collision. There the **direct** solver plays its part. It writes down all contacts as
+# one system of equations and solves it. It takes tenths of a second where sweeps take hundredths;
+# what it leaves of an error is rounding.
 #
 # ## 8 How to split a hundred sweeps
 #

@@ -38,7 +38,7 @@ from lesson_code.evidence.work_precision.methods import (
     sampled,
     stepper,
 )
-from lesson_code.evidence.work_precision.result import best_of, from_dict, store
+from lesson_code.evidence.work_precision.result import from_dict, store
 from lesson_code.evidence.work_precision.scenes import pressed
 from lesson_code.evidence.work_precision.tables import as_tables
 from lesson_code.reference.pymunk_reference import PymunkStepper
@@ -244,12 +244,6 @@ def test_point_in_words_names_method_code_setting_and_time() -> None:
     )
 
 
-def test_best_of_leaves_out_what_is_beaten_in_both() -> None:
-    """What is left grows in time and falls in error."""
-    given_points = [point(e, s) for e, s in ((1.0, 1.0), (0.5, 2.0), (0.7, 3.0), (0.1, 9.0))]
-    assert [p.error for p in best_of(reversed(given_points))] == [1.0, 0.5, 0.1]
-
-
 # Settings and scenes
 
 
@@ -332,6 +326,17 @@ def test_quick_measurement_of_a_scene_has_every_method_and_a_time_for_each() -> 
     for (method, _), points in lines.items():
         assert len(points) == (1 if method == "exact" else measure.QUICK["dt"])
         assert all(p.seconds > 0 and not p.failure for p in points)
+
+
+def test_errors_are_the_same_whoever_computes_them() -> None:
+    """One process or two: all but the times."""
+    one, two = (
+        measure.measure_accuracy(["slide"], quick=True, repeats=1, workers=workers)
+        for workers in (1, 2)
+    )
+    assert [replace(p, seconds=0.0) for p in one.points] == [
+        replace(p, seconds=0.0) for p in two.points
+    ]
 
 
 def test_measurement_refuses_what_it_does_not_know() -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -185,18 +184,3 @@ def _or_null(key: str, value: Any) -> Any:
 def _full(point: dict[str, Any]) -> dict[str, Any]:
     """Return the fields of a point, with null filled in."""
     return {key: MISSING[key] if value is None else value for key, value in point.items()}
-
-
-def best_of(points: Iterable[Point]) -> Iterator[Point]:
-    """Yield the points that no other one beats both in time and in error, the cheapest first.
-
-    >>> a, b, c = (Point("s", "m", "C", 0.1, 1, 1, error, cost)
-    ...            for error, cost in ((1.0, 1.0), (2.0, 3.0), (0.1, 5.0)))
-    >>> [point.error for point in best_of([c, b, a])]
-    [1.0, 0.1]
-    """
-    least = math.inf
-    for point in sorted(points, key=lambda p: (p.seconds, p.error)):
-        if not point.failure and point.error < least:
-            least = point.error
-            yield point
