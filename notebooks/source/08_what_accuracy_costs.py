@@ -222,6 +222,9 @@ for line, fit in wp.orders(result, "ball in a box").items():
     print(f"{', '.join(line)}: order {fit}")
 
 # %% [markdown]
+# Box2D's 0.63 is no law: its line is lower at long steps, level in the middle and steep in the end.
+# A fitted order says no more than its line is straight. Look at the points, too.
+#
 # Times differ from machine to machine, and from language to language. The number of **visits to a
 # contact** does not: each contact counts once in each sweep. The exact solver makes one visit for
 # each collision. **Predict** how the visits grow in a gas when the step gets shorter.
