@@ -80,6 +80,7 @@ def test_help_lists_every_command() -> None:
         ["measure", "chaos"],
         ["measure", "hard-cases"],
         ["measure", "speed"],
+        ["measure", "accuracy"],
     ],
 )
 def test_every_command_has_help(command: list[str]) -> None:
@@ -405,6 +406,46 @@ def test_measure_speed_with_options_out_of_range_ends_with_2(
     """The error names the option."""
     pytest.importorskip("numba")
     result = workbook("measure", "speed", *options)
+    assert result.exit_code == NOT_DONE
+    assert words in " ".join(result.stderr.split())
+
+
+def test_measure_accuracy_prints_one_json_object_and_draws(tmp_path: Path) -> None:
+    """All points of a scene; the figure goes into the file."""
+    figure = tmp_path / "figure.png"
+    options = ["--quick", "--only", "drop", "--repeats", "1"]
+    result = workbook("measure", "accuracy", "--json", *options, "--plot", str(figure))
+    assert (result.exit_code, result.stderr) == (ALL_IS_WELL, "")
+    report = json.loads(result.stdout)
+    assert (report["version"], report["command"]) == (1, "measure accuracy")
+    assert {point["scene"] for point in report["points"]} == {"drop"}
+    assert len({point["method"] for point in report["points"]}) >= 6
+    assert figure.read_bytes().startswith(b"\x89PNG")
+
+
+def test_measure_accuracy_prints_a_table() -> None:
+    """Norm, methods and orders."""
+    options = ["--quick", "--only", "slide", "--repeats", "1"]
+    result = workbook("measure", "accuracy", *options)
+    assert result.exit_code == ALL_IS_WELL
+    for words in ("slide to roll", "along the floor", "exact", "pymunk, C: order 1"):
+        assert words in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--repeats", "0"], "Invalid value for '--repeats'"),
+        (["--only", "moon"], "scene must be one of ball in a box"),
+        (["--quick", "--store"], "--store wants a full measurement"),
+        (["--plot", "figure.txt"], "--plot must end in .png, .svg or .pdf"),
+    ],
+)
+def test_measure_accuracy_with_options_out_of_range_ends_with_2(
+    options: list[str], words: str
+) -> None:
+    """The error names the option, or the scenes that there are."""
+    result = workbook("measure", "accuracy", *options)
     assert result.exit_code == NOT_DONE
     assert words in " ".join(result.stderr.split())
 

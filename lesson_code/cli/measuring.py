@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
+from pathlib import Path
 from typing import Annotated
 
 import typer
 from rich.console import Console
 
-from lesson_code.cli.shared import AsJson, clear_errors, console, print_json, share_bar
+from lesson_code.cli.shared import AsJson, clear_errors, console, errors, print_json, share_bar
 
 measure = typer.Typer(no_args_is_help=True, help="Measure what the workbook says of itself.")
 
@@ -120,3 +122,57 @@ def measure_speed(
     wide.print(machine_line(), highlight=False)
     for table in measured.as_tables():
         wide.print(table)
+
+
+@measure.command("accuracy")
+def measure_accuracy(
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Coarse settings only, in plain Python.")
+    ] = False,
+    only: Annotated[
+        list[str] | None,
+        typer.Option(metavar="SCENE", help="Only scenes that begin so; can be repeated."),
+    ] = None,
+    repeats: Annotated[int, typer.Option(min=1, help="Timed runs of each point.")] = 7,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw a figure too: .png, .svg or .pdf.")
+    ] = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Put the result where notebook 08 finds it.")
+    ] = False,
+    workers: Annotated[
+        int, typer.Option(min=1, help="Processes that share the errors; times need one.")
+    ] = 1,
+    cluster: Cluster = None,
+    as_json: AsJson = False,
+) -> None:
+    """Measure what accuracy costs: error against time of all methods, where answers are known."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small systems: more threads are slower
+    from lesson_code.evidence import work_precision
+    from lesson_code.evidence.work_precision.tables import as_tables
+
+    with clear_errors():
+        if store and quick:
+            raise ValueError("--store wants a full measurement, not a quick one")
+        if plot is not None and plot.suffix not in (".png", ".svg", ".pdf"):
+            raise ValueError(f"--plot must end in .png, .svg or .pdf, got {plot.name!r}")
+        result = work_precision.measure_accuracy(
+            only or (),
+            quick=quick,
+            repeats=repeats,
+            workers=workers,
+            cluster=cluster,
+            progress=errors.is_terminal,
+        )
+        if store:
+            before = work_precision.stored() if work_precision.STORED.exists() else result
+            work_precision.store(before.merged(result))
+        if plot is not None:
+            from lesson_code.view.precision_plots import all_scenes
+
+            all_scenes(result).savefig(plot)
+    if as_json:
+        print_json(result.as_dict())
+    else:
+        for table in as_tables(result):
+            console.print(table)

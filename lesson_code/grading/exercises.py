@@ -17,6 +17,7 @@ from lesson_code.grading.tasks import (
     separating_axes,
     spin_and_friction,
     time_of_impact,
+    what_accuracy_costs,
 )
 
 
@@ -56,6 +57,7 @@ EXERCISES = (
     Exercise("05_spin_and_friction", "Spin and friction", spin_and_friction.TASKS),
     Exercise("06_sat_and_manifolds", "SAT and manifolds", separating_axes.TASKS),
     Exercise("07_time_of_impact", "Time of impact", time_of_impact.TASKS),
+    Exercise("08_what_accuracy_costs", "What accuracy costs", what_accuracy_costs.TASKS),
     Exercise("09_hard_cases", "Hard cases", hard_cases.TASKS),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )

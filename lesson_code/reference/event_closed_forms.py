@@ -150,6 +150,63 @@ def block_collisions(mass_ratio: float) -> int:
     return math.ceil(math.pi / math.atan(1 / math.sqrt(ratio))) - 1
 
 
+def blocks_at(time: float, mass_ratio: float, inner: float, outer: float) -> tuple[float, float]:
+    """Return where two elastic blocks and a wall are after any time and any number of collisions.
+
+    x1 = r sin(phi),   sqrt(M) x2 = r cos(phi)
+
+    In the plane of :func:`block_collisions` the two blocks are one point. Its way, unfolded, is the
+    straight line (inner, sqrt(M) (outer - t)). It turns about the tip of the wedge, and phi is what
+    is left of its angle when every mirror is undone: the distance to the nearest multiple of
+    2 theta.
+
+    Parameters
+    ----------
+    time : float
+        s, >= 0.
+    mass_ratio : float
+        M, > 0: of the outer block, which comes at 1 m/s, and of the inner one, which is at rest.
+    inner, outer : float
+        Of the inner block from the wall at the start, and of the outer one from where it would be
+        if the inner one were pressed to the wall, m, 0 <= inner <= outer.
+
+    Returns
+    -------
+    (x1, x2) : tuple of float
+        The same after that time, m.
+
+    Raises
+    ------
+    ValueError
+        An argument is out of its range.
+
+    References
+    ----------
+    Galperin, Playing pool with pi, Regular and Chaotic Dynamics 8 (2003), 375.
+
+    Examples
+    --------
+    Equal blocks swap their velocities. The inner one starts after 2 s, is at the wall after 3 s and
+    back after 4 s; the outer one has waited there, and is 1 m further out after 5 s.
+
+    >>> [round(place, 12) for place in blocks_at(3.5, 1.0, inner=1.0, outer=3.0)]
+    [0.5, 1.0]
+    >>> [round(place, 12) for place in blocks_at(5.0, 1.0, inner=1.0, outer=3.0)]
+    [1.0, 2.0]
+    """
+    ratio = one_number("mass_ratio", mass_ratio, positive)
+    t = one_number("time", time, non_negative)
+    x1 = one_number("inner", inner, non_negative)
+    x2 = one_number("outer", outer, non_negative)
+    if x1 > x2:
+        raise ValueError(f"inner must be <= outer, got {x1} and {x2}")
+    root = math.sqrt(ratio)
+    theta = math.atan(1 / root)
+    unfolded = math.hypot(x1, root * (x2 - t)), math.atan2(x1, root * (x2 - t))
+    phi = abs(math.remainder(unfolded[1], 2 * theta))
+    return unfolded[0] * math.sin(phi), unfolded[0] * math.cos(phi) / root
+
+
 def hard_disc_compressibility(covered: float) -> float:
     """Return how much more a gas of discs presses than points would, p A / (N T).
 

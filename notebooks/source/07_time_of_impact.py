@@ -796,8 +796,8 @@ show_quiz("07")
 # bounce at an instant: they are in touch for a thousandth of a second.
 #
 # **Do now:** the exercise [07 Time of impact](../exercises/07_time_of_impact.ipynb): five tasks,
-# twenty-two points. **Next:** how accurate is fast enough? Accuracy and time, weighed against each
-# other.
+# twenty-two points. **Next:** [08 What accuracy costs](08_what_accuracy_costs.ipynb): accuracy and
+# time, weighed against each other.
 #
 # **Sources.** Ericson, *Real-Time Collision Detection* (2005), chapter 5: moving shapes. Galperin,
 # *Playing pool with pi*, Regular and Chaotic Dynamics 8 (2003), 375. Alder and Wainwright, *Studies

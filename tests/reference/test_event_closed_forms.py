@@ -12,6 +12,7 @@ import pytest
 from lesson_code.reference.event_closed_forms import (
     CLOSEST_PACKING,
     block_collisions,
+    blocks_at,
     escape_fraction,
     hard_disc_collision_rate,
     hard_disc_compressibility,
@@ -109,6 +110,33 @@ def counted_exactly_light() -> int:
     return 2
 
 
+def blocks_in_fractions(time: float, ratio: int, inner: float, outer: float) -> tuple[float, float]:
+    """Return the places of two blocks, from collision to collision without any rounding."""
+    x1, x2, v1, v2 = Fraction(inner), Fraction(outer), Fraction(0), Fraction(-1)
+    left = Fraction(time)
+    while True:
+        to_wall = -x1 / v1 if v1 < 0 else left
+        to_block = (x2 - x1) / (v1 - v2) if v1 > v2 else left
+        step = min(to_wall, to_block, left)
+        x1, x2, left = x1 + v1 * step, x2 + v2 * step, left - step
+        if left == 0:
+            return float(x1), float(x2)
+        if to_wall <= to_block:
+            v1 = -v1
+        else:
+            centre = (v1 + ratio * v2) / (1 + ratio)
+            v1, v2 = 2 * centre - v1, 2 * centre - v2
+
+
+@pytest.mark.parametrize("ratio", [1, 2, 7, 100])
+@pytest.mark.parametrize("time", [0.0, 0.5, 1.5, 2.25, 3.0, 5.0, 40.0])
+def test_blocks_are_where_collisions_in_fractions_leave_them(ratio: int, time: float) -> None:
+    """A point that flies straight through mirrored wedges, against one collision after another."""
+    there = blocks_in_fractions(time, ratio, 1.0, 2.0)
+    rounding = 100 * ROUNDING * max(1.0, time)
+    assert blocks_at(time, ratio, 1.0, 2.0) == pytest.approx(there, abs=rounding)
+
+
 def test_compressibility_of_a_thin_gas_is_that_of_its_series() -> None:
     """At small eta all known virial coefficients agree to what the formula leaves out."""
     for eta in (0.01, 0.05, 0.1, 0.2):
@@ -142,6 +170,9 @@ def test_collision_rate_has_its_units() -> None:
         (lambda: missed_by_samples(0, 1), "spacing must be > 0"),
         (lambda: missed_by_samples(1, 0), "reach must be > 0"),
         (lambda: block_collisions(0), "mass_ratio must be > 0"),
+        (lambda: blocks_at(1, 0, 1, 2), "mass_ratio must be > 0"),
+        (lambda: blocks_at(-1, 1, 1, 2), "time must be >= 0"),
+        (lambda: blocks_at(1, 1, 2, 1), "inner must be <= outer"),
         (lambda: hard_disc_compressibility(CLOSEST_PACKING), "covered must be >= 0 and < 0.9069"),
         (lambda: hard_disc_collision_rate(-0.1, 1, 1, 1), "covered must be >= 0"),
         (lambda: hard_disc_collision_rate(0.1, 0, 1, 1), "diameter must be > 0"),

@@ -1,0 +1,446 @@
+# ---
+# jupyter:
+#   kernelspec:
+#     display_name: Python 3 (ipykernel)
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # 08 What accuracy costs
+#
+# A simulation is wrong, by a little or by a lot, and it takes time. This chapter measures both.
+# "How accurate is this program?" has no answer. "How wrong may it be, and what does that cost?"
+# has one.
+#
+# **After this notebook you will be able to**
+#
+# 1. measure how wrong a simulation is, in one number, and what halving the step does to it;
+# 2. say what a shorter step, more iterations and more sub-steps buy, each in its place;
+# 3. choose the method and the setting that are good enough, and know their price.
+#
+# **You need** notebooks 00 to 07. **Time:** about 60 minutes to read, ten seconds to run.
+
+# %%
+import numpy as np
+
+from lesson_code import simulate
+from lesson_code.evidence import check, exact_scenes, scenes
+from lesson_code.evidence import work_precision as wp
+from lesson_code.quiz.notebook import show_quiz
+from lesson_code.reference.rigid_body_closed_forms import rolling_begins
+from lesson_code.view import plots, precision_plots, style
+from lesson_code.view.interactive import Slider, explore
+from lesson_code.view.show import show
+
+# %% [markdown]
+# ## 1 An error is a number, and somebody has to say which
+#
+# The ball in the box of chapter 07 has a place at each time, and we know where it should be. So
+# there are as many errors as times. To compare two programs we need *one* number. A rule that
+# makes one number of many errors is called a **norm**. Ours is the largest distance:
+#
+# $$E = \max_k\; \lvert\, p(t_k) - p_{\text{right}}(t_k)\,\rvert$$
+#
+# The mean would hide a bad moment, and a single time may be a lucky one. **Predict:** a ball is
+# stepped for 10 s. How does its error change in that time: evenly, or in jumps?
+
+# %%
+times = np.linspace(0, 10, 101)
+scene = exact_scenes.ball_in_a_box()
+run = simulate(scene, 10, solver="pymunk", dt=1 / 120, sample=times)
+off = exact_scenes.error_in_the_box(run)
+print(f"largest {off.max():.3f} m, mean {off.mean():.3f} m, after 8.8 s {off[88]:.3f} m")
+
+# %%
+fig, ax = style.figure(width=7, height=2.8)
+plots.curves(ax, {"": (times, off)}, "time, s", "distance from the right place, m")
+show(
+    fig,
+    "Distance of the stepped ball from its right place over ten seconds: a staircase of six steps "
+    "up to 0.16 m, level in between, with two short dips at steps.",
+)
+
+# %% [markdown]
+# Between two bounces the error does not change: there the ball flies straight on, and steps do
+# that without a fault. Each bounce adds to it. In the dips one of the two balls has turned round
+# and the other one has not yet: they fly towards each other. Whoever looks after 8.8 s alone finds
+# a program three times as good as it is.
+#
+# ## 2 Half the step, half the error
+#
+# Let us make the step half as long, again and again. If the errors follow a power of the step,
+#
+# $$E = C\,dt^{\,p} \qquad\Longrightarrow\qquad \ln E = \ln C + p\,\ln dt,$$
+#
+# the exponent p is called the **order** of the method. On axes in powers of ten it is the slope of
+# a straight line. Two errors are enough to see it: $p = \ln(E_1/E_2)\,/\,\ln(dt_1/dt_2)$.
+# **Predict** the order of pymunk, and that of our own solver.
+
+# %%
+rates = np.array([30, 60, 120, 240, 480, 960])
+found = {}
+for solver in ("pymunk", "sequential"):
+    runs = [simulate(scene, 10, solver=solver, dt=1 / r, sample=times) for r in rates.tolist()]
+    found[solver] = [float(exact_scenes.error_in_the_box(run).max()) for run in runs]
+for rate, one, other in zip(rates.tolist(), *found.values(), strict=True):
+    print(f"{rate:4} steps a second: pymunk {one:.4f} m, ours {other:.4f} m")
+
+# %% [markdown]
+# The two programs share no line of code, and their errors are equal to the last digit shown. So
+# it is not the *solver* that errs here, but the step.
+#
+# One halving tells little: from 240 to 480 nothing is gained, and before that more than a half.
+# Where in its step an impact falls is chance. So the slope is fitted through all points, by least
+# squares, and with it belongs the range in which it was fitted.
+
+# %%
+steps = (1 / rates).tolist()
+fits = {solver: wp.fit_order(steps, errors) for solver, errors in found.items()}
+for solver, fit in fits.items():
+    print(f"{solver}: order {fit}")
+check("first order", [fit.order for fit in fits.values()], 1, tolerance=0.25)
+
+# %%
+fig, ax = style.figure(width=7, height=3.2)
+precision_plots.errors_over_steps(ax, steps, {"pymunk": found["pymunk"]}, fits)
+show(
+    fig,
+    "Error of pymunk over the length of the step, both axes in powers of ten. Six dots fall from "
+    "0.6 m at a thirtieth of a second to a hundredth of a metre, about a straight line of slope 1.",
+)
+
+# %% [markdown]
+# ## 3 Why the first order: an impact is seen late
+#
+# An engine that steps looks for overlaps at the ends of steps. If the ball has reached the wall a
+# time $\tau$ before the end, it is by $v\tau$ too deep when it is turned round. It should be as far
+# on the other side already. From then on it is wrong by
+#
+# $$E = (1 + e)\,v\,\tau \qquad 0 < \tau \le dt.$$
+#
+# Where in the step the impact falls is chance, so $\tau$ is dt/2 on average. Half the step, half
+# the delay: the order is 1. We let a ball of 1 m/s hit a wall, starting a little further away each
+# time.
+
+# %%
+from lesson_code import Body, Circle, Scene, Segment
+
+ball, wall = Circle(0.5), Body(Segment((0, -1), (0, 1)), material=exact_scenes.ELASTIC)
+
+
+def late(gap, dt):
+    """Return by how much a ball is wrong after one bounce that is due after `gap` metres."""
+    coming = {"position": (-0.5 - gap, 0), "velocity": (1, 0), "material": exact_scenes.ELASTIC}
+    run = simulate(Scene([wall, Body(ball, mass=1.0, **coming)]), 1, dt=dt, sample="end")
+    return run.positions[-1, 1, 0] - (-0.5 - (1 - gap))
+
+
+# %%
+dt, phases = 1 / 50, np.arange(0.05, 1, 0.1)
+errors = [late(0.5 + phase * dt, dt) for phase in phases.tolist()]
+check("(1 + e) v tau, at ten phases, m", errors, 2 * (1 - phases) * dt, tolerance=1e-12)
+check("their mean: v dt, m", np.mean(errors), dt, tolerance=1e-12)
+
+# %% [markdown]
+# ## 4 A second reason: the fall itself
+#
+# Without any impact, too, there is an error. In each step the velocity takes up g dt, and the
+# position moves on with *one* velocity for the whole step. The engine moves first and accelerates
+# after that. So it is always a little too slow: after a time t it has fallen
+#
+# $$\tfrac{1}{2} g\,t^2 - \tfrac{1}{2} g\,t\,dt.$$
+#
+# **Predict** the error of a fall of 1 s at 60 steps a second, g = 10 m/s².
+
+# %%
+falling = Scene([Body(ball, mass=1.0, position=(0, 0))], gravity=(0, -10))
+for solver in ("pymunk", "sequential"):
+    run = simulate(falling, 1, dt=1 / 60, solver=solver, sample="end")
+    check(f"{solver}: too high by g t dt / 2, m", run.positions[-1, 0, 1] + 5, 5 / 60, 1e-12)
+run = simulate(falling, 1, solver="exact", sample="end")
+check("exact: too high by, m", run.positions[-1, 0, 1] + 5, 0, tolerance=1e-15)
+
+# %% [markdown]
+# Eight centimetres in one second, and nobody has ever complained: everything on the screen is
+# late by half a step. There are better rules for the fall, of the second order and higher. They
+# would not help: at the first impact the first order is back.
+#
+# ## 5 What you look at matters
+#
+# A disc slides on a rough floor until it rolls. It is left with two thirds of its speed, whatever
+# the friction. **Predict:** at thirty steps a second, how wrong are its place and its speed?
+
+# %%
+rolling = rolling_begins(3.0, 0.0, 1.0, 0.5, friction=0.2, gravity=10.0)
+right = rolling.distance + rolling.velocity * (1 - rolling.time)
+for rate in (30, 120, 480):
+    run = simulate(scenes.sliding_disc(3.0, 0.2), 1, dt=1 / rate, sample="end")
+    x, v = run.positions[-1, 1, 0], run.velocities[-1, 1, 0]
+    print(f"{rate:3} steps a second: place wrong by {x - right:.4f} m")
+    check("speed, m/s", v, rolling.velocity, tolerance=1e-12)
+
+# %% [markdown]
+# The speed is right to the last digit even with the longest step: Coulomb's rule stops exactly
+# when the slip is gone. Only the place is of the first order. So a game that asks *who wins* may
+# be right with steps that would be useless for *where*.
+#
+# ## 6 Accuracy against time
+#
+# Now the price. `workbook measure accuracy` runs seven scenes with known answers by seven methods,
+# each at many settings. It takes minutes; so the notebook draws a stored result. Each point is one
+# method at one setting: its error upwards, its computing time to the right. **Down and left is
+# better.**
+#
+# Rules of a fair comparison: the same scene with the same coefficients; errors against an answer
+# that none of them has given; no drawing and no recording; the first run does not count; all take
+# turns, seven times; of each the shortest time.
+
+# %%
+result = wp.stored()
+fig, ax = style.figure(width=9, height=3.8)
+precision_plots.work_precision(ax, result, "ball in a box")
+precision_plots.legend_beside(ax, result.of("ball in a box"))
+show(
+    fig,
+    "Error against time for the ball in a box, both axes in powers of ten. The lines of methods "
+    "that step run down to the right. Those in plain Python lie parallel to the compiled ones, "
+    "further to the right. The exact solver stands alone at the lower edge, on the left. Grey "
+    "crosses at the upper edge are the naive solver's failures.",
+)
+
+# %% [markdown]
+# How to read it. *Along* a line the step gets shorter. Lines that are *parallel* have the same
+# order; the gap between them is a factor in time. Plain Python and compiled code are one program
+# here, and give the same errors to the last bit; what lies between them is the price of the
+# language. C and C++ are pymunk's and Box2D's. A **cross** is a failure: the naive solver treats a
+# wall as a ball at its middle, and loses the ball. It is not left out, for who leaves out failures
+# finds every method good.
+
+# %%
+for line, fit in wp.orders(result, "ball in a box").items():
+    print(f"{', '.join(line)}: order {fit}")
+
+# %% [markdown]
+# Box2D's 0.63 is no law: its line is lower at long steps, level in the middle and steep in the end.
+# A fitted order says no more than its line is straight. Look at the points, too.
+#
+# Times differ from machine to machine, and from language to language. The number of **visits to a
+# contact** does not: each contact counts once in each sweep. The exact solver makes one visit for
+# each collision. **Predict** how the visits grow in a gas when the step gets shorter.
+
+# %%
+fig, ax = style.figure(width=9, height=3.6)
+precision_plots.work_precision(ax, result, "gas", work=True)
+precision_plots.legend_beside(ax, result.of("gas"))
+show(
+    fig,
+    "Error against visits to a contact for a gas of 25 discs. Box2D stays level at 0.4 m. All "
+    "others that step go steeply down: a shorter step hardly changes the number of contacts.",
+)
+
+# %% [markdown]
+# That is strange at first: the error falls, and the visits do not grow. In a gas each collision is
+# one contact in one step, however short that is. A shorter step only adds steps in which *nothing*
+# is found; what costs time there is the search. Each measure of work hides something.
+#
+# Box2D is no better for shorter steps. It does not bounce at less than 1 m/s: a rule, not an error
+# of the step. An order of 0 says: **look for a fault that is no matter of accuracy.**
+#
+# ## 7 All scenes
+
+# %%
+fig = precision_plots.all_scenes(result)
+show(
+    fig,
+    "Seven panels of error against time: ball in a box, drop, slide to roll, gas, pi blocks, stack "
+    "of 20, heavy on light. In the first five the exact solver stands far below all others, in the "
+    "last two the direct solver. Crosses at the upper edges mark what fell, was lost or refused.",
+)
+
+# %% [markdown]
+# In the first five scenes the **exact** solver is right to the last digits. How long would pymunk
+# take for a millionth of a millimetre? An error that is k times smaller needs $k^{1/p}$ times as
+# many steps, and so much more time. **Predict:** seconds, minutes, hours?
+
+# %%
+for name in ("ball in a box", "drop", "slide to roll", "gas", "pi blocks"):
+    (exact,), finest = result.lines(name)["exact", "Python"], result.lines(name)["pymunk", "C"][-1]
+    p = wp.orders(result, name)["pymunk", "C"].order
+    hours = finest.seconds * (finest.error / 1e-9) ** (1 / p) / 3600
+    print(f"{name}: exact in Python {exact.milliseconds:.1f} ms; pymunk would need {hours:,.1f} h")
+    check("error of the exact one, m", exact.error, 0, tolerance=1e-12)
+
+# %% [markdown]
+# Minutes, hours, decades: the lower the order, the worse. Nobody has run that. The law is carried
+# far beyond the steps that it was fitted on, and rounding would come in before.
+#
+# But the exact solver *refuses* the last two scenes: boxes in a pile have contacts all the time,
+# and no next collision. There the **direct** solver plays its part. It writes down all contacts as
+# one system of equations and solves it. It takes tenths of a second where sweeps take hundredths;
+# what it leaves of an error is rounding.
+#
+# ## 8 How to split a hundred sweeps
+#
+# A pile is solved by sweeps, and a hundred sweeps a step can be spent in different ways: one step
+# with 100 iterations, 100 sub-steps with one, or something between. The number of visits is the
+# same. **Predict** which is best for a tower of twenty boxes.
+
+# %%
+fig, axes = style.figure(2, width=10, height=3.6)
+for ax, name in zip(axes, ("stack of 20", "heavy on light"), strict=True):
+    precision_plots.split_of_sweeps(ax, result, name, 100)
+axes[0].legend(frameon=False, fontsize=9)
+show(
+    fig,
+    "Error over the number of sub-steps, at 100 sweeps in each step. Left, a stack of 20 boxes: "
+    "for pymunk, Box2D and the sequential solver the error falls all the way to 100 sub-steps. For "
+    "the solver with springs it has a minimum at 10, and at both ends the stack falls. Right, a "
+    "heavy box on a light one: all fall towards many sub-steps.",
+)
+
+# %% [markdown]
+# Three of the four want as many sub-steps as they can get. Each sub-step begins with the impulses
+# of the one before it, and so has little to mend: gravity adds no more than g h to a velocity in
+# the time h. And what a sweep leaves over moves the boxes only for that time. The errors are
+# roughly in proportion to h.
+#
+# The solver with springs is another matter. Its springs are the stiffer the shorter the sub-step
+# is, and one sweep carries a change by one box only. So with one sweep for each of 50 sub-steps the
+# tower sways and falls, and with all sweeps in one sub-step it is too soft. **The best lies
+# inside**, at ten sub-steps of five iterations.
+
+# %%
+springs = wp.splits(result, "stack of 20", 100)["substep"]
+for point in springs:
+    print(f"{point.substeps:3} x {point.iterations:2}: {point.error:.4f} m {point.failure}")
+best = min(springs, key=lambda point: point.error)
+check("best with so many sub-steps", best.substeps, 10)
+check("and worse at both ends", [springs[0].failure, springs[-1].failure], ["fell", "fell"])
+
+# %% [markdown]
+# Equal sweeps are not equal time: in each sub-step most engines look for contacts anew. A hundred
+# sub-steps took three to ten times as long as a hundred iterations in one. So for the others, too,
+# the best is often inside, as soon as *time* counts. Here is what it took to stay within 1 cm,
+# 1 mm and 0.1 mm.
+
+# %%
+for error in (1e-2, 1e-3, 1e-4):
+    point = wp.cheapest(result, "stack of 20", error)
+    print(f"within {error:.0e} m: {wp.in_words(point)}")
+
+# %% [markdown]
+# ## 9 How wrong may it be?
+#
+# Now the question of the beginning can be answered. Say how wrong it may be: the ring shows the
+# cheapest point below the line. A setting counts only if all *finer* ones of its line are good
+# enough too. Otherwise one lucky hit would win.
+
+
+# %%
+def draw_answer(power, scene):
+    fig, ax = style.figure(width=9, height=3.9)
+    name = result.scenes[int(scene)]
+    precision_plots.how_wrong(ax, result, name, 10.0**power)
+    precision_plots.legend_beside(ax, result.of(name))
+    return fig
+
+
+# %%
+explore(
+    draw_answer,
+    "Error against time for the gas, with a horizontal line at 0.03 m and a ring about the "
+    "cheapest point below it. The first slider moves the line in powers of ten, the second one "
+    "chooses the scene. The title names method, setting and time.",
+    power=Slider("how wrong may it be: 10 to the", -8, 0, -1.5, step=0.25),
+    scene=Slider("scene, 0 to 6", 0, 6, 3, step=1),
+)
+
+# %% [markdown]
+# ## 10 When the cheap answer is right
+#
+# - **Nobody sees it.** A screen shows 60 pictures a second. To be late by half a picture is no
+#   fault in a game.
+# - **Nobody can know it.** A gas of discs is chaotic (chapter 07). After forty collisions each, an
+#   error of 1e-15 m and one of 1e-3 m have both become "somewhere in the box". What remains right
+#   is the energy and the pressure, and those are cheap.
+# - **The model is worse than the method.** Restitution is known to a few parts in a hundred. An
+#   error of the step that is a hundred times smaller than that buys nothing.
+#
+# And when it is not: if something rests on something, a small error *every* step adds up, and what
+# stood falls. There the cheap answer is not a little wrong, but no answer.
+
+# %%
+for e in (0.78, 0.80, 0.82):
+    run = simulate(exact_scenes.bouncing_to_rest(e), 2.0, solver="exact", sample="end")
+    print(f"restitution {e:.2f}: {run.positions[-1, 1, 1] - 0.5:.3f} m above the floor after 2 s")
+step = result.lines("drop")["pymunk", "C"][3]
+print(f"pymunk at 240 steps a second is wrong by up to {step.error:.3f} m")
+
+# %% [markdown]
+# ## 11 Break it on purpose: two ways to fool yourself
+#
+# **A method as its own judge.** Often no answer is known. Then it is tempting to take the finest
+# run of a method as the right answer. **Predict** what that says of the naive solver, which knows
+# no friction, when a disc slides until it should roll.
+
+# %%
+disc = scenes.sliding_disc(3.0, 0.2)
+ends = {
+    rate: simulate(disc, 1, dt=1 / rate, solver="naive", sample="end").positions[-1, 1, 0]
+    for rate in (30, 60, 120, 3840)
+}
+for rate in (30, 60, 120):
+    own, true = abs(ends[rate] - ends[3840]), abs(ends[rate] - right)
+    print(f"{rate:3} steps a second: off its own finest by {own:.4f} m, off the truth {true:.3f} m")
+
+# %% [markdown]
+# It agrees with itself to millimetres, and is three quarters of a metre off. Convergence says that
+# a program solves *some* problem ever better. Whether it is yours, only an answer from elsewhere
+# can say: a closed form, a conserved quantity, another program.
+#
+# **A lucky hit.** Take the error at the end alone, and look for the step that makes it least.
+
+# %%
+rates = np.arange(30, 91)
+ends = [
+    exact_scenes.error_in_the_box(simulate(scene, 10, solver="pymunk", dt=1 / r, sample="end"))[-1]
+    for r in rates.tolist()
+]
+lucky = int(np.argmin(ends))
+print(f"{rates[lucky]} steps a second: {ends[lucky]:.4f} m; their median: {np.median(ends):.4f} m")
+check("at the next rate four times worse", bool(ends[lucky + 1] > 4 * ends[lucky]), True)
+
+# %% [markdown]
+# Sixty-one rates were tried, and one had to be the best. With one step more a second the error is
+# more than four times as large. So: the largest error, many settings, and no point without its
+# neighbours.
+#
+# ## 12 Quiz
+
+# %%
+show_quiz("08")
+
+# %% [markdown]
+# ## What was checked, and what comes next
+#
+# **Checked here:** the first order of two engines; the delay of a bounce and the delay of a fall
+# against their formulas; the speed of a rolling disc to twelve digits; the exact solver in five
+# scenes; the split of a hundred sweeps.
+#
+# **Limits.** Times are those of one machine, and some were taken while it did other work too:
+# believe factors of two, not tenths. Seven scenes are not all scenes. Box2D is 2.3.10, in single
+# precision; its newer versions were not measured. Points are settings that were tried; a better one
+# may lie between them.
+#
+# `workbook measure accuracy --plot figure.png` makes the figure on your machine, `--store` puts its
+# result in the place of the one drawn here.
+#
+# **Do now:** the exercise [08 What accuracy costs](../exercises/08_what_accuracy_costs.ipynb): five
+# tasks, twenty points. **Next:** [09 Hard cases](09_hard_cases.ipynb): scenes in which engines fall
+# over, and what holds them up.
+#
+# **Sources.** Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I* (2nd edition,
+# 1993): orders, and work-precision diagrams. Macklin and others, *Small Steps in Physics
+# Simulation* (2019): sub-steps instead of iterations. Catto, *Solver2D* (2024): solvers side by
+# side at equal work.
