@@ -85,7 +85,8 @@ def jammed(stream: Random) -> Iterator[Arguments]:
 
 
 def parting(stream: Random) -> Iterator[Arguments]:
-    """Draw tips that leave the floor."""
+    """Draw tips that leave the floor, and one that does not."""
+    yield -draw.speed(stream), draw.speed(stream), _stiffness(stream), 0.5, _mu(stream)
     for way in (1, -1):
         knt = way * round(stream.uniform(0.4, 0.8), 2)
         yield draw.speed(stream), draw.speed(stream), _stiffness(stream), knt, _mu(stream)
@@ -307,7 +308,7 @@ TASKS = (
             Criterion("right below the centre", without_a_lever),
             Criterion("friction lifts or presses", lifted_or_pressed, points=2),
             Criterion("a tip that jams", jammed),
-            Criterion("a tip that parts", parting),
+            Criterion("whether a tip parts", parting),
         ),
         wrong_models=for_task(WRONG_MODELS, "9.3"),
         alternatives=for_task(ALTERNATIVES, "9.3"),
