@@ -126,7 +126,8 @@ def test_drawn_tables_have_one_best_row() -> None:
             assert substeps * iterations == sweeps
             assert (1 < substeps < sweeps) is inside
     splits = [best_split(np.array(table), sweeps) for table, sweeps in drawn(tasks.all_fell)]
-    assert set(splits) == {None}
+    found = [split is not None for split in splits]
+    assert found == [False, False, False, True] * (len(found) // 4)
 
 
 def test_drawn_costs_have_a_clear_answer() -> None:
