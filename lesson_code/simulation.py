@@ -121,6 +121,8 @@ def simulate(
     if solver not in NAMES:
         raise ValueError(f"solver must be one of {', '.join(NAMES)}, got {solver!r}")
     duration = one_number("duration", duration, non_negative)
+    if compiled is not None and not isinstance(compiled, bool):
+        raise TypeError(f"compiled must be True, False or None, got {compiled!r}")
     chosen = "sequential" if solver == "auto" else solver
     sweeps, parts = (1, 4) if chosen == "substep" else (10, 1)
     sweeps = _count("iterations", sweeps if iterations is None else iterations)

@@ -173,6 +173,8 @@ WRONG_KINDS: list[tuple[dict[str, Any], str]] = [
     ({"dt": "1/60"}, "dt must be a real number or an array of them, got '1/60'"),
     ({"iterations": "fast"}, "iterations must be a real number or an array of them, got 'fast'"),
     ({"substeps": "few"}, "substeps must be a real number or an array of them, got 'few'"),
+    ({"compiled": "yes"}, "compiled must be True, False or None, got 'yes'"),
+    ({"compiled": 1}, "compiled must be True, False or None, got 1"),
     ({"sample": ["now"]}, "sample must be a real number or an array of them"),
 ]
 
