@@ -19,7 +19,8 @@ from lesson_code.engine.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.narrow_phase import touch
 from lesson_code.engine.rows import BodyRow, World
-from lesson_code.engine.world import Pipeline, seek_pairs, step
+from lesson_code.engine.sleep import everything_sleeps
+from lesson_code.engine.world import Pipeline, rest, seek_pairs, step
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
 
@@ -45,6 +46,8 @@ def advance(world: World, pipeline: Pipeline) -> bool:
 
 def rigid_part(world: World, pipeline: Pipeline) -> bool:
     """Make a step, or the part of it until a fast body has hit something; return if it is made."""
+    if pipeline.effects.sleeping and everything_sleeps(world):
+        return rest(world, pipeline)
     if not world.state.has_moved and not choose_part(world, pipeline):
         return False
     return step(world, pipeline)
@@ -133,7 +136,7 @@ def pair_impact_time(
     touch(world, a, b, effects)
     if world.manifold.count > 0:
         return math.inf
-    if effects.turning and (is_turning(a) or is_turning(b)):
+    if effects.outlines and effects.rotation and (is_turning(a) or is_turning(b)):
         return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
     if effects.manifolds:
         return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)

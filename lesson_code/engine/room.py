@@ -12,7 +12,15 @@ import numpy as np
 
 from lesson_code.engine.broad_phase import most_pairs
 from lesson_code.engine.compiled.arrays import lengthened
-from lesson_code.engine.rows import ContactRow, ImpulseRow, IndexRow, MemoryRow, PairRow, World
+from lesson_code.engine.rows import (
+    ContactRow,
+    ImpulseRow,
+    IndexRow,
+    MemoryRow,
+    PairRow,
+    RestingRow,
+    World,
+)
 
 SPARE = 1.5
 """Times the rows that are wanted: how many there are then, so that a table seldom grows."""
@@ -37,6 +45,7 @@ def make_room(world: World) -> World:
         contacts=longer(world.contacts, state.contacts_wanted, ContactRow),
         static_contacts=longer(world.static_contacts, state.contacts_wanted, IndexRow),
         memory=longer(world.memory, state.contacts_wanted, MemoryRow),
+        resting=longer(world.resting, state.contacts_wanted, RestingRow),
         impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow),
     )
     state.pairs_wanted = state.contacts_wanted = state.impulses_wanted = 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
@@ -20,12 +22,13 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.direct_solver import direct_solver
-from lesson_code.engine.effects import effects_of
+from lesson_code.engine.effect_rules import EffectChoice, Question, choose_effects, flags_of
+from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.soft_step import soft_part
-from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.tables import BROAD_PHASES, world_of
 from lesson_code.engine.touches import TouchListener
 from lesson_code.engine.world import ContactSolver, Pipeline
 
@@ -63,17 +66,27 @@ STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]
 """The fields of a body's row that are its state."""
 
 
-def pipeline_for(scene: Scene, solver: str, keep_impulses: bool) -> Pipeline:
-    """Return the stages that a scene is run by."""
+def pipeline_for(scene: Scene, solver: str, choices: tuple[EffectChoice, ...]) -> Pipeline:
+    """Return the stages that a scene is run by: those of the effects that are used.
+
+    A step is split at the impacts of fast bodies only once the first one is met.
+    """
+    used = {choice.name for choice in choices if choice.used}
     return Pipeline(
         make_part=soft_part if solver == "substep" else rigid_part,
-        broad_phase=BROAD_PHASES[broad_phase_for(scene)],
+        broad_phase=BROAD_PHASES["uniform_grid" if "broad_phase" in used else "all_pairs"],
         solver=SOLVERS[solver],
-        listener=TouchListener(scene.callbacks) if scene.callbacks.wanted else None,
-        effects=effects_of(scene),
-        is_continuous=solver != "naive",
-        keeps_impulses=keep_impulses,
+        listener=TouchListener(scene.callbacks) if "callbacks" in used else None,
+        effects=flags_of(choices),
+        is_continuous="continuous" in used,
+        splits_steps=False,
+        keeps_impulses="impulse_record" in used,
     )
+
+
+def source_of(pipeline: Pipeline) -> str:
+    """Return the program that the stages of a run make."""
+    return link(advance, pipeline=pipeline)
 
 
 BODY_SECONDS, VISIT_SECONDS = 8e-6, 4e-6
@@ -84,7 +97,12 @@ CONTACTS_PER_BODY = 2
 
 
 def choose_code(
-    scene: Scene, solver: str, steps: float, iterations: int, asked: bool | None
+    scene: Scene,
+    solver: str,
+    steps: float,
+    iterations: int,
+    asked: bool | None,
+    program: Callable[[], str] | None = None,
 ) -> Choice:
     """Return whether to compile a run, from what has been asked for or from the work there is."""
     visits = CONTACTS_PER_BODY * iterations if any(scene.gravity) else 0
@@ -92,8 +110,9 @@ def choose_code(
     never = "callbacks are Python functions" if scene.callbacks.wanted else ""
     if solver == "direct":
         never = "the direct solver works on arrays of its own"
-    pipeline = pipeline_for(scene, solver, keep_impulses=True)
-    program = partial(link, advance, pipeline=pipeline._replace(splits_steps=False))
+    if program is None:
+        pipeline = pipeline_for(scene, solver, choose_effects(Question(scene, solver)))
+        program = partial(source_of, pipeline)
     return choose(asked, seconds, program, never)
 
 
@@ -118,8 +137,13 @@ class EngineStepper:
         How the direct solver treats impacts; the others know only the rules that are the default.
     keep_impulses : bool
         Whether every impulse is written down.
-    compiled : bool
-        Whether the stages run as compiled code. They do the same to the last bit.
+    compiled : bool or None
+        Whether the stages run as compiled code. They do the same to the last bit. None: if the run
+        is large enough to repay it.
+    effects : mapping, optional
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_rules`.
+    duration : float
+        s, how long the run will be; ``math.inf``: nobody knows yet.
 
     Attributes
     ----------
@@ -127,6 +151,16 @@ class EngineStepper:
         The tables: lists of rows, or, when compiled, arrays of records.
     pipeline : Pipeline
         The stages.
+    effects : tuple of EffectChoice
+        What they reckon with, and why.
+    choice : Choice
+        Whether they are compiled, and why.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An effect does not exist, the solver lacks it, or the scene needs what is to be left out;
+        or the run cannot be compiled as was asked.
     """
 
     def __init__(
@@ -141,20 +175,40 @@ class EngineStepper:
         impacts: str = "simultaneous",
         restitution_law: str = "newton",
         keep_impulses: bool = True,
-        compiled: bool = False,
+        compiled: bool | None = False,
+        effects: Mapping[str, bool] | None = None,
+        duration: float = math.inf,
     ) -> None:
-        self.dt = dt
+        self.dt, self._solver = dt, solver
         self._steps_a_step = 1 if solver == "substep" else substeps
-        self.pipeline = pipeline_for(scene, solver, keep_impulses)
+        question = Question(scene, solver, dt / substeps, duration, combine)
+        wanted = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
+        self.effects = choose_effects(question, wanted)
+        self.pipeline = pipeline_for(scene, solver, self.effects)
         if solver == "direct":
             rules = direct_solver(impacts, restitution_law)
             self.pipeline = self.pipeline._replace(solver=rules)
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
-        self._compiled = compiled
         self._events: list[NDArray[np.float64]] = []
-        if compiled:
-            self._compile(splits_steps=False)
+        steps = 0.0 if math.isinf(duration) else self._steps_a_step * duration / dt
+        program = partial(source_of, self.pipeline)
+        self.choice = choose_code(scene, solver, steps, iterations, compiled, program)
+        self._compiled = self.choice.compiled
+        if self._compiled:
+            self._compile()
+
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run so far, with the reason for the choice of this solver."""
+        pipeline = self.pipeline._replace(listener=None)
+        return Plan(
+            self._solver,
+            reason,
+            self.choice.code,
+            self.choice.reason,
+            self.effects,
+            partial(source_of, pipeline),
+        )
 
     def advance(self, steps: int) -> None:
         """Advance by so many steps of dt.
@@ -196,18 +250,19 @@ class EngineStepper:
             raise FloatingPointError(f"body {state.lost_body} has left the range of floating point")
         if state.has_fast:
             state.has_fast = False
-            self._compile(splits_steps=True)
+            self.pipeline = self.pipeline._replace(splits_steps=True)
+            if self._compiled:
+                self._compile()
         self._take_impulses()
         self.world = make_room(self.world)
 
-    def _compile(self, *, splits_steps: bool) -> None:
-        """Compile the stages, with or without those that split a step at an impact.
+    def _compile(self) -> None:
+        """Compile the stages.
 
-        These are half of all the source, and few scenes need them: they are added when the first
-        fast body is met.
+        Those that split a step at an impact are half of all the source, and few scenes need them:
+        they are added when the first fast body is met.
         """
-        self.pipeline = self.pipeline._replace(splits_steps=splits_steps)
-        source = link(advance, pipeline=self.pipeline)
+        source = source_of(self.pipeline)
         self._program = compiled_function(source, "advance")
         self.world = as_arrays(self.world, source)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -23,6 +23,7 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
+from lesson_code.engine.effect_rules import Question, choose_effects
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
     EVENTS_A_CALL,
@@ -38,6 +39,7 @@ from lesson_code.engine.event_driven.loop import (
 )
 from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
 from lesson_code.engine.event_driven.tables import tables_of
+from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import longer
 from lesson_code.engine.rows import ImpulseRow
@@ -67,6 +69,8 @@ class ExactSolver:
         as plain Python, and are compiled if the work ahead repays it.
     duration : float
         s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
+    effects : mapping, optional
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_rules`.
 
     Attributes
     ----------
@@ -74,13 +78,16 @@ class ExactSolver:
         Lists of rows or, when compiled, arrays of records.
     choice : Choice
         Whether they are compiled, and why.
+    effects : tuple of EffectChoice
+        What it reckons with, and why.
     collisions : int
         So far.
 
     Raises
     ------
     ValueError
-        The scene holds what the solver cannot do, or cannot be compiled as was asked.
+        The scene holds what the solver cannot do, or cannot be compiled as was asked; or effects
+        are asked for that it lacks.
     """
 
     def __init__(
@@ -91,11 +98,16 @@ class ExactSolver:
         keep_impulses: bool = True,
         compiled: bool | None = False,
         duration: float = math.inf,
+        effects: Mapping[str, bool] | None = None,
     ) -> None:
         reason = why_not(scene)
         if reason:
             raise ValueError(f"the exact solver cannot take this scene: {reason}")
         self.scene = scene
+        wanted = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
+        question = Question(scene, "exact", duration=duration, combine=combine)
+        self.effects = choose_effects(question, wanted)
+        keep_impulses = any(c.used for c in self.effects if c.name == "impulse_record")
         self.tables = tables_of(scene, combine)
         self.tables.state.keeps_impulses = keep_impulses
         self.collisions = 0
@@ -106,6 +118,10 @@ class ExactSolver:
         self.choice = Choice(False, "a small run")
         self._choose(len(self.tables.discs) * MOST_AHEAD)
         self.advance(-1.0)  # no event yet, but all are foretold
+
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run so far, with the reason for the choice of this solver."""
+        return Plan("exact", reason, self.choice.code, self.choice.reason, self.effects, program)
 
     def next_collision(self, until: float) -> float | None:
         """Go on to the next collision, and return its time, s; None: there is none until then."""
