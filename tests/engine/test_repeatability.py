@@ -71,7 +71,7 @@ import importlib.util, sys
 spec = importlib.util.spec_from_file_location("repeatability", sys.argv[1])
 module = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(module)
-print(module.fingerprint(module.simulate(module.heap(5), 2.0)))
+print(module.fingerprint(module.simulate(module.heap(5), 2.0, solver="sequential")))
 """
 
 

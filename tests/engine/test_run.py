@@ -26,7 +26,7 @@ def at_once(*bodies: Body, gravity: Any = (0, 0)) -> Run:
 def test_run_is_shown_in_one_line() -> None:
     """Nobody who looks at a run is shown its arrays."""
     run = simulate(Scene([DISC]), 1.0, solver="sequential")
-    plan = "solver: sequential (it solves every scene); plain Python (a small run)"
+    plan = "solver: sequential (asked for); plain Python (a small run)"
     assert repr(run) == f"<Run: bodies 1, states 61, impulses 0; {plan}>"
 
 
