@@ -13,15 +13,13 @@ from lesson_code.geometry import Circle, Polygon, Segment, collide
 from lesson_code.geometry.impact_times import (
     circle_impact_time,
     circle_outline_impact_time,
-    is_approaching,
     line_impact_time,
-    nearest_feature,
-    path_point,
-    straight_impact_time,
 )
 from lesson_code.geometry.manifold import collide_rows
+from lesson_code.geometry.nearest_feature import is_approaching, nearest_feature, path_point
 from lesson_code.geometry.rows import Corner, ManifoldRow, Placed, place
 from lesson_code.geometry.shapes import Shape
+from lesson_code.geometry.straight_impact_times import straight_impact_time
 
 FEW_ROUNDINGS = 1e-14
 """Of times and lengths of size 1: some dozen operations, rounded to 1e-16 each."""
