@@ -50,24 +50,23 @@ def foretell(tables: Tables, i: int, effects: Effects = EVERY_EFFECT) -> None:
         foretell_border(state, disc, effects)
         foretell_obstacles(tables, disc, effects)
     around = 0 if math.isinf(state.cell_size) else 1
-    for cell_x in range(disc.cell_x - around, disc.cell_x + around + 1):
-        for cell_y in range(disc.cell_y - around, disc.cell_y + around + 1):
+    for cell_y in range(disc.cell_y - around, disc.cell_y + around + 1):
+        for cell_x in range(disc.cell_x - around, disc.cell_x + around + 1):
             foretell_discs(tables, i, cell_x, cell_y, effects)
     enter_event(tables.queue, i, min(disc.event_time, disc.border_time))
 
 
 def foretell_beyond(tables: Tables, i: int, side: int, effects: Effects = EVERY_EFFECT) -> None:
-    """Add what has come near on a side of the cell that a disc has entered through its border."""
+    """Add what has come near to a disc that has just left its cell by a side."""
     disc = tables.discs[i]
     disc.border_time = math.inf
     foretell_border(tables.state, disc, effects)
     foretell_obstacles(tables, disc, effects)
     ahead = 1 if side in (0, 2) else -1
     for beside in range(-1, 2):
-        if side < 2:
-            foretell_discs(tables, i, disc.cell_x + ahead, disc.cell_y + beside, effects)
-        else:
-            foretell_discs(tables, i, disc.cell_x + beside, disc.cell_y + ahead, effects)
+        cell_x = disc.cell_x + (ahead if side < 2 else beside)
+        cell_y = disc.cell_y + (beside if side < 2 else ahead)
+        foretell_discs(tables, i, cell_x, cell_y, effects)
     enter_event(tables.queue, i, min(disc.event_time, disc.border_time))
 
 

@@ -34,7 +34,7 @@ class DiscRow:
     next_in_slot: int = -1  # the next disc in the same slot of the grid; -1 for the last
     changes: int = 0  # how often this disc's motion has changed
 
-    event_time: float = math.inf  # s, of the next event
+    event_time: float = math.inf  # s, of the next event, borders left aside
     border_time: float = math.inf  # s, when it leaves its cell, if nothing happens before
     event_kind: int = NOTHING
     partner: int = -1  # the other disc, or the obstacle
