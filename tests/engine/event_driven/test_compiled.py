@@ -91,10 +91,11 @@ SCENES: dict[str, tuple[Scene, float]] = {
     "break shot": (rack_break(0.95), 2.0),
 }
 
-FORCED = dict.fromkeys(
-    ("collisions", "outlines", "restitution", "friction", "rotation", "gravity"), True
-)
-"""Every effect that the solver may leave out, but the grid and the record."""
+EFFECTS = ("collisions", "outlines", "restitution", "friction", "rotation", "gravity")
+"""What the solver may leave out of its loop."""
+
+FORCED = dict.fromkeys((*EFFECTS, "impulse_record"), True)
+"""All of that, and the record: so one program serves every scene."""
 
 COLLISIONS = 250
 """Of each scene at the most: enough that every kind of event occurs."""
