@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.geometry.impact_times import line_impact_time, straight_impact_time
+from lesson_code.geometry.impact_times import line_impact_time
+from lesson_code.geometry.straight_impact_times import straight_impact_time
 from lesson_code.grading.alternatives.time_of_impact import ALTERNATIVES
 from lesson_code.grading.compare import written
 from lesson_code.grading.task import Arguments, Criterion, Task, for_task
