@@ -155,14 +155,13 @@ class EffectCosts:
     def limits(self) -> list[Limit]:
         """Return what is wanted, and whether it is reached."""
         found = []
-        for code in (PLAIN, COMPILED):
-            everything, sleep = self.of(ALL, code), self.of("sleeping", code)
-            if everything is not None:
-                what = f"disc gas, {code}: every effect forced on over the plan's"
-                found.append(Limit(what, everything.forced / everything.left_out, GAS_RATIO))
-            if sleep is not None:
-                what = f"stacks, {code}: a step awake over one asleep"
-                found.append(Limit(what, sleep.switched_off / sleep.needed, SLEEP_RATIO))
+        for cost in self.costs:
+            if cost.effect == ALL:
+                what = f"{cost.difference}, {cost.code}: all effects over those called for"
+                found.append(Limit(what, cost.forced / cost.left_out, GAS_RATIO))
+            if cost.effect == "sleeping" and cost.code != PYMUNK:
+                what = f"stacks, {cost.code}: a step awake over one asleep"
+                found.append(Limit(what, cost.switched_off / cost.needed, SLEEP_RATIO))
         if self.billiards is not None:
             what = "billiards, plain Python: planned and run, s"
             found.append(Limit(what, self.billiards.whole, most=BILLIARDS_SECONDS))
