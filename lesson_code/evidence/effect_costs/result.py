@@ -79,8 +79,11 @@ class EffectCost:
 
     @property
     def cheaper(self) -> float:
-        """What share of the time the scene that does not need it saves; nan: unknown."""
-        return 1 - self.left_out / self.needed
+        """What share of the time the scene that does not need it saves; nan: unknown.
+
+        Where the effect is a saving itself, that says nothing: there is `switched_off` for it.
+        """
+        return math.nan if self.switched_off >= 0 else 1 - self.left_out / self.needed
 
 
 @dataclass(frozen=True)
