@@ -18,7 +18,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lesson_code.engine.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
-from lesson_code.engine.effect_rules import LACKING, Question, smallest_restitution
+from lesson_code.engine.effect_rules import (
+    BUILT_IN,
+    LACKING,
+    Question,
+    checked_wishes,
+    smallest_restitution,
+)
 from lesson_code.engine.event_driven import why_not
 from lesson_code.engine.penetration import deepest_overlaps
 from lesson_code.engine.scene import Scene
@@ -48,7 +54,8 @@ def solvers_for(
     asked : mapping
         Settings that the user has given; "iterations", "substeps" and "impact_rules" matter.
     effects : mapping, optional
-        Effects that are forced on rule out the solvers that do not have them.
+        Effects that are forced on rule out the solvers that do not have them; those that are left
+        out, the solvers that cannot do without.
     compiled : bool, optional
         True rules out the direct solver.
 
@@ -61,8 +68,8 @@ def solvers_for(
     ('exact', 'discs that fly freely between their collisions')
     """
     scene = question.scene
-    forced = {name for name, value in (effects or {}).items() if value is True}
-    suits = {solver: not forced & set(lacking) for solver, lacking in LACKING.items()}
+    wishes = checked_wishes(effects)
+    suits = {solver: _has_all(solver, wishes) for solver in LACKING}
     if asked.get("impact_rules"):
         yield SolverChoice("direct", "it alone knows the rule for impacts that is asked for")
         return
@@ -80,7 +87,15 @@ def solvers_for(
         yield SolverChoice(
             "substep", f"masses differ {ratio:.3g} times, and may lie on one another"
         )
-    yield SolverChoice("sequential", f"{free} bodies are many: their contacts are swept")
+    many = f"{free} bodies are many: their contacts are swept"
+    asked_for = "it has all that is asked for"
+    yield SolverChoice("sequential", many if free > MOST_FOR_DIRECT else asked_for)
+
+
+def _has_all(solver: str, wishes: Mapping[str, bool]) -> bool:
+    """Return whether a solver has what is forced on, and can do without what is left out."""
+    lacking, built_in = LACKING.get(solver, {}), BUILT_IN.get(solver, {})
+    return not any(name in (lacking if wish else built_in) for name, wish in wishes.items())
 
 
 def flies_freely(question: Question) -> bool:
