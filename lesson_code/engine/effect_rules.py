@@ -159,7 +159,7 @@ def continuous(question: Question) -> Finding:
         return Finding(True, "gravity makes bodies faster, nobody knows how fast")
     if _callbacks_decide(scene):
         return Finding(True, "a callback may set how bodies bounce")
-    if any(body.is_static and _moves(body) for body in scene.bodies):
+    if any(map(is_mover, scene.bodies)):
         return Finding(True, "a body that nothing can push moves, and may hit others fast")
     corners_rub = friction(question).called_for and _cornered(scene)
     if corners_rub and restitution(question).called_for:
@@ -404,9 +404,9 @@ def _bodies(count: int) -> str:
     return "1 body has" if count == 1 else f"{count} bodies have"
 
 
-def _moves(body: Body) -> bool:
-    """Return whether a body has a velocity."""
-    return any(body.velocity) or body.angular_velocity != 0.0
+def is_mover(body: Body) -> bool:
+    """Return whether a body moves that nothing can push."""
+    return body.is_static and (any(body.velocity) or body.angular_velocity != 0.0)
 
 
 def _callbacks_decide(scene: Scene) -> bool:

@@ -23,6 +23,7 @@ from lesson_code.engine.effect_rules import (
     LACKING,
     Question,
     checked_wishes,
+    is_mover,
     smallest_restitution,
 )
 from lesson_code.engine.event_driven import why_not
@@ -103,11 +104,12 @@ def flies_freely(question: Question) -> bool:
 
     With gravity a single disc over a single obstacle: several may come to rest in a pile, and one
     between two obstacles in a wedge. Bodies that touch at the start are struck together; those
-    that never bounce stay together.
+    that never bounce stay together. Walls that move may come together, and what is between them
+    bounces more and more often.
     """
     scene = question.scene
     free = [body for body in scene.bodies if not body.is_static]
-    if why_not(scene) or not free:
+    if why_not(scene) or not free or any(map(is_mover, scene.bodies)):
         return False
     if any(scene.gravity) and (len(free) > 1 or len(scene.bodies) > 2):
         return False
