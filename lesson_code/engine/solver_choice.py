@@ -81,16 +81,13 @@ def solvers_for(
         yield SolverChoice("exact", "discs that fly freely between their collisions")
     free = sum(not body.is_static for body in scene.bodies)
     if suits["direct"] and free <= MOST_FOR_DIRECT and compiled is not True:
-        reason = f"{free} bodies are few enough to solve all their contacts at once"
-        yield SolverChoice("direct", reason)
+        yield SolverChoice("direct", "few bodies: all contacts are solved at once")
     ratio = mass_ratio(scene)
     if suits["substep"] and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
         yield SolverChoice(
             "substep", f"masses differ {ratio:.3g} times, and may lie on one another"
         )
-    many = f"{free} bodies are many: their contacts are swept"
-    asked_for = "it has all that is asked for"
-    yield SolverChoice("sequential", many if free > MOST_FOR_DIRECT else asked_for)
+    yield SolverChoice("sequential", "contacts are swept, one after the other")
 
 
 def _has_all(solver: str, wishes: Mapping[str, bool]) -> bool:

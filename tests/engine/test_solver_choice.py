@@ -98,8 +98,6 @@ def test_few_bodies_are_for_the_direct_solver() -> None:
     few, many = blocks(MOST_FOR_DIRECT), blocks(MOST_FOR_DIRECT + 1)
     assert names(Scene([*few.bodies, *[FLOOR] * 9])) == ["direct", "sequential"]
     assert names(many) == ["sequential"]
-    assert choices(few)[0].reason.startswith(f"{MOST_FOR_DIRECT} bodies are few")
-    assert choices(many)[0].reason.startswith(f"{MOST_FOR_DIRECT + 1} bodies are many")
 
 
 @pytest.mark.parametrize(
@@ -165,9 +163,8 @@ def test_effect_that_a_solver_lacks_or_cannot_do_without_rules_it_out(
 
 
 def test_compiled_code_rules_the_direct_solver_out() -> None:
-    """It works on arrays of its own; and nobody says that two bodies are many."""
-    (choice,) = choices(blocks(2), compiled=True)
-    assert choice == ("sequential", "it has all that is asked for")
+    """It works on arrays of its own."""
+    assert names(blocks(2), compiled=True) == ["sequential"]
 
 
 def test_last_choice_suits_every_scene() -> None:
