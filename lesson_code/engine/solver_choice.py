@@ -62,9 +62,10 @@ def solvers_for(
 
     Examples
     --------
-    >>> from lesson_code.engine.scene import Body
-    >>> balls = [Body(Circle(1), mass=1.0, position=(3 * k, 0)) for k in range(3)]
-    >>> first, *_ = solvers_for(Question(Scene(balls), duration=1.0), asked={})
+    >>> from lesson_code.engine.scene import Body, Material
+    >>> ball = {"mass": 1.0, "material": Material(restitution=1.0)}
+    >>> scene = Scene([Body(Circle(1), position=(3 * k, 0), **ball) for k in range(3)])
+    >>> first, *_ = solvers_for(Question(scene, duration=1.0), asked={})
     >>> first.solver, first.reason
     ('exact', 'discs that fly freely between their collisions')
     """
