@@ -20,7 +20,7 @@ def functions(source: str) -> dict[str, str]:
 
     Examples
     --------
-    >>> print(functions('def f(x: int) -> int:\\n    "Say why."\\n    return x')["f"])
+    >>> print(functions('def f(x: int) -> int:\n    "Say why."\n    return x')["f"])
     def f(x: int) -> int:
         return x
     """
@@ -50,7 +50,7 @@ def listing(source: str, *names: str) -> str:
 def lines_of_code(source: str) -> int:
     r"""Return how many lines the functions of a program have, docstrings and empty ones left out.
 
-    >>> lines_of_code('LIMIT = 3\\n\\ndef f(x):\\n    "Say why."\\n\\n    return x')
+    >>> lines_of_code('LIMIT = 3\n\ndef f(x):\n    "Say why."\n\n    return x')
     2
     """
     return sum(
