@@ -16,6 +16,7 @@ from lesson_code.grading.tasks import (
     reflection,
     restitution,
     separating_axes,
+    small_engine,
     spin_and_friction,
     time_of_impact,
     what_accuracy_costs,
@@ -61,6 +62,7 @@ EXERCISES = (
     Exercise("08_what_accuracy_costs", "What accuracy costs", what_accuracy_costs.TASKS),
     Exercise("09_hard_cases", "Hard cases", hard_cases.TASKS),
     Exercise("10_only_what_the_scene_needs", "Only what the scene needs", effects.TASKS),
+    Exercise("11_the_small_engine", "The small engine", small_engine.TASKS),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 
