@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, record
 from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.scene import Body, Material, Scene
 from lesson_code.formulas import (
     contact_velocity,
     effective_mass,
@@ -27,7 +27,7 @@ from lesson_code.formulas import (
 )
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
 from lesson_code.formulas.validation import Vector, one_number, positive
-from lesson_code.geometry import collide
+from lesson_code.geometry import Circle, Polygon, collide
 
 SOLVER = "small engine"
 
@@ -171,6 +171,25 @@ class SmallEngine:
     def events(self) -> NDArray[np.float64]:
         """Return no impulses: they are not written down."""
         return np.empty((0, EVENT_NUMBERS))
+
+
+def random_hits(count: int, seed: int) -> Iterator[Scene]:
+    """Yield pairs that hit within 0.2 s: a rough disc that spins, and a heavier box, turned.
+
+    Parameters
+    ----------
+    count, seed : int
+        How many, and what draws them.
+    """
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        e, mu, spin, turn, aside, angle = rng.uniform(
+            (0, 0, -5, -2, -0.3, 0), (1, 1, 5, 2, 0.3, 3)
+        ).tolist()
+        shared: dict[str, Any] = {"material": Material(e, mu)}
+        disc = Body(Circle(0.5), mass=1.0, velocity=(1, 0), angular_velocity=spin, **shared)
+        shared |= {"position": (1.02, aside), "velocity": (-1, 0.3), "angle": angle}
+        yield Scene([disc, Body(Polygon.box(1, 0.6), mass=2.0, angular_velocity=turn, **shared)])
 
 
 def simulate_small(scene: Scene, duration: float, *, dt: float = 1 / 60, sample: Any = None) -> Run:
