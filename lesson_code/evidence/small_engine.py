@@ -7,7 +7,8 @@ asleep. Chapter 11 reads these lines and compares them with the workbook's engin
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -105,13 +106,24 @@ def hit(a: Mover, b: Mover, point: Vector, normal: Vector, depth: float) -> None
     at its own.
     """
     arm_a, arm_b = point + depth / 2 * normal - a.position, point - depth / 2 * normal - b.position
-    e = min(a.body.material.restitution or 0, b.body.material.restitution or 0)
-    mu = ((a.body.material.friction or 0) * (b.body.material.friction or 0)) ** 0.5
+    one, other = a.body.material, b.body.material
+    e = of_pair(min, one.restitution, other.restitution)
+    mu = of_pair(geometric_mean, one.friction, other.friction)
     jn = normal_impulse(*_approach(a, b, arm_a, arm_b, normal), e)
     push(a, b, arm_a, arm_b, jn * normal)
     tangent = perpendicular(normal)
     jt = friction_impulse(*_approach(a, b, arm_a, arm_b, tangent), mu, jn)
     push(a, b, arm_a, arm_b, jt * tangent)
+
+
+def of_pair(rule: Callable[[float, float], float], one: float | None, other: float | None) -> float:
+    """Return a pair's coefficient; a body that names none leaves it to the other one."""
+    return rule(one, other) if one is not None and other is not None else one or other or 0.0
+
+
+def geometric_mean(one: float, other: float) -> float:
+    """Return the square root of the product."""
+    return math.sqrt(one * other)
 
 
 def _approach(

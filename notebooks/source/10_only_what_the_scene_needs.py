@@ -448,9 +448,9 @@ show_quiz("10")
 # needs everything nothing is saved.
 #
 # **Do now:** the exercise
-# [10 Only what the scene needs](../exercises/10_only_what_the_scene_needs.ipynb): five tasks, twenty
-# points. **Next:** [11 The small engine](11_the_small_engine.ipynb): all that you have written, put
-# together.
+# [10 Only what the scene needs](../exercises/10_only_what_the_scene_needs.ipynb): five tasks,
+# twenty points. **Next:** [11 The small engine](11_the_small_engine.ipynb): all that you have
+# written, put together.
 #
 # **Sources.** Catto, *Island sleeping* and *Continuous collision* in the documentation of Box2D
 # v3: which bodies are watched, and which are left alone. Goldberg, *What every computer scientist
