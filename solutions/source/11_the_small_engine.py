@@ -32,6 +32,12 @@ import numpy as np
 
 from lesson_code.grading import check_task
 
+
+def cross(a, b):
+    """Return the cross product of two vectors in the plane: a number."""
+    return a[0] * b[1] - a[1] * b[0]
+
+
 # %% [markdown]
 # ## Task 11.1 Who is near? (3 points)
 #
@@ -79,19 +85,18 @@ check_task("11.1", near_pairs)
 def hit(a, arm_a, b, arm_b, normal, restitution, friction):
     """Return (v_a, w_a, v_b, w_b) after a hit with spin and friction."""
     (m_a, i_a, *v_a, w_a), (m_b, i_b, *v_b, w_b) = a, b
-    tangent = np.array([-normal[1], normal[0]])
-    jn = None
-    for n in (normal, tangent):
-        lever_a = arm_a[0] * n[1] - arm_a[1] * n[0]
-        lever_b = arm_b[0] * n[1] - arm_b[1] * n[0]
-        u = np.dot(v_b, n) + w_b * lever_b - np.dot(v_a, n) - w_a * lever_a
-        m_eff = 1 / (1 / m_a + 1 / m_b + lever_a**2 / i_a + lever_b**2 / i_b)
-        if jn is None:
-            j = jn = max(-(1 + restitution) * u * m_eff, 0)
+    limit = None
+    for n in (normal, np.array([-normal[1], normal[0]])):
+        x_a, x_b = cross(arm_a, n), cross(arm_b, n)
+        u = np.dot(v_b, n) + w_b * x_b - np.dot(v_a, n) - w_a * x_a
+        m_eff = 1 / (1 / m_a + 1 / m_b + x_a**2 / i_a + x_b**2 / i_b)
+        if limit is None:
+            j = max(-(1 + restitution) * u * m_eff, 0)
         else:
-            j = max(-friction * jn, min(-u * m_eff, friction * jn))
-        v_a, w_a = v_a - j / m_a * n, w_a - j / i_a * lever_a
-        v_b, w_b = v_b + j / m_b * n, w_b + j / i_b * lever_b
+            j = np.clip(-u * m_eff, -limit, limit)
+        limit = friction * j
+        v_a, w_a = v_a - j / m_a * n, w_a - j / i_a * x_a
+        v_b, w_b = v_b + j / m_b * n, w_b + j / i_b * x_b
     return v_a, w_a, v_b, w_b
 
 
@@ -117,6 +122,17 @@ check_task("11.2", hit)
 #    its velocity is turned round and multiplied by `restitution`.
 
 
+# %% tags=["solution"]
+def keep_in(p, v, radii, room, restitution):
+    """Put discs back that are beyond a wall, and turn round those that move outwards."""
+    for axis in (0, 1):
+        low, high = radii, room[axis] - radii
+        below, above = p[:, axis] < low, p[:, axis] > high
+        p[:, axis] = np.clip(p[:, axis], low, high)
+        out = (below & (v[:, axis] < 0)) | (above & (v[:, axis] > 0))
+        v[out, axis] *= -restitution
+
+
 # %% tags=["task"]
 def step_discs(positions, velocities, masses, radii, restitution, gravity, room, dt):
     """Return (positions, velocities) of smooth discs in a room after a step."""
@@ -130,12 +146,7 @@ def step_discs(positions, velocities, masses, radii, restitution, gravity, room,
             for body, push in ((i, -n / masses[i]), (j, n / masses[j])):
                 p[body] += depth * m_eff * push
                 v[body] += jn * push
-    for axis in (0, 1):
-        low, high = radii, room[axis] - radii
-        below, above = p[:, axis] < low, p[:, axis] > high
-        p[:, axis] = np.clip(p[:, axis], low, high)
-        out = (below & (v[:, axis] < 0)) | (above & (v[:, axis] > 0))
-        v[out, axis] *= -restitution
+    keep_in(p, v, radii, room, restitution)
     return p, v
 
 
