@@ -154,8 +154,7 @@ def measure_accuracy(
     with clear_errors():
         if store and quick:
             raise ValueError("--store wants a full measurement, not a quick one")
-        if plot is not None and plot.suffix not in (".png", ".svg", ".pdf"):
-            raise ValueError(f"--plot must end in .png, .svg or .pdf, got {plot.name!r}")
+        _check_figure(plot)
         result = work_precision.measure_accuracy(
             only or (),
             quick=quick,
@@ -176,3 +175,57 @@ def measure_accuracy(
     else:
         for table in as_tables(result):
             console.print(table)
+
+
+@measure.command("effects")
+def measure_effects(
+    only: Annotated[
+        list[str] | None,
+        typer.Option("--only", metavar="NAME", help="Only this effect; can be repeated."),
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="In plain Python and pymunk alone: a minute or two.")
+    ] = False,
+    repeats: Annotated[
+        int | None, typer.Option(min=1, help="Batches of each run in each scene.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw a figure too: .png, .svg or .pdf.")
+    ] = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Put the result where notebook 10 finds it.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Measure what an effect costs where it is needed, and what it saves to leave it out."""
+    from lesson_code.evidence import effect_costs
+    from lesson_code.evidence.effect_costs.tables import as_tables
+
+    with clear_errors():
+        if store and (quick or only):
+            raise ValueError(
+                "--store wants all effects, measured in full: leave out --quick, --only"
+            )
+        _check_figure(plot)
+        with share_bar() as told:
+            result = effect_costs.measure_effects(
+                only or (), quick=quick, repeats=repeats, told=told
+            )
+        if store:
+            effect_costs.store(result)
+        if plot is not None:
+            from lesson_code.view.effect_plots import all_effects
+
+            all_effects(result).savefig(plot)
+    if as_json:
+        print_json(result.as_dict())
+        return
+    wide = Console(width=max(console.width, TABLE_WIDTH))
+    for table in as_tables(result):
+        wide.print(table)
+
+
+def _check_figure(path: Path | None) -> None:
+    """Refuse a figure that Matplotlib is not to write."""
+    if path is not None and path.suffix not in (".png", ".svg", ".pdf"):
+        raise ValueError(f"--plot must end in .png, .svg or .pdf, got {path.name!r}")

@@ -22,7 +22,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "continuous": ("mark_fast",),
     "restitution": ("set_bounces",),
     "friction": ("set_frame", "solve_contact", "solve_friction", "friction_impulse"),
-    "rotation": ("turn_on", "normal_velocity", "apply_normal_impulse", "set_normal_frame"),
+    "rotation": ("turn_on",),
     "gravity": ("fall",),
     "damping": ("damp",),
     "warm_starting": ("warm_start", "recall", "store"),

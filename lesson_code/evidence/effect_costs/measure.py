@@ -25,7 +25,7 @@ from lesson_code.evidence.effect_costs.result import (
     FewBalls,
 )
 from lesson_code.evidence.effect_costs.runners import Runner, ours, pymunk_for, settings_of
-from lesson_code.evidence.effect_scenes import WARM_UP, EffectPair, billiards, gas, pairs
+from lesson_code.evidence.effect_scenes import WARM_UP, EffectPair, billiards, gases, pairs
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.report import machine
 from lesson_code.evidence.speed_scenes import DT
@@ -89,7 +89,7 @@ def measure_effects(
         if name == BILLIARDS:
             few = measure_billiards(PLANNED_OFTEN * count)
         elif name == ALL:
-            costs += [_everything(code, count) for code in codes]
+            costs += [measure_all(gas, code, count) for gas in gases() for code in codes]
         else:
             costs += measure_pair(by_name[name], codes, count)
     told("done", 1.0)
@@ -170,17 +170,15 @@ def measure_billiards(repeats: int) -> FewBalls:
     return FewBalls(run.plan.solver, statistics.median(planning), statistics.median(whole))
 
 
-def _everything(code: str, repeats: int) -> EffectCost:
-    """Return what a gas of discs costs as it is planned, and with every effect forced on."""
-    scene = gas()
-    compiled = code == COMPILED
-    every = {name: True for name in RULES if not (compiled and name == NO_CODE)}
+def measure_all(name: str, code: str, repeats: int) -> EffectCost:
+    """Return what a gas costs as it is planned, and with every effect forced on."""
+    scene, compiled = gases()[name], code == COMPILED
+    every = {effect: True for effect in RULES if not (compiled and effect == NO_CODE)}
     engines = {
         "left_out": ours(scene, {}, compiled=compiled),
         "forced": ours(scene, every, compiled=compiled),
     }
-    times = in_turns(engines, WARM_UP, repeats)
-    return EffectCost(ALL, code, "a gas of discs, e = 1, mu = 0", **times)
+    return EffectCost(ALL, code, name, **in_turns(engines, WARM_UP, repeats))
 
 
 def _counted(pair: EffectPair) -> dict[str, float]:

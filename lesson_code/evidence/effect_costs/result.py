@@ -79,8 +79,11 @@ class EffectCost:
 
     @property
     def cheaper(self) -> float:
-        """What share of the time the scene that does not need it saves; nan: unknown."""
-        return 1 - self.left_out / self.needed
+        """What share of the time the scene that does not need it saves; nan: unknown.
+
+        Where the effect is a saving itself, that says nothing: there is `switched_off` for it.
+        """
+        return math.nan if self.switched_off >= 0 else 1 - self.left_out / self.needed
 
 
 @dataclass(frozen=True)
@@ -155,14 +158,13 @@ class EffectCosts:
     def limits(self) -> list[Limit]:
         """Return what is wanted, and whether it is reached."""
         found = []
-        for code in (PLAIN, COMPILED):
-            everything, sleep = self.of(ALL, code), self.of("sleeping", code)
-            if everything is not None:
-                what = f"disc gas, {code}: every effect forced on over the plan's"
-                found.append(Limit(what, everything.forced / everything.left_out, GAS_RATIO))
-            if sleep is not None:
-                what = f"stacks, {code}: a step awake over one asleep"
-                found.append(Limit(what, sleep.switched_off / sleep.needed, SLEEP_RATIO))
+        for cost in self.costs:
+            if cost.effect == ALL:
+                what = f"{cost.difference}, {cost.code}: all effects over those called for"
+                found.append(Limit(what, cost.forced / cost.left_out, GAS_RATIO))
+            if cost.effect == "sleeping" and cost.code != PYMUNK:
+                what = f"stacks, {cost.code}: a step awake over one asleep"
+                found.append(Limit(what, cost.switched_off / cost.needed, SLEEP_RATIO))
         if self.billiards is not None:
             what = "billiards, plain Python: planned and run, s"
             found.append(Limit(what, self.billiards.whole, most=BILLIARDS_SECONDS))
