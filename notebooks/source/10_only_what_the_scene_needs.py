@@ -29,10 +29,12 @@ import numpy as np
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.effect_rules import OPTIONAL, Question, choose_effects
 from lesson_code.engine.reach import can_meet, fastest_way
-from lesson_code.evidence import check, disc_gas, disc_scenes, exact_scenes, scenes, sleepers
+from lesson_code.evidence import check, disc_gas, disc_scenes, exact_scenes, scenes
+from lesson_code.evidence.effect_costs import stored
 from lesson_code.evidence.hard_cases import loads
+from lesson_code.evidence.sleepers import asleep_in_time, three_towers
 from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import listing, plan_plots, plots, style
+from lesson_code.view import effect_plots, listing, plan_plots, plots, style
 from lesson_code.view.animation import animate
 from lesson_code.view.interactive import Slider, explore
 from lesson_code.view.show import show
@@ -250,6 +252,8 @@ pairs = {
     "boxes apart": two_flights({"position": (9, 2.5), "velocity": (-1, 2)}),
     "boxes that share a part": two_flights({"position": (6.5, 1.5), "velocity": (-4, 1)}),
 }
+
+# %%
 fig, axes = style.figure(2, width=9, height=3.4)
 for ax, (title, scene) in zip(axes, pairs.items(), strict=True):
     flown = simulate(scene, 1.2, solver="sequential", dt=1 / 240)
@@ -366,8 +370,8 @@ ask(hit, "continuous")
 # that is awake and touches one of it wakes all of it.
 
 # %%
-towers = sleepers.three_towers()
-times, asleep = sleepers.asleep_in_time(towers, 8.0)
+towers = three_towers()
+times, asleep = asleep_in_time(towers, 8.0)
 fig, ax = style.figure(width=7, height=2.6)
 ax.step(times, asleep.sum(axis=1), where="post", color=style.BLUE)
 ax.set(xlabel="time, s", ylabel="bodies asleep", ylim=(0, 10))
@@ -419,7 +423,47 @@ for title, scene in choices.items():
     print(f"{title}: {chosen.solver}; {chosen.reason}")
 
 # %% [markdown]
-# ## 11 Quiz
+# ## 11 What it saves, and what pymunk pays
+#
+# Times are not measured here: they would differ in each run. `workbook measure effects` measures
+# them on your machine; this is a stored result. For each effect there are two scenes that differ
+# as little as they can. One needs the effect. The other one is run as planned, without it, and
+# once more with the effect forced on. **Predict** which effects are worth most.
+
+# %%
+costs = stored()
+show(
+    effect_plots.all_effects(costs),
+    "A panel for our engine in each of its codes, and one for pymunk, with a row for each effect "
+    "and the time of a step in powers of ten. In ours, bars join the times with an effect forced "
+    "on and without it. They are long for collisions and friction, and short for gravity and "
+    "damping. Sleeping stacks take a small part of the time of those that are awake. In pymunk "
+    "the marks for friction lie on each other.",
+)
+
+# %%
+friction = costs.of("friction", "plain Python")
+print(f"friction, {friction.difference}: calls in a step of what only friction needs")
+print(f"   needed {friction.calls_needed:.0f}, left out {friction.calls_left_out:.0f}")
+print(f"   forced on and left out, time: {friction.forced / friction.left_out:.2f} to 1")
+pymunk = costs.of("friction", "pymunk")
+print(f"   pymunk, with mu and without, time: {pymunk.needed / pymunk.left_out:.2f} to 1")
+for limit in costs.limits():
+    print(f"{limit.what}: {limit.value:.3g}, wanted {limit.wanted}")
+
+# %% [markdown]
+# **Read it with care.** What is done once in a step and for each body, like gravity, is worth
+# nearly nothing. What is done for each contact in each sweep is worth more: friction. And most is
+# worth what keeps whole contacts from being looked at: sleep, and in large scenes the broad phase.
+# All of the small ones together count too, as the second of the limits says. Where nothing is
+# saved no harm is done: the scene is looked at once, before the first step.
+#
+# pymunk has one program for all scenes. It can let bodies sleep, if told to, and it calls nobody if
+# nobody listens. It has no way to leave out friction: where every mu is 0 it works out the friction
+# of each contact all the same, and finds 0.
+
+# %% [markdown]
+# ## 12 Quiz
 
 # %%
 show_quiz("10")

@@ -55,6 +55,8 @@ yours = {
     "effects": "(yours to add)",
     "sound": "(yours to add)",
 }
+
+# %%
 fig, ax = style.figure(width=9.5, height=4.2)
 diagrams.pipeline(ax, functions=yours)
 show(
@@ -185,14 +187,8 @@ check("energy was lost, and none was gained", bool(energy[-1] < energy[0] == ene
 def draw_throw(restitution, friction, spin):
     surface = Material(restitution, friction)
     floor = Body(Segment((-3, 0), (9, 0)), material=surface)
-    disc = Body(
-        Circle(0.3),
-        mass=1.0,
-        position=(0, 2),
-        velocity=(1.5, 0),
-        angular_velocity=spin,
-        material=surface,
-    )
+    thrown = {"position": (0, 2), "velocity": (1.5, 0), "angular_velocity": spin}
+    disc = Body(Circle(0.3), mass=1.0, material=surface, **thrown)
     run = simulate_small(Scene([floor, disc], gravity=(0, -9.81)), 2.5)
     fig, ax = style.figure(width=7, height=3)
     scene_plots.scene(ax, run, around=(-2, 6, -0.3, 2.5))

@@ -85,16 +85,13 @@ check_task("11.1", near_pairs)
 def hit(a, arm_a, b, arm_b, normal, restitution, friction):
     """Return (v_a, w_a, v_b, w_b) after a hit with spin and friction."""
     (m_a, i_a, *v_a, w_a), (m_b, i_b, *v_b, w_b) = a, b
-    limit = None
-    for n in (normal, np.array([-normal[1], normal[0]])):
+    low, high = 0, np.inf
+    for n, e in ((normal, restitution), (np.array([-normal[1], normal[0]]), 0)):
         x_a, x_b = cross(arm_a, n), cross(arm_b, n)
         u = np.dot(v_b, n) + w_b * x_b - np.dot(v_a, n) - w_a * x_a
         m_eff = 1 / (1 / m_a + 1 / m_b + x_a**2 / i_a + x_b**2 / i_b)
-        if limit is None:
-            j = max(-(1 + restitution) * u * m_eff, 0)
-        else:
-            j = np.clip(-u * m_eff, -limit, limit)
-        limit = friction * j
+        j = np.clip(-(1 + e) * u * m_eff, low, high)
+        low, high = -friction * j, friction * j
         v_a, w_a = v_a - j / m_a * n, w_a - j / i_a * x_a
         v_b, w_b = v_b + j / m_b * n, w_b + j / i_b * x_b
     return v_a, w_a, v_b, w_b
@@ -105,8 +102,8 @@ check_task("11.2", hit)
 
 # %% [markdown] tags=["solution"]
 # **Why.** The velocity of a contact point along n is v . n + w (r x n): task 5.2, seen along one
-# direction. Impulse and friction differ in nothing but the direction and the clamp, so one loop
-# does both. All of the chapters 01 to 05 is in it: put both levers to 0 and mu to 0, and it is
+# direction. Impulse and friction differ in nothing but the direction, the e and the clamp, so one
+# loop does both. All of the chapters 01 to 05 is in it: put both levers to 0 and mu to 0, and it is
 # `collide_1d`; give a an infinite mass, and it is `bounce`.
 
 # %% [markdown]
