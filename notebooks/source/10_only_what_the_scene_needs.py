@@ -385,8 +385,8 @@ show(
 rest = simulate(towers, 8.0, solver="sequential")
 animate(
     rest,
-    "Three towers of three boxes stand on a floor. A disc rolls in from the left, hits the first "
-    "tower, and rolls back. Its boxes have moved a little.",
+    "Three towers of three boxes stand on a floor. A disc rolls in from the left and hits the "
+    "first tower. Its boxes move a little, and the disc stays beside it.",
     around=(-9, 6, -0.3, 4),
     still=4.2,
 )

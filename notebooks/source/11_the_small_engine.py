@@ -229,8 +229,7 @@ for name, (scene, seconds) in edges.items():
 tower = both["a tower of five boxes"]
 animate(
     {"small engine": tower[0], "workbook": tower[1]},
-    "Two towers of five boxes. The small engine's trembles and slides apart. The workbook's "
-    "stands.",
+    "Two towers of five boxes. The small engine's trembles and falls apart. The workbook's stands.",
     around=(-4, 4, -0.3, 5.5),
     still=2.0,
 )
