@@ -27,6 +27,8 @@ class Plan:
         Why that.
     effects : tuple of EffectChoice
         What was simulated and what was left out; none for other engines.
+    changes : tuple of str
+        What callbacks have changed while the scene ran, and what the plan became.
     program : callable, optional
         Returns the source of the program that the plan leaves over.
 
@@ -41,6 +43,7 @@ class Plan:
     code: str = "plain Python"
     code_reason: str = "a small run"
     effects: tuple[EffectChoice, ...] = ()
+    changes: tuple[str, ...] = ()
     program: Callable[[], str] | None = field(default=None, compare=False, repr=False)
 
     @property
@@ -89,7 +92,7 @@ class Plan:
 
     def __str__(self) -> str:
         """Return the plan as text: its headline, and a row for each effect."""
-        return "\n".join([self.headline, *self._rows()])
+        return "\n".join([self.headline, *self._rows(), *(f"  {line}" for line in self.changes)])
 
     def _rows(self) -> list[str]:
         """Return the effects as lines of a table."""
@@ -104,4 +107,5 @@ class Plan:
             for c in self.effects
         )
         head = "<tr><th>effect</th><th>verdict</th><th>reason</th></tr>"
-        return f"<p>{escape(self.headline)}</p><table>{head}{rows}</table>"
+        changes = "".join(f"<p>{escape(line)}</p>" for line in self.changes)
+        return f"<p>{escape(self.headline)}</p><table>{head}{rows}</table>{changes}"

@@ -22,8 +22,12 @@ from lesson_code.engine.rows import (
     World,
 )
 
-SPARE = 1.5
-"""Times the rows that are wanted: how many there are then, so that a table seldom grows."""
+SPARE, LARGE_SPARE = 1.5, 1.1
+"""Times the rows that are wanted: how many there are then, so that a table seldom grows; in a large
+table, whose rows change less in proportion, and cost more memory, the second."""
+
+LARGE = 10_000
+"""Rows from which on a table is large."""
 
 FEWEST_ROWS = 16
 """Rows that a table grows to at least."""
@@ -63,7 +67,9 @@ def refuse_heap(bodies: int, pairs: int) -> None:
 
 def rows_for(wanted: int) -> int:
     """Return how many rows a table gets when so many are wanted."""
-    return max(FEWEST_ROWS, int(SPARE * wanted)) if wanted > 0 else 0
+    if wanted == 0:
+        return 0
+    return max(FEWEST_ROWS, int((SPARE if wanted < LARGE else LARGE_SPARE) * wanted))
 
 
 def longer(table: Any, wanted: int, row: type) -> Any:

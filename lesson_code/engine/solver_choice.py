@@ -73,14 +73,13 @@ def solvers_for(
         yield SolverChoice("exact", "discs that fly freely between their collisions")
     free = sum(not body.is_static for body in scene.bodies)
     if suits["direct"] and free <= MOST_FOR_DIRECT and compiled is not True:
-        reason = f"{free} bodies are few enough to solve all their contacts at once"
-        yield SolverChoice("direct", reason)
+        yield SolverChoice("direct", "few bodies: all contacts are solved at once")
     ratio = mass_ratio(scene)
     if suits["substep"] and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
         yield SolverChoice(
             "substep", f"masses differ {ratio:.3g} times, and may lie on one another"
         )
-    yield SolverChoice("sequential", f"{free} bodies are many: their contacts are swept")
+    yield SolverChoice("sequential", "contacts are swept, one after the other")
 
 
 def flies_freely(question: Question) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -26,7 +27,7 @@ from lesson_code.engine.effect_rules import EffectChoice, Question, choose_effec
 from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.scene import Scene, scene_at
 from lesson_code.engine.soft_step import soft_part
 from lesson_code.engine.tables import BROAD_PHASES, world_of
 from lesson_code.engine.touches import TouchListener
@@ -179,11 +180,12 @@ class EngineStepper:
         effects: Mapping[str, bool] | None = None,
         duration: float = math.inf,
     ) -> None:
-        self.dt, self._solver = dt, solver
+        self.dt = dt
         self._steps_a_step = 1 if solver == "substep" else substeps
-        question = Question(scene, solver, dt / substeps, duration, combine)
-        wanted = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
-        self.effects = choose_effects(question, wanted)
+        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine)
+        self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
+        self._changes: list[str] = []
+        self.effects = choose_effects(self._question, self._asked)
         self.pipeline = pipeline_for(scene, solver, self.effects)
         if solver == "direct":
             rules = direct_solver(impacts, restitution_law)
@@ -202,11 +204,12 @@ class EngineStepper:
         """Return how the scene is run so far, with the reason for the choice of this solver."""
         pipeline = self.pipeline._replace(listener=None)
         return Plan(
-            self._solver,
+            self._question.solver,
             reason,
             self.choice.code,
             self.choice.reason,
             self.effects,
+            tuple(self._changes),
             partial(source_of, pipeline),
         )
 
@@ -220,6 +223,36 @@ class EngineStepper:
         ValueError
             The bodies overlap in so many pairs that no memory would hold them.
         """
+        listener = self.pipeline.listener
+        if not isinstance(listener, TouchListener):
+            self._advance(steps)
+            return
+        for _ in range(steps):
+            self._advance(1)
+            if (gravity := listener.new_gravity()) is not None:
+                self.set_gravity(gravity)
+
+    def set_gravity(self, gravity: tuple[float, float]) -> None:
+        """Let another gravity act from now on, m/s^2, and plan anew what the scene calls for."""
+        state = self.world.state
+        state.gravity_x, state.gravity_y = gravity
+        before = {choice.name for choice in self.effects if choice.used}
+        scene = scene_at(self._question.scene, self.states(), gravity)
+        self._question = replace(self._question, scene=scene)
+        self.effects = choose_effects(self._question, self._asked)
+        stages = pipeline_for(scene, self._question.solver, self.effects)
+        self.pipeline = stages._replace(
+            solver=self.pipeline.solver,
+            listener=self.pipeline.listener,
+            splits_steps=self.pipeline.splits_steps,
+        )
+        if self._compiled:
+            self._compile()
+        after = {choice.name for choice in self.effects if choice.used}
+        self._changes.append(_change(state.time, gravity, after - before, before - after))
+
+    def _advance(self, steps: int) -> None:
+        """Make so many steps of dt with the stages as they are."""
         self.world.state.steps_left = steps * self._steps_a_step
         while not self._run():
             self._clear_the_way()
@@ -272,3 +305,11 @@ class EngineStepper:
         if state.impulse_count > 0:
             self._events.append(as_numbers(self.world.impulses[: state.impulse_count]))
             state.impulse_count = 0
+
+
+def _change(time: float, gravity: tuple[float, float], more: set[str], fewer: set[str]) -> str:
+    """Return what has changed in a run, in words."""
+    parts = [f"from {time:g} s on g = ({gravity[0]:g}, {gravity[1]:g}) m/s^2"]
+    parts += [f"{name} is used" for name in sorted(more)]
+    parts += [f"{name} is left out" for name in sorted(fewer)]
+    return "; ".join(parts)

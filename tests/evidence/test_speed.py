@@ -12,9 +12,10 @@ import pytest
 from rich.console import Console
 
 from lesson_code import Body, Circle, Scene, simulate
+from lesson_code.engine.scene import scene_at
 from lesson_code.evidence import speed_scenes
 from lesson_code.evidence.speed import few_bodies, measure, measure_speed, processes, quality
-from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for, scene_after
+from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for
 from lesson_code.evidence.speed.few_bodies import FewBodies
 from lesson_code.evidence.speed.limits import Limit, standing_limits
 from lesson_code.evidence.speed.measure import KEYS, chosen, parts
@@ -237,7 +238,7 @@ def test_scene_after_steps_goes_on_as_the_engine_would() -> None:
     speed_scene = speed_scenes.gas(10)
     engine = builder("sequential", speed_scene)()
     engine.advance(5)
-    scene = scene_after(speed_scene.scene, engine.states())
+    scene = scene_at(speed_scene.scene, engine.states())
     assert quality.states_of(scene).tolist() == engine.states().tolist()
     assert [b.shape for b in scene.bodies] == [b.shape for b in speed_scene.scene.bodies]
 

@@ -121,7 +121,8 @@ class ExactSolver:
 
     def plan(self, reason: str) -> Plan:
         """Return how the scene is run so far, with the reason for the choice of this solver."""
-        return Plan("exact", reason, self.choice.code, self.choice.reason, self.effects, program)
+        choice = self.choice
+        return Plan("exact", reason, choice.code, choice.reason, self.effects, program=program)
 
     def next_collision(self, until: float) -> float | None:
         """Go on to the next collision, and return its time, s; None: there is none until then."""
