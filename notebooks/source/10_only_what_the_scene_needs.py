@@ -26,7 +26,7 @@
 # %%
 import numpy as np
 
-from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.effect_rules import OPTIONAL, Question, choose_effects
 from lesson_code.engine.reach import can_meet, fastest_way
 from lesson_code.evidence import check, disc_gas, disc_scenes, exact_scenes, scenes
@@ -325,7 +325,33 @@ check("without all three: positions", fewer.positions, long.positions)
 check("and no impulses were written down", len(fewer.contacts.time), 0)
 
 # %% [markdown]
-# ## 8 Break it on purpose: a rule that looks at the start
+# ## 8 When the scene changes
+#
+# A plan looks at the scene as it is at the start. Callbacks (chapter 04) may change it while it
+# runs. One that may set the mu or the e of a pair makes the rules careful from the start: nobody
+# knows what it will set. One that switches **gravity** on is another case. The run is then planned
+# anew, from the bodies as they are at that moment. **Predict** what is added.
+
+
+# %%
+def switch_on(touch):
+    """Let things fall from the first touch on."""
+    touch.gravity = (0, -10)
+
+
+bouncy = Material(restitution=1.0)
+pair = [
+    Body(Circle(0.5), mass=1.0, position=(3 * n, 0), velocity=(1 - n, 0), material=bouncy)
+    for n in (0, 1)
+]
+switched = Scene(pair, callbacks=Callbacks(post_solve=switch_on))
+fallen = simulate(switched, 3.0, solver="sequential")
+print(*fallen.plan.changes, sep="\n")
+
+# %% [markdown]
+# With gravity the energy bounds no speed any more, so fast bodies are watched for from there on.
+#
+# ## 9 Break it on purpose: a rule that looks at the start
 #
 # Why so careful about speed? A simpler rule would be: *nobody moves by more than half its width
 # in a step now, so nobody has to be watched.* A heavy ball comes at 4 m/s, that is 7 cm in a step
@@ -359,7 +385,7 @@ ask(hit, "continuous")
 # A light ball at rest leaves a heavy one with twice its speed: 8 m/s, 13 cm in a step, more than
 # its diameter. At the start nothing told of that but the energy.
 #
-# ## 9 Islands that sleep
+# ## 10 Islands that sleep
 #
 # What has come to rest costs as much as what moves: its contacts are found and its impulses are
 # computed, to learn that nothing happens. So an engine lets it **sleep**.
@@ -405,7 +431,7 @@ check("with and without sleep, m", rest.positions, awake.positions, tolerance=1e
 # Without gravity nothing sleeps, so there it is bit for bit again; the gas of section 6 had sleep
 # forced on, too.
 #
-# ## 10 The solver is chosen by rules, too
+# ## 11 The solver is chosen by rules, too
 #
 # `solver="auto"` asks the same kind of questions. Discs that fly freely, two at a time: the exact
 # solver needs no step at all. Few bodies: all contacts together are solved at once. Heavy on light
@@ -423,7 +449,7 @@ for title, scene in choices.items():
     print(f"{title}: {chosen.solver}; {chosen.reason}")
 
 # %% [markdown]
-# ## 11 What it saves, and what pymunk pays
+# ## 12 What it saves, and what pymunk pays
 #
 # Times are not measured here: they would differ in each run. `workbook measure effects` measures
 # them on your machine; this is a stored result. For each effect there are two scenes that differ
@@ -463,7 +489,7 @@ for limit in costs.limits():
 # of each contact all the same, and finds 0.
 
 # %% [markdown]
-# ## 12 Quiz
+# ## 13 Quiz
 
 # %%
 show_quiz("10")
