@@ -327,10 +327,11 @@ check("and no impulses were written down", len(fewer.contacts.time), 0)
 # %% [markdown]
 # ## 8 When the scene changes
 #
-# A plan looks at the scene as it is at the start. Callbacks (chapter 04) may change it while it
-# runs. One that may set the mu or the e of a pair makes the rules careful from the start: nobody
-# knows what it will set. One that switches **gravity** on is another case. The run is then planned
-# anew, from the bodies as they are at that moment. **Predict** what is added.
+# A plan looks at the scene as it is at the start. A **callback** is a function of yours that the
+# engine calls when bodies begin to touch, touch or part: the third box of the pipeline. It may
+# change the scene. One that may set the mu or the e of a pair makes the rules careful from the
+# start, since nobody knows what it will set. One that switches gravity on is another case: the run
+# is planned anew, from the bodies as they are at that moment. **Predict** what is added.
 
 
 # %%

@@ -9,10 +9,10 @@
 # %% [markdown]
 # # Exercise 11: the small engine
 #
-# Three functions to write, twelve points. Read notebook [11](../notebooks/11_the_small_engine.ipynb)
-# first. What you write here are the three pieces that join the functions of the earlier exercises:
-# who is near, a hit of any two bodies, and a whole step. Take your own functions with you: paste
-# them into cells of this notebook, and call them.
+# Three functions to write, twelve points. Read notebook
+# [11](../notebooks/11_the_small_engine.ipynb) first. What you write here are the three pieces that
+# join the functions of the earlier exercises: who is near, a hit of any two bodies, and a whole
+# step. Take your own functions with you: paste them into cells of this notebook, and call them.
 #
 # - Replace the `raise` line of each function with your answer. Do not change its name or its
 #   arguments.
