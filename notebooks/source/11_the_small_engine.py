@@ -76,7 +76,7 @@ show(
 # ## 2 A step
 #
 # The module `lesson_code.evidence.small_engine` is such an engine. It calls the formulas of the
-# chapters and nothing of the workbook's own engine. This is its step:
+# chapters, and takes no stage from the workbook's own engine. This is its step:
 
 # %%
 program = inspect.getsource(small_engine)
@@ -98,7 +98,7 @@ print(listing.listing(program, "hit", "_approach", "push", "separate"))
 # ## 3 One hit, to the last digits
 #
 # Rough discs that spin hit turned boxes, at random places, with random e and mu. The small engine
-# and the workbook's share the formulas, and no line of the step.
+# and the workbook's share the formulas and the shapes, and no line of the step.
 
 # %%
 worst = 0.0
