@@ -159,7 +159,7 @@ def continuous(question: Question) -> Finding:
         return Finding(True, "gravity makes bodies faster, nobody knows how fast")
     if _callbacks_decide(scene):
         return Finding(True, "a callback may set how bodies bounce")
-    if any(body.is_static and _moves(body) for body in scene.bodies):
+    if any(map(is_mover, scene.bodies)):
         return Finding(True, "a body that nothing can push moves, and may hit others fast")
     corners_rub = friction(question).called_for and _cornered(scene)
     if corners_rub and restitution(question).called_for:
@@ -355,7 +355,7 @@ def choose_effects(
     >>> by_name["gravity"].used, by_name["gravity"].reason
     (False, 'g = 0')
     """
-    wishes = _checked(asked)
+    wishes = checked_wishes(asked)
     return tuple(_choice(question, name, wishes.get(name)) for name in RULES)
 
 
@@ -365,7 +365,7 @@ def flags_of(choices: tuple[EffectChoice, ...]) -> Effects:
     return Effects(**{name: used[name] for name in Effects._fields})
 
 
-def _checked(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:
+def checked_wishes(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:
     """Return what has been asked for, or refuse what makes no sense."""
     if asked is None:
         return {}
@@ -383,7 +383,9 @@ def _choice(question: Question, name: str, wish: bool | None) -> EffectChoice:
     """Return what becomes of one effect."""
     called_for, reason = find(question, name)
     if wish is False and called_for and name not in OPTIONAL:
-        raise ValueError(f"effects[{name!r}] must not be False: the scene needs it ({reason})")
+        is_built_in = reason == BUILT_IN.get(question.solver, {}).get(name)
+        who = f"{question.solver!r} cannot do without" if is_built_in else "the scene needs it"
+        raise ValueError(f"effects[{name!r}] must not be False: {who} ({reason})")
     lacking = name in LACKING.get(question.solver, {})
     if wish is True and (lacking or (name == "sleeping" and question.scene.callbacks.wanted)):
         raise ValueError(
@@ -402,9 +404,9 @@ def _bodies(count: int) -> str:
     return "1 body has" if count == 1 else f"{count} bodies have"
 
 
-def _moves(body: Body) -> bool:
-    """Return whether a body has a velocity."""
-    return any(body.velocity) or body.angular_velocity != 0.0
+def is_mover(body: Body) -> bool:
+    """Return whether a body moves that nothing can push."""
+    return body.is_static and (any(body.velocity) or body.angular_velocity != 0.0)
 
 
 def _callbacks_decide(scene: Scene) -> bool:

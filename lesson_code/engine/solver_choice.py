@@ -18,7 +18,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lesson_code.engine.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
-from lesson_code.engine.effect_rules import LACKING, Question, smallest_restitution
+from lesson_code.engine.effect_rules import (
+    BUILT_IN,
+    LACKING,
+    Question,
+    checked_wishes,
+    is_mover,
+    smallest_restitution,
+)
 from lesson_code.engine.event_driven import why_not
 from lesson_code.engine.penetration import deepest_overlaps
 from lesson_code.engine.scene import Scene
@@ -48,7 +55,8 @@ def solvers_for(
     asked : mapping
         Settings that the user has given; "iterations", "substeps" and "impact_rules" matter.
     effects : mapping, optional
-        Effects that are forced on rule out the solvers that do not have them.
+        Effects that are forced on rule out the solvers that do not have them; those that are left
+        out, the solvers that cannot do without.
     compiled : bool, optional
         True rules out the direct solver.
 
@@ -61,8 +69,8 @@ def solvers_for(
     ('exact', 'discs that fly freely between their collisions')
     """
     scene = question.scene
-    forced = {name for name, value in (effects or {}).items() if value is True}
-    suits = {solver: not forced & set(lacking) for solver, lacking in LACKING.items()}
+    wishes = checked_wishes(effects)
+    suits = {solver: _has_all(solver, wishes) for solver in LACKING}
     if asked.get("impact_rules"):
         yield SolverChoice("direct", "it alone knows the rule for impacts that is asked for")
         return
@@ -82,16 +90,23 @@ def solvers_for(
     yield SolverChoice("sequential", "contacts are swept, one after the other")
 
 
+def _has_all(solver: str, wishes: Mapping[str, bool]) -> bool:
+    """Return whether a solver has what is forced on, and can do without what is left out."""
+    lacking, built_in = LACKING.get(solver, {}), BUILT_IN.get(solver, {})
+    return not any(name in (lacking if wish else built_in) for name, wish in wishes.items())
+
+
 def flies_freely(question: Question) -> bool:
     """Return whether the exact solver suits a scene: discs that meet two at a time, and part.
 
     With gravity a single disc over a single obstacle: several may come to rest in a pile, and one
     between two obstacles in a wedge. Bodies that touch at the start are struck together; those
-    that never bounce stay together.
+    that never bounce stay together. Walls that move may come together, and what is between them
+    bounces more and more often.
     """
     scene = question.scene
     free = [body for body in scene.bodies if not body.is_static]
-    if why_not(scene) or not free:
+    if why_not(scene) or not free or any(map(is_mover, scene.bodies)):
         return False
     if any(scene.gravity) and (len(free) > 1 or len(scene.bodies) > 2):
         return False
