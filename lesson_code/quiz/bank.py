@@ -196,7 +196,7 @@ def chapter_numbers() -> tuple[str, ...]:
     """Return the numbers of the chapters that have a quiz, in order.
 
     >>> chapter_numbers()
-    ('00', '01', '02', '03', '04', '05', '06', '07', '08', '09')
+    ('00', '01', '02', '03', '04', '05', '06', '07', '08', '09', '10', '11')
     """
     files = resources.files("lesson_code.quiz").joinpath("questions").iterdir()
     names = sorted(file.name for file in files)
