@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 from random import Random
 from typing import Any, TypeAlias
@@ -324,11 +324,6 @@ def islands_in_words(arguments: Arguments, _answer: Any) -> str:
     return f"Moving: {', '.join(moving)}. Touching, the floor left out: {', '.join(pairs)}."
 
 
-def _criterion(name: str, cases: Callable[[Random], Iterator[Arguments]], points: int) -> Criterion:
-    """Return a criterion for which any order of an answer is right."""
-    return Criterion(name, cases, points, part=_in_order)
-
-
 TASKS = (
     Task(
         id="10.1",
@@ -353,7 +348,7 @@ TASKS = (
             Criterion("friction", rough_or_smooth, part=_says("friction")),
             Criterion("restitution", bouncing_or_not, part=_says("restitution")),
             Criterion("rotation", turning_or_not, points=2, part=_says("rotation")),
-            _criterion("the whole plan", whole_plans, 1),
+            Criterion("the whole plan", whole_plans, part=_in_order),
         ),
         wrong_models=for_task(WRONG_MODELS, "10.2"),
         alternatives=for_task(ALTERNATIVES, "10.2"),
@@ -392,9 +387,9 @@ TASKS = (
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
         criteria=(
-            _criterion("one pile", one_pile, 1),
-            _criterion("piles on one floor", piles_on_one_floor, 2),
-            _criterion("long chains", long_chains, 1),
+            Criterion("one pile", one_pile, part=_in_order),
+            Criterion("piles on one floor", piles_on_one_floor, points=2, part=_in_order),
+            Criterion("long chains", long_chains, part=_in_order),
         ),
         wrong_models=for_task(WRONG_MODELS, "10.5"),
         alternatives=for_task(ALTERNATIVES, "10.5"),

@@ -184,36 +184,6 @@ def without_a_gate(
 
 
 @wrong_model(
-    "11.2", "Friction acts against the sliding. After your impulse, is there more of it, or less?"
-)
-def friction_drives(
-    a: Vector,
-    arm_a: Vector,
-    b: Vector,
-    arm_b: Vector,
-    normal: Vector,
-    restitution: float,
-    friction: float,
-) -> Any:
-    """Friction acts along the sliding."""
-    v, w, jn = [a[2:4], b[2:4]], [a[4], b[4]], 0.0
-    arms = np.array([arm_a, arm_b])
-    for turn, n in enumerate((normal, np.array([-normal[1], normal[0]]))):
-        r = arms[:, 0] * n[1] - arms[:, 1] * n[0]
-        yields = 1 / a[0] + 1 / b[0] + r[0] ** 2 / a[1] + r[1] ** 2 / b[1]
-        u = (v[1] - v[0]) @ n + w[1] * r[1] - w[0] * r[0]
-        j = (
-            np.clip(u / yields, -friction * jn, friction * jn)
-            if turn
-            else max(-(1 + restitution) * u / yields, 0)
-        )
-        jn = jn if turn else j
-        v = [v[0] - j * n / a[0], v[1] + j * n / b[0]]
-        w = [w[0] - j * r[0] / a[1], w[1] + j * r[1] / b[1]]
-    return v[0], w[0], v[1], w[1]
-
-
-@wrong_model(
     "11.2", "The blow along the normal turns both bodies. Do they slide as before, after it?"
 )
 def sliding_before_the_blow(
@@ -406,41 +376,6 @@ def half_each(
         low, high = radii, room[axis] - radii
         out = ((p[:, axis] < low) & (v[:, axis] < 0)) | ((p[:, axis] > high) & (v[:, axis] > 0))
         v[out, axis] *= -restitution
-        p[:, axis] = np.clip(p[:, axis], low, high)
-    return p, v
-
-
-@wrong_model(
-    "11.3", "The disc at the wall: how fast does it leave, compared with how fast it came?"
-)
-def elastic_walls(
-    positions: Table,
-    velocities: Table,
-    masses: Vector,
-    radii: Vector,
-    restitution: float,
-    gravity: Vector,
-    room: Vector,
-    dt: float,
-) -> Any:
-    """Walls give back the whole velocity."""
-    p, v = positions + velocities * dt, velocities + gravity * dt
-    for i in range(len(p)):
-        for j in range(i + 1, len(p)):
-            way = p[j] - p[i]
-            depth = radii[i] + radii[j] - np.hypot(*way)
-            if depth <= 0:
-                continue
-            n, k = way / np.hypot(*way), 1 / masses[i] + 1 / masses[j]
-            jn = max(-(1 + restitution) * ((v[j] - v[i]) @ n) / k, 0)
-            v[i] -= jn / masses[i] * n
-            v[j] += jn / masses[j] * n
-            p[i] -= depth / k / masses[i] * n
-            p[j] += depth / k / masses[j] * n
-    for axis in (0, 1):
-        low, high = radii, room[axis] - radii
-        out = ((p[:, axis] < low) & (v[:, axis] < 0)) | ((p[:, axis] > high) & (v[:, axis] > 0))
-        v[out, axis] *= -1
         p[:, axis] = np.clip(p[:, axis], low, high)
     return p, v
 
