@@ -226,3 +226,30 @@ def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:
 
     submission = read_submission(path)
     return submission, exercise_by_name(name) if name else exercise_of(submission)
+
+
+@grading.command()
+def release(
+    folder: Annotated[Path, typer.Argument(help="A folder that is new or empty.")],
+    as_json: AsJson = False,
+) -> None:
+    """Write the students' copy: no solutions, no hidden checks, no keys; and a zip of it."""
+    from lesson_code.grading.release import release as release_to
+    from lesson_code.notebook_tools.root import find_root
+
+    with clear_errors():
+        made = release_to(find_root(), folder)
+        if as_json:
+            print_json(
+                {
+                    "version": 1,
+                    "command": "release",
+                    "folder": str(made.folder),
+                    "zip": str(made.archive),
+                    "files": made.files,
+                    "leaks": [],
+                }
+            )
+        else:
+            line = f"{made.files} files in {made.folder} and {made.archive}; nothing leaks"
+            console.print(line, soft_wrap=True, markup=False, highlight=False)

@@ -95,7 +95,7 @@ def judge(task: Task, call: Call, seed: int) -> Verdict:
 
 def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]:
     """Make the calls of one criterion; after one that hangs, crashes or is not there, no more."""
-    stream = Random(zlib.crc32(f"{seed} {task.id} {criterion.name}".encode()))  # noqa: S311
+    stream = stream_of(task, criterion, seed)
     trials: list[Trial] = []
     for arguments in criterion.cases(stream):
         expected = plain(task.expected(*arguments_from(arguments)))
@@ -104,6 +104,11 @@ def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]
         if outcome.kind not in ("returned", "raised"):
             break
     return trials
+
+
+def stream_of(task: Task, criterion: Criterion, seed: int) -> Random:
+    """Return the random stream that a seed draws the inputs of a criterion from."""
+    return Random(zlib.crc32(f"{seed} {task.id} {criterion.name}".encode()))  # noqa: S311
 
 
 def _mark(task: Task, criterion: Criterion, trials: list[Trial]) -> CriterionVerdict:
