@@ -25,6 +25,7 @@ from lesson_code.cli.shared import (
     print_json,
     say_error,
 )
+from lesson_code.cli.watching import watching
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -36,6 +37,7 @@ play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 app.add_typer(play, name="play")
 app.add_typer(measure, name="measure")
 app.add_typer(grading)
+app.add_typer(watching)
 
 
 def main() -> None:

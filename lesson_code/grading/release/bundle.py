@@ -21,6 +21,7 @@ from lesson_code.grading.exercises import EXERCISES
 from lesson_code.grading.practice import practice_of, reference
 from lesson_code.grading.release.slicing import Names, all_needed, sliced, used_names
 from lesson_code.grading.task import Task
+from lesson_code.grading.watch.reset import FRESH
 from lesson_code.quiz.sealing import seal_chapter
 
 TOP_FILES = ("pyproject.toml", "requirements.lock", "LICENSE")
@@ -49,6 +50,9 @@ def bundle_files(root: Path) -> Files:
     if not (root / "solutions").is_dir():
         raise ValueError(f"{root}: is a student's copy; a release is made from the instructor's")
     files = {path.as_posix(): (root / path).read_bytes() for path in sorted(_as_they_are(root))}
+    for exercise in EXERCISES:
+        copy = exercise.student_copy(root)
+        files[(FRESH / copy.name).as_posix()] = copy.read_bytes()
     files |= {path: text.encode() for path, text in _taken_apart(root, files)}
     files["README.md"] = _readme((root / "README.md").read_text(encoding="utf-8")).encode()
     return dict(sorted(files.items()))
