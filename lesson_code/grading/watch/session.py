@@ -200,7 +200,7 @@ class Session:
         self.screen.help(verdict.task.title, hints(verdict, self.current)[: self._level(verdict)])
 
     def _level(self, verdict: Verdict) -> int:
-        """Return how many steps of help are due: one more with each failed try, and each request."""
+        """Return how many steps of help are due: one more with each failed try or request."""
         asked = self.asked.get(verdict.task.id, 0)
         return max(self.progress.of(verdict.task).tries, 1) + asked
 
