@@ -16,6 +16,18 @@ LONGEST_SHOWN = 80
 LONGEST_STEM = 40
 """Characters of a name that go into the name of a file."""
 
+LIKE_A_DIGEST = re.compile(r"(^|-)[0-9a-f]{8}$")
+"""How the other names of files end, so that none that a student chooses is one of them."""
+
+RESERVED = (
+    "con",
+    "prn",
+    "aux",
+    "nul",
+    *(f"{port}{n}" for port in ("com", "lpt") for n in range(10)),
+)
+"""Names that Windows gives to devices."""
+
 FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 """What makes a spreadsheet take a cell for a formula; the last four are the wide forms."""
 
@@ -40,11 +52,11 @@ def file_stem(name: str) -> str:
     >>> file_stem("ada")
     'ada'
     >>> file_stem("../../Ada")
-    'ada-15a94f28'
+    'ada-64ac56a4'
     """
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
     stem = re.sub(r"[^a-z0-9]+", "-", plain).strip("-")[:LONGEST_STEM]
-    if stem == name:
+    if stem and stem == name and not LIKE_A_DIGEST.search(stem) and stem not in RESERVED:
         return stem
     digest = hashlib.sha256(name.encode("utf-8", "surrogatepass")).hexdigest()[:8]
     return f"{stem}-{digest}" if stem else digest
