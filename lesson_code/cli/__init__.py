@@ -30,6 +30,14 @@ if TYPE_CHECKING:
 
     from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
 
+Isolation = Annotated[
+    str | None,
+    typer.Option(
+        metavar="LEVEL",
+        help="The least isolation that will do: full, limits or none. The best there is gets used.",
+    ),
+]
+
 app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
@@ -152,19 +160,21 @@ def grade(
     nbval: Annotated[
         bool, typer.Option("--nbval", help="Grade under nbval, without isolation.")
     ] = False,
+    isolation: Isolation = None,
     as_json: AsJson = False,
 ) -> None:
-    """Grade one submission; its code runs in a process of its own, with limits."""
-    from lesson_code.grading import report
+    """Grade one submission; its code runs behind a wall, and the report says what it was of."""
+    from lesson_code.grading import grader
+    from lesson_code.grading.report import print_report
 
     with clear_errors():
         if nbval:
             _grade_under_nbval(submission, exercise, as_json)
-        graded = report.grade(submission, exercise=exercise, seed=seed)
+        graded = grader.grade(submission, exercise=exercise, seed=seed, isolation=isolation)
         if as_json:
             print_json(graded.as_dict())
         else:
-            report.print_report(graded, console)
+            print_report(graded, console)
     raise typer.Exit(0 if graded.is_full else 1)
 
 
