@@ -23,6 +23,14 @@ from lesson_code.cli.shared import (
 if TYPE_CHECKING:
     from lesson_code.grading.class_run import Gradebook
 
+Isolation = Annotated[
+    str | None,
+    typer.Option(
+        metavar="LEVEL",
+        help="The least isolation that will do: full, limits or none. The best there is gets used.",
+    ),
+]
+
 grading = typer.Typer()
 
 MOST_REMARKS = 20
@@ -42,6 +50,7 @@ def grade(
     nbval: Annotated[
         bool, typer.Option("--nbval", help="Grade under nbval, without isolation.")
     ] = False,
+    isolation: Isolation = None,
     out: Annotated[
         Path | None, typer.Option(help="A class: where the marks go; by default FOLDER-marks.")
     ] = None,
@@ -71,7 +80,9 @@ def grade(
 
             place = out or submission.resolve().with_name(f"{submission.resolve().name}-marks")
             hands = Hands(workers, cluster)
-            _grade_class(submission, place, roster, names, seed, due, hands, fresh, as_json)
+            _grade_class(
+                submission, place, roster, names, seed, due, isolation, hands, fresh, as_json
+            )
         for option, given in (
             ("--out", out),
             ("--roster", roster),
@@ -86,18 +97,21 @@ def grade(
             raise ValueError("--exercise can be given once for one file")
         if nbval:
             _grade_under_nbval(submission, names[0] if names else None, as_json)
-        _grade_one(submission, names[0] if names else None, seed, as_json)
+        _grade_one(submission, names[0] if names else None, seed, isolation, as_json)
 
 
-def _grade_one(path: Path, exercise: str | None, seed: int | None, as_json: bool) -> NoReturn:
+def _grade_one(
+    path: Path, exercise: str | None, seed: int | None, isolation: str | None, as_json: bool
+) -> NoReturn:
     """Grade one submission."""
-    from lesson_code.grading import report
+    from lesson_code.grading.grader import grade
+    from lesson_code.grading.report import print_report
 
-    graded = report.grade(path, exercise=exercise, seed=seed)
+    graded = grade(path, exercise=exercise, seed=seed, isolation=isolation)
     if as_json:
         print_json(graded.as_dict())
     else:
-        report.print_report(graded, console)
+        print_report(graded, console)
     raise typer.Exit(0 if graded.is_full else 1)
 
 
@@ -108,6 +122,7 @@ def _grade_class(
     exercises: list[str],
     seed: int | None,
     due: str | None,
+    isolation: str | None,
     hands: Any,
     fresh: bool,
     as_json: bool,
@@ -124,6 +139,7 @@ def _grade_class(
             exercises=exercises,
             seed=seed,
             due=None if due is None else read_time(due),
+            isolation=isolation,
             hands=hands,
             fresh=fresh,
             told=say_error,

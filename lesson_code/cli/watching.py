@@ -61,6 +61,6 @@ def watch(
 
 def _check(path: Path, exercise: str) -> Report:
     """Grade a file as an exercise."""
-    from lesson_code.grading.report import grade
+    from lesson_code.grading.grader import grade
 
     return grade(path, exercise=exercise)

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.grading.child import arguments_from, plain
+from lesson_code.grading.isolation.inside.answers import arguments_from, plain
 from lesson_code.grading.task import Arguments, Criterion, Function, Task, WrongModel
 
 DRAWS = 8

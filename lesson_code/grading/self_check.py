@@ -18,8 +18,8 @@ from types import ModuleType
 
 from lesson_code.grading import alternatives, wrong_models
 from lesson_code.grading.exercises import EXERCISES, Exercise
+from lesson_code.grading.grader import grade
 from lesson_code.grading.in_process import call_here
-from lesson_code.grading.report import grade
 from lesson_code.grading.submission import read_submission
 from lesson_code.grading.task import Alternative, KnownAnswer, Task, WrongModel, marked
 from lesson_code.grading.verdict import Verdict, judge

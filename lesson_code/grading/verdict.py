@@ -11,9 +11,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.grading.child import arguments_from, plain
 from lesson_code.grading.compare import agrees, told_apart, written
-from lesson_code.grading.outcome import Outcome
+from lesson_code.grading.isolation.inside.answers import arguments_from, plain
+from lesson_code.grading.isolation.outcome import Outcome
 from lesson_code.grading.task import Arguments, Criterion, Part, Task, WrongModel
 
 Call: TypeAlias = Callable[[str, Arguments], Outcome]

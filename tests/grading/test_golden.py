@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from lesson_code.grading.grader import grade
 from lesson_code.grading.isolation import Limits
-from lesson_code.grading.report import grade
 
 FOLDER = Path(__file__).parent / "golden"
 TABLE: dict[str, dict[str, Any]] = tomllib.loads((FOLDER / "golden.toml").read_text())

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from lesson_code.grading.exercises import exercise_by_name
+from lesson_code.grading.grader import grade
 from lesson_code.grading.nbval_grading import grade_under_nbval
-from lesson_code.grading.report import grade
 from lesson_code.grading.submission import read_submission
 
 FOLDER = Path(__file__).parent / "golden" / "chapters"

@@ -17,8 +17,8 @@ from typer.testing import CliRunner
 
 from lesson_code.cli import app
 from lesson_code.grading.exercises import EXERCISES, Exercise, exercise_by_name, task_by_id
+from lesson_code.grading.grader import grade
 from lesson_code.grading.nbval_grading import CHECK_CALL, grade_under_nbval, merge
-from lesson_code.grading.report import grade
 from lesson_code.grading.submission import SubmissionError, read_submission
 from lesson_code.grading.task import WrongModel, source_as_answer
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from lesson_code.grading import submission as submission_module
-from lesson_code.grading.report import grade
+from lesson_code.grading.grader import grade
 from lesson_code.grading.submission import Submission, SubmissionError, read_submission
 
 from .conftest import Write

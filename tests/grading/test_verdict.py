@@ -13,7 +13,7 @@ import pytest
 
 from lesson_code.grading.exercises import EXERCISES, task_by_id
 from lesson_code.grading.in_process import call_here
-from lesson_code.grading.outcome import Outcome
+from lesson_code.grading.isolation.outcome import Outcome
 from lesson_code.grading.task import Arguments, Criterion, Task, WrongModel
 from lesson_code.grading.verdict import Verdict, judge
 

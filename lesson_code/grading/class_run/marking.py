@@ -16,7 +16,7 @@ from typing import Any
 
 from lesson_code.grading.class_run.journal import Marks
 from lesson_code.grading.exercises import exercise_by_name, exercise_of
-from lesson_code.grading.report import grade
+from lesson_code.grading.grader import Grader
 from lesson_code.grading.submission import Submission, SubmissionError, read_submission
 
 ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
@@ -51,26 +51,33 @@ def mark(job: Job, terms: Terms) -> Marks:
 
     Raises
     ------
+    IsolationError
+        There is less isolation to be had than the run asks for.
     RuntimeError
         This worker's grader is not the one that the run was begun with.
     """
     if grader_version() != terms.grader:
         raise RuntimeError("this worker has another version of the workbook")
+    grader = _warm_grader(terms.isolation)  # where there is too little isolation, this raises
     if job.content is None:
-        return _mark(job.path, job.name, terms)
+        return _mark(job.path, job.name, terms, grader)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / job.path.name
         path.write_bytes(job.content)
-        return _mark(path, job.name, terms)
+        return _mark(path, job.name, terms, grader)
 
 
-def _mark(path: Path, name: str, terms: Terms) -> Marks:
+@functools.cache
+def _warm_grader(isolation: str | None) -> Grader:
+    """Return this process's grader; it ends with the process."""
+    return Grader(isolation=isolation, hide_inputs=True).__enter__()
+
+
+def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
     """Return what the file at a path has earned; it is called by its name in the class's folder."""
     try:
         exercise = _exercise(read_submission(path), terms.exercises)
-        report = grade(path, exercise=exercise, seed=terms.seed)
-    except SubmissionError as error:
-        return {"problem": _told(str(error), path)}
+        report = grader.grade(path, exercise=exercise, seed=terms.seed)
     except ValueError as error:
         return {"problem": _told(str(error), path)}
     except OSError as error:

@@ -20,6 +20,7 @@ from lesson_code.grading.class_run.names import shown
 from lesson_code.grading.class_run.pages import write_pages
 from lesson_code.grading.class_run.roster import read_roster
 from lesson_code.grading.exercises import exercise_by_name
+from lesson_code.grading.grader import Grader
 from lesson_code.grading.submission import LARGEST_FILE
 from lesson_code.parallel import Outcome, iter_tasks
 
@@ -88,6 +89,9 @@ def grade_class(
     names = tuple(exercise_by_name(name).name for name in exercises)
     class_list = None if roster is None else read_roster(roster)
     hand_ins = collect(folder, class_list, without={p.resolve() for p in (out, roster) if p})
+    if hands is None or hands.cluster is None:
+        with Grader(isolation=isolation) as grader:  # refuses before anything is read or written
+            told(f"isolation: {grader.isolation}")
     out.mkdir(parents=True, exist_ok=True)
     if fresh:
         (out / JOURNAL).unlink(missing_ok=True)

@@ -15,8 +15,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from lesson_code.grading.child import arguments_from, plain
 from lesson_code.grading.exercises import EXERCISES
+from lesson_code.grading.isolation.inside.answers import arguments_from, plain
 from lesson_code.grading.release.bundle import KNOWN_ANSWERS, QUESTIONS, TASKS, Files
 from lesson_code.grading.self_check import answers_in, formulas_in, squeezed
 from lesson_code.grading.task import Task
