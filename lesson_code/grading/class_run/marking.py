@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.grading.class_run.journal import Marks
-from lesson_code.grading.exercises import exercise_by_name, exercise_of
+from lesson_code.grading.exercises import exercise_of
 from lesson_code.grading.grader import Grader
-from lesson_code.grading.submission import Submission, SubmissionError, read_submission
+from lesson_code.grading.submission import SubmissionError, read_submission
 
 ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
 """Where an object stood in memory: another place each time, and nothing to learn from."""
@@ -76,29 +76,35 @@ def _warm_grader(isolation: str | None) -> Grader:
 def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
     """Return what the file at a path has earned; it is called by its name in the class's folder."""
     try:
-        exercise = _exercise(read_submission(path), terms.exercises)
+        exercise = _exercise(path, terms.exercises) if terms.exercises else None
         report = grader.grade(path, exercise=exercise, seed=terms.seed)
     except ValueError as error:
-        return {"problem": _told(str(error), path)}
+        return {"problem": _told(_why(path, error), path)}
     except OSError as error:
         return {"problem": f"cannot be read ({error.strerror})"}
     marks = report.as_dict() | {"submission": name}
     return {key: _without_addresses(value) for key, value in marks.items()}
 
 
-def _exercise(submission: Submission, only: tuple[str, ...]) -> str:
+def _exercise(path: Path, only: tuple[str, ...]) -> str:
     """Return which exercise a file answers, if it is one of those that count."""
+    submission = read_submission(path)
     try:
         found = exercise_of(submission).name
     except ValueError:
         if len(only) == 1:
             return only[0]
-        if submission.unreadable:
-            raise SubmissionError("; ".join(submission.unreadable)) from None
         raise
-    if only and found not in only:
+    if found not in only:
         raise SubmissionError(f"answers {found}, which is not graded here")
-    return exercise_by_name(found).name
+    return found
+
+
+def _why(path: Path, error: ValueError) -> str:
+    """Return why a file cannot be graded; where nothing tells its exercise, what is broken."""
+    if isinstance(error, SubmissionError):
+        return str(error)
+    return "; ".join(read_submission(path).unreadable) or str(error)
 
 
 def _told(message: str, path: Path) -> str:
