@@ -127,9 +127,10 @@ def _check_notebooks(as_json: bool) -> None:
 def _check_exercises(as_json: bool) -> None:
     """Put the exercises to the test, with a line for what is being checked."""
     from lesson_code.grading.self_check import faults
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.notebook_tools.root import find_root, require_instructors
 
     root = find_root()
+    require_instructors(root)
     with errors.status("exercises") as status:
         found = list(faults(root, told=status.update))
     if as_json:
@@ -184,11 +185,12 @@ def regenerate(
     """Make every notebook and student copy anew from its source (for those who carry it on)."""
     from lesson_code.grading.exercises import EXERCISES
     from lesson_code.notebook_tools.regenerate import derived_files, drifted
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.notebook_tools.root import find_root, require_instructors
 
     tasks = {exercise.name: exercise.task_ids for exercise in EXERCISES}
     with clear_errors():
         root = find_root()
+        require_instructors(root)
         if only_check:
             lines = drifted(root, tasks)
             for line in lines:

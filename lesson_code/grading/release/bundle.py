@@ -22,6 +22,7 @@ from lesson_code.grading.practice import practice_of, reference
 from lesson_code.grading.release.slicing import Names, all_needed, sliced, used_names
 from lesson_code.grading.task import Task
 from lesson_code.grading.watch.reset import FRESH
+from lesson_code.notebook_tools.root import require_instructors
 from lesson_code.quiz.sealing import seal_chapter
 
 TOP_FILES = ("pyproject.toml", "requirements.lock", "LICENSE")
@@ -47,8 +48,7 @@ def bundle_files(root: Path) -> Files:
     ValueError
         The workbook is a student's copy itself, or something in it cannot be taken apart.
     """
-    if not (root / "solutions").is_dir():
-        raise ValueError(f"{root}: is a student's copy; a release is made from the instructor's")
+    require_instructors(root)
     files = {path.as_posix(): (root / path).read_bytes() for path in sorted(_as_they_are(root))}
     for exercise in EXERCISES:
         copy = exercise.student_copy(root)

@@ -131,8 +131,8 @@ def _kept(
         return ast.unparse(statement) if statement.names else ""
     text = ast.get_source_segment(source, statement) or ""
     if isinstance(statement, ast.Expr):
-        before = set(_defined(body[place - 1])) if place else needed
-        return text if before & needed else ""  # a docstring: of the module, or of a constant
+        is_kept = place == 0 or set(_defined(body[place - 1])) & needed
+        return text if is_kept else ""  # a docstring: of the module, or of a constant
     if isinstance(statement, ast.FunctionDef | ast.ClassDef) and statement.decorator_list:
         first = statement.decorator_list[0].lineno - 1
         text = "\n".join(source.splitlines()[first : statement.end_lineno])
@@ -143,7 +143,14 @@ def _spaced(statements: list[str]) -> Iterator[str]:
     """Yield statements with the blank lines that stand between definitions."""
     before = ""
     for text in statements:
-        if before and ("\ndef " in f"\n{text}" or "\ndef " in f"\n{before}" or text[0] == "@"):
+        if before and (_is_definition(text) or _is_definition(before)):
             yield "\n"
+        elif before.startswith(('"""', "from __future__")):
+            yield ""
         yield text
         before = text
+
+
+def _is_definition(text: str) -> bool:
+    """Return whether a statement is a function or class."""
+    return text.startswith(("def ", "class ", "@"))
