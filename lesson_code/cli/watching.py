@@ -5,7 +5,6 @@ from __future__ import annotations
 import queue
 import sys
 import threading
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -13,7 +12,7 @@ import typer
 from lesson_code.cli.shared import clear_errors, console
 
 if TYPE_CHECKING:
-    from lesson_code.grading.report import Report
+    from lesson_code.grading.watch import Session
 
 watching = typer.Typer()
 
@@ -35,7 +34,8 @@ def watch(
 ) -> None:
     """Check an exercise each time it is saved, with help that goes a step further each time."""
     from lesson_code.grading.exercises import EXERCISES, exercise_by_name
-    from lesson_code.grading.watch import Screen, Session, listen
+    from lesson_code.grading.grader import Grader
+    from lesson_code.grading.watch import Screen, Session
     from lesson_code.notebook_tools.root import find_root
 
     with clear_errors():
@@ -43,24 +43,25 @@ def watch(
             raise ValueError("--reset needs the exercise: workbook watch 03 --reset")
         chosen = EXERCISES if exercise is None else (exercise_by_name(exercise),)
         screen = Screen(console, plain=plain or not console.is_terminal)
-        session = Session(find_root(), chosen, _check, screen)
-        if reset:
-            session.reset()
-            return
-        session.begin()
-        if listing:
-            session.list()
-            return
-        lines: queue.Queue[str] = queue.Queue()
-        threading.Thread(target=listen, args=(lines, sys.stdin.readline), daemon=True).start()
-        try:
-            session.run(lines)
-        except KeyboardInterrupt:
-            screen.say("Stopped.")
+        with Grader() as grader:
+            session = Session(find_root(), chosen, grader, screen)
+            if reset:
+                session.reset()
+                return
+            session.begin()
+            if listing:
+                session.list()
+            else:
+                _watch(session)
 
 
-def _check(path: Path, exercise: str) -> Report:
-    """Grade a file as an exercise."""
-    from lesson_code.grading.grader import grade
+def _watch(session: Session) -> None:
+    """Watch until standard input says to stop, or Ctrl-C does."""
+    from lesson_code.grading.watch import listen
 
-    return grade(path, exercise=exercise)
+    lines: queue.Queue[str] = queue.Queue()
+    threading.Thread(target=listen, args=(lines, sys.stdin.readline), daemon=True).start()
+    try:
+        session.run(lines)
+    except KeyboardInterrupt:
+        session.screen.say("Stopped.")

@@ -6,9 +6,9 @@ import queue
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeAlias
 
 from lesson_code.grading.exercises import Exercise
+from lesson_code.grading.grader import Grader
 from lesson_code.grading.report import Report
 from lesson_code.grading.submission import SubmissionError
 from lesson_code.grading.verdict import Verdict
@@ -18,9 +18,6 @@ from lesson_code.grading.watch.progress import Progress
 from lesson_code.grading.watch.reset import put_back
 from lesson_code.grading.watch.screen import Screen
 from lesson_code.grading.watch.solutions import solution_of
-
-Check: TypeAlias = Callable[[Path, str], Report]
-"""Grades a file as an exercise."""
 
 SECONDS_BETWEEN_LOOKS = 0.3
 
@@ -37,15 +34,15 @@ class Session:
         The workbook.
     exercises : sequence of Exercise
         Those that are watched, in the order of the course.
-    check : Check
-        Grades a file.
+    grader : Grader
+        Grades the files.
     screen : Screen
         Where everything is written.
     """
 
     root: Path
     exercises: Sequence[Exercise]
-    check: Check
+    grader: Grader
     screen: Screen
     progress: Progress = field(init=False)
     current: Exercise = field(init=False)
@@ -96,12 +93,14 @@ class Session:
     def obey(self, line: str) -> bool:
         """Do what a line asks for; return False if it asks to stop."""
         word = line.strip().lower()
-        confirmed, self.resetting = self.resetting and word == "yes", False
-        if word in ("q", "quit"):
-            return False
+        asked_for_yes, self.resetting = self.resetting, False
         commands = {"h": self.hint, "l": self.list, "n": self.next, "s": self.solution}
-        if confirmed:
+        if asked_for_yes and word == "yes":
             self.reset()
+        elif asked_for_yes:
+            self.screen.say("It is left as it is.")
+        elif word in ("q", "quit"):
+            return False
         elif word[:1] == "r":
             self.resetting = True
             self.screen.say(f"Put {self.current.name} back to its beginning? Type yes, then Enter.")
@@ -213,12 +212,13 @@ class Session:
     def _check(self, exercise: Exercise) -> None:
         """Check an exercise and keep what was found; say it if its file cannot be read."""
         try:
-            report = self.check(exercise.student_copy(self.root), exercise.name)
+            path = exercise.student_copy(self.root)
+            report = self.grader.grade(path, exercise=exercise.name)
         except (SubmissionError, OSError) as error:
             self.reports.pop(exercise.name, None)
             self.screen.say(str(error))
             return
-        if not self.progress.is_checked(exercise, exercise.student_copy(self.root)):
+        if not self.progress.is_checked(exercise, path):
             self.progress.note(report)
         self.reports[exercise.name] = report
 
