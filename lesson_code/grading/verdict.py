@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import copy
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from random import Random
 from typing import Any, TypeAlias
 
@@ -95,15 +95,22 @@ def judge(task: Task, call: Call, seed: int) -> Verdict:
 
 def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]:
     """Make the calls of one criterion; after one that hangs, crashes or is not there, no more."""
-    stream = stream_of(task, criterion, seed)
     trials: list[Trial] = []
-    for arguments in criterion.cases(stream):
-        expected = plain(task.expected(*arguments_from(arguments)))
-        outcome = call(task.function, copy.deepcopy(arguments))
+    for arguments, expected in _drawn(task, criterion, seed):
+        outcome = call(task.function, arguments)
         trials.append(Trial(arguments, expected, outcome))
         if outcome.kind not in ("returned", "raised"):
             break
     return trials
+
+
+@lru_cache(maxsize=1000)
+def _drawn(task: Task, criterion: Criterion, seed: int) -> tuple[tuple[Arguments, Any], ...]:
+    """Return the arguments that a seed draws, and what is expected of each: once for a class."""
+    return tuple(
+        (arguments, plain(task.expected(*arguments_from(arguments))))
+        for arguments in criterion.cases(stream_of(task, criterion, seed))
+    )
 
 
 def stream_of(task: Task, criterion: Criterion, seed: int) -> Random:

@@ -16,11 +16,16 @@ TABLE: dict[str, dict[str, Any]] = tomllib.loads((FOLDER / "golden.toml").read_t
 RIGHT = "right_notebook.ipynb"
 SEED_OF_HARD_CODED = 1
 """The seed whose answers hard_coded.py has learnt by heart."""
+HARD_CODED = "hostile/hard_coded.py"
 
 
 def test_golden_table_lists_every_file_and_no_other() -> None:
     """Each committed submission has its expected points, and each entry its file."""
-    files = {path.name for path in FOLDER.iterdir() if path.suffix in (".py", ".ipynb")}
+    files = {
+        path.relative_to(FOLDER).as_posix()
+        for path in FOLDER.rglob("*")
+        if path.suffix in (".py", ".ipynb")
+    }
     assert files == set(TABLE)
 
 
@@ -39,9 +44,9 @@ def test_golden_submission_earns_its_points_and_the_next_one_too(name: str) -> N
 
 def test_golden_hard_coded_answers_are_right_for_one_seed_alone() -> None:
     """Answers learnt by heart are right with the seed they were learnt from, and no other."""
-    learnt = grade(FOLDER / "hard_coded.py", exercise="01", seed=SEED_OF_HARD_CODED)
+    learnt = grade(FOLDER / HARD_CODED, exercise="01", seed=SEED_OF_HARD_CODED)
     assert learnt.is_full
-    assert not grade(FOLDER / "hard_coded.py", exercise="01", seed=SEED_OF_HARD_CODED + 1).is_full
+    assert not grade(FOLDER / HARD_CODED, exercise="01", seed=SEED_OF_HARD_CODED + 1).is_full
 
 
 def test_golden_marks_are_the_same_twice() -> None:

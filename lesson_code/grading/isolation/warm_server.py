@@ -85,11 +85,11 @@ class WarmServer:
                 self._control.send(json.dumps(asdict(self._orders())).encode())
                 reply = json.loads(self._control.recv(LARGEST_REPLY))
             except (OSError, ValueError):
-                self.close()
+                self._end_server()
                 errors.seek(0)
                 reply = {"error": _last_line(errors.read()) or "its server did not start"}
         if "error" in reply:
-            self.close()
+            self._end_server()
             raise IsolationError(reply["error"])
 
     def _started(self, control: int, errors: IO[bytes]) -> subprocess.Popen[bytes]:
@@ -123,13 +123,17 @@ class WarmServer:
         Raises
         ------
         IsolationError
-            The server cannot make one.
+            The server cannot make one, not even after it was started again.
         """
-        channel = self._forked({"fork": "answers"})
-        if channel.ask(b"", SECONDS_TO_FORK) != b'{"wall": "closed"}\n':
+        for attempt in range(2):
+            if attempt:  # where a submission could end the server, it ended nothing but that
+                self._end_server()
+                self.open()
+            channel = self._forked({"fork": "answers"})
+            if channel.ask(b"", SECONDS_TO_FORK) == b'{"wall": "closed"}\n':
+                return channel
             channel.close()
-            raise IsolationError(f"the wall ({self._kind}) could not be closed round a submission")
-        return channel
+        raise IsolationError(f"the wall ({self._kind}) could not be closed round a submission")
 
     def possible(self, target: dict[str, Any]) -> dict[str, bool]:
         """Return which deeds a child of this server is able to do to a target."""
@@ -157,15 +161,19 @@ class WarmServer:
 
     def close(self) -> None:
         """End the server and its child, and remove its folder."""
+        self._end_server()
+        if self._user is not None:
+            self._user.close()
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+    def _end_server(self) -> None:
+        """End the server, if it runs; it ends its child and cleans up first."""
         if self._control is not None:
-            self._control.close()  # at which the server cleans up and ends
+            self._control.close()
             self._control = None
         if self._process is not None:
             _wait_for(self._process)
             self._process = None
-        if self._user is not None:
-            self._user.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
 
 
 def python(module: str, *arguments: str) -> list[str]:

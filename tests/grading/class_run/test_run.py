@@ -129,7 +129,7 @@ def test_hostile_neighbours_change_nobodys_marks(tmp_path: Path) -> None:
     folder.mkdir()
     hostile = ("os_exit.py", "kills_its_group.py", "monkeypatches.py", "deletes_its_folder.py")
     for name in (*hostile, "forges_while_it_is_loaded.py", "writes_to_every_descriptor.py"):
-        shutil.copy(GOLDEN / name, folder / name)
+        shutil.copy(GOLDEN / "hostile" / name, folder / name)
         shutil.copy(GOLDEN / "right_notebook.ipynb", folder / f"honest_{name}.ipynb")
     book = grade_class(folder, tmp_path / "out", exercises=["01"], seed=7)
     honest = {name: points for name, points in points_of(book).items() if "honest" in name}

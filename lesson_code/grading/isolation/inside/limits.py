@@ -4,6 +4,13 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from types import ModuleType
+
+resource: ModuleType | None
+try:
+    import resource
+except ImportError:  # Windows has none; the report says so
+    resource = None
 
 BYTES_A_FILE = 1_000_000
 OPEN_FILES = 64
@@ -13,9 +20,7 @@ MORE_PROCESSES = 32
 
 def lower(cpu_seconds: int, bytes_of_memory: int, processes: int | None = None) -> None:
     """Lower this process's limits; a process without privileges cannot raise them again."""
-    try:
-        import resource
-    except ImportError:  # Windows has none; the report says so
+    if resource is None:
         return
     limits = [
         (resource.RLIMIT_CPU, cpu_seconds),

@@ -10,6 +10,7 @@ import ctypes
 import errno
 import os
 import struct
+from functools import cache
 
 from . import system
 
@@ -64,6 +65,9 @@ SIGNALS = {"x86_64": (62, 234), "aarch64": (129, 131)}
 LOAD, EQUAL, ANY_BIT, RETURN = 0x20, 0x15, 0x45, 0x06
 NUMBER, ARCHITECTURE, FIRST_ARGUMENT = 0, 4, 16
 ALLOW, REFUSE, KILL = 0x7FFF0000, 0x00050000, 0x80000000
+
+ANY_PROCESS = 0x7FFF_FFFE
+"""Stands in a filter for the process that it is made for; no system has so many."""
 
 Instruction = tuple[int, int, int, int]
 """Operation, how far to jump if true, how far if false, operand."""
@@ -120,10 +124,21 @@ class _Program(ctypes.Structure):
     _fields_ = [("length", ctypes.c_ushort), ("lines", ctypes.c_char_p)]
 
 
+@cache
+def _packed(machine: str) -> bytes:
+    """Return the filter as the kernel takes it, for the process ANY_PROCESS."""
+    return b"".join(struct.pack("HBBI", *line) for line in program(machine, ANY_PROCESS))
+
+
+def prepare() -> None:
+    """Work the filter out, so that no child spends time on it."""
+    _packed(system.MACHINE)
+
+
 def restrict() -> None:
     """Restrict this process, and all it may start, to the calls allowed; there is no way back."""
-    lines = program(system.MACHINE, os.getpid())
-    packed = b"".join(struct.pack("HBBI", *line) for line in lines)
-    handed = _Program(len(lines), packed)
+    packed = _packed(system.MACHINE)
+    packed = packed.replace(struct.pack("I", ANY_PROCESS), struct.pack("I", os.getpid()))
+    handed = _Program(len(packed) // struct.calcsize("HBBI"), packed)
     system.prctl(system.PR_SET_NO_NEW_PRIVS, 1)
     system.prctl(system.PR_SET_SECCOMP, 2, ctypes.byref(handed))

@@ -93,6 +93,11 @@ class Wall:
 class SeccompWall(Wall):
     """Limits, and no system calls but those of computing: no network, no other processes."""
 
+    def build(self) -> None:
+        """Make the filter ready."""
+        super().build()
+        seccomp.prepare()
+
     def _close_more(self) -> None:
         """Restrict the system calls."""
         seccomp.restrict()
@@ -143,6 +148,7 @@ class NamespaceWall(SeccompWall):
 
     def build(self) -> None:
         """Move the server into namespaces of its own."""
+        seccomp.prepare()
         orders = self.orders
         self._apart = namespaces.enter(orders.readable, orders.hidden, orders.folder)
         system.prctl(system.PR_SET_DUMPABLE, 0)
