@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from lesson_code.grading.exercises import exercise_by_name
 from lesson_code.grading.grader import grade
 from lesson_code.grading.isolation import Limits
 
@@ -29,6 +30,18 @@ def test_golden_table_lists_every_file_and_no_other() -> None:
     assert files == set(TABLE)
 
 
+def test_golden_submissions_of_every_chapter_are_right_partly_right_and_wrong() -> None:
+    """Each chapter from 04 has one of each kind, and only those that are right have full marks."""
+    kinds = set()
+    for name in (name for name in TABLE if name.startswith("chapters/")):
+        exercise = exercise_by_name(TABLE[name]["exercise"])
+        kind = Path(name).name.split("_")[0]
+        kinds.add((exercise.name[:2], kind))
+        assert (sum(TABLE[name]["points"]) == exercise.points) == (kind == "right")
+    chapters = ("04", "05", "06", "07", "08", "09")
+    assert kinds == {(c, kind) for c in chapters for kind in ("right", "partly", "wrong")}
+
+
 @pytest.mark.parametrize("name", TABLE)
 def test_golden_submission_earns_its_points_and_the_next_one_too(name: str) -> None:
     """A submission earns exactly its points; a right one that follows a bad one, all of them."""
@@ -37,7 +50,7 @@ def test_golden_submission_earns_its_points_and_the_next_one_too(name: str) -> N
     report = grade(FOLDER / name, exercise=expected["exercise"], seed=7, limits=limits)
     assert [verdict.points for verdict in report.verdicts] == expected["points"]
     hints = [verdict.recognised.name for verdict in report.verdicts if verdict.recognised]
-    assert hints == ([expected["hint"]] if "hint" in expected else [])
+    assert hints == expected.get("hints", [])
     if expected["under_nbval"] != "agrees":
         assert grade(FOLDER / RIGHT, seed=7).is_full
 
