@@ -30,12 +30,12 @@ def find_root(start: Path | None = None) -> Path:
 
 
 def require_instructors(root: Path) -> None:
-    """Refuse what needs solutions where there are none.
+    """Refuse what needs solutions or sources where there are none.
 
     Raises
     ------
     ValueError
         The workbook is a student's copy.
     """
-    if not (root / "solutions").is_dir():
+    if not any((root / folder).is_dir() for folder in ("solutions", "notebooks/source")):
         raise ValueError(f"{root}: is a student's copy; this needs the instructor's")
