@@ -18,8 +18,12 @@ GRADABLE = (".ipynb", ".py")
 MOST_FILES = 200
 """Gradable files a student; the course has about 20 exercises."""
 
-LEFT_ALONE = ("__pycache__", "__MACOSX")
-"""Folders of tools, not of students; so are those whose names begin with a dot."""
+LEFT_ALONE = (
+    *("__pycache__", "__MACOSX", "venv", "site-packages"),
+    *("lesson_code", "notebooks", "solutions", "backups"),
+)
+"""Folders of tools and of the workbook, which students hand in along with their own; so are those
+whose names begin with a dot."""
 
 SEPARATORS = "_-. "
 """What stands between a student's id and the rest of a file's name."""
@@ -100,7 +104,7 @@ def collect(
 
 
 def _is_tools(name: str) -> bool:
-    """Return whether a name belongs to a tool."""
+    """Return whether a name is that of a tool's or the workbook's folder."""
     return name.startswith(".") or name in LEFT_ALONE
 
 

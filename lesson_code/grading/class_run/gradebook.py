@@ -159,18 +159,21 @@ def gradebook(
 
 def _student(hand_in: HandIn, marks: Mapping[str, Marks], due: datetime | None) -> Student:
     """Return one student's marks; of two files for one exercise the better counts."""
+    found = [(p, marks.get(key_of(p), {"problem": "has not been graded"})) for p in hand_in.papers]
     reports: dict[str, Marks] = {}
-    problems, notes = list(hand_in.problems), []
-    for paper in hand_in.papers:
-        found = marks.get(key_of(paper), {"problem": "has not been graded"})
-        if "problem" in found:
-            problems.append(f"{shown(paper.name)}: {found['problem']}")
-            continue
-        before = reports.setdefault(found["exercise"], found)
-        if before is not found:
-            better = max(before, found, key=lambda report: int(report["points"]))
-            reports[found["exercise"]] = better
-            notes.append(f"{found['exercise']} came more than once; the better file counts")
+    notes: list[str] = []
+    for report in (report for _, report in found if "problem" not in report):
+        before = reports.setdefault(report["exercise"], report)
+        if before is not report:
+            better = max(before, report, key=lambda one: int(one["points"]))
+            reports[report["exercise"]] = better
+            notes.append(f"{report['exercise']} came more than once; the better file counts")
+    problems = list(hand_in.problems)
+    for paper, report in found:
+        if "problem" in report and report.get("is_other") and reports:
+            notes.append(f"{shown(paper.name)}: left out, it answers no exercise")
+        elif "problem" in report:
+            problems.append(f"{shown(paper.name)}: {report['problem']}")
     if not hand_in.on_roster:
         notes.append("not on the roster")
     limit = hand_in.student.due or due

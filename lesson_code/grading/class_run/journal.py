@@ -17,7 +17,8 @@ from typing import Any, TypeAlias
 from lesson_code.grading.class_run.collect import Paper
 
 Marks: TypeAlias = dict[str, Any]
-"""What a file has earned, as JSON: a report, or the one key "problem"."""
+"""What a file has earned, as JSON: a report, or "problem" alone; with "is_other", where it may be a
+file that answers nothing, such as a module of helpers."""
 
 
 class Journal:

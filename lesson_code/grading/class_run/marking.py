@@ -78,8 +78,11 @@ def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
     try:
         exercise = _exercise(path, terms.exercises) if terms.exercises else None
         report = grader.grade(path, exercise=exercise, seed=terms.seed)
-    except ValueError as error:
-        return {"problem": _told(_why(path, error), path)}
+    except SubmissionError as error:
+        return {"problem": _told(str(error), path)}
+    except ValueError as error:  # nothing in it tells which exercise it is
+        broken = read_submission(path).unreadable
+        return {"problem": "; ".join(broken) or _told(str(error), path), "is_other": not broken}
     except OSError as error:
         return {"problem": f"cannot be read ({error.strerror})"}
     marks = report.as_dict() | {"submission": name}
@@ -98,13 +101,6 @@ def _exercise(path: Path, only: tuple[str, ...]) -> str:
     if found not in only:
         raise SubmissionError(f"answers {found}, which is not graded here")
     return found
-
-
-def _why(path: Path, error: ValueError) -> str:
-    """Return why a file cannot be graded; where nothing tells its exercise, what is broken."""
-    if isinstance(error, SubmissionError):
-        return str(error)
-    return "; ".join(read_submission(path).unreadable) or str(error)
 
 
 def _told(message: str, path: Path) -> str:

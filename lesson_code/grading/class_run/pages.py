@@ -115,4 +115,4 @@ def _counted(number: int, noun: str) -> str:
 
 def _listed(pairs: Iterable[tuple[str, int]]) -> str:
     """Return names and how often each came, in a line."""
-    return ", ".join(f"{name} ({count})" for name, count in pairs)
+    return "; ".join(f"{name} ({count})" for name, count in pairs)

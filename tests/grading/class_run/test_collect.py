@@ -22,12 +22,14 @@ def papers(folder: Path, *ids: str) -> dict[str, list[str]]:
 
 
 def test_folder_or_file_is_a_student(make_class: MakeClass) -> None:
-    """Either stands for a student; a folder is searched, and files of tools are left alone."""
+    """Either stands for a student; in a folder, tools and the workbook itself are left alone."""
     folder = make_class(
         {
             "ada/deep/01.ipynb": "",
             "ada/notes.txt": "",
             "ada/.ipynb_checkpoints/01.ipynb": "",
+            "ada/lesson_code/grading/task.py": "",
+            "ada/exercises/backups/01.ipynb": "",
             "bob.py": "",
             ".DS_Store": "",
         }

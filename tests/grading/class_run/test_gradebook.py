@@ -90,6 +90,22 @@ def test_better_of_two_files_counts_whichever_comes_first() -> None:
         assert ada.notes == ("01_one_dimension came more than once; the better file counts",)
 
 
+def test_file_of_helpers_beside_an_answer_is_no_problem() -> None:
+    """It is noted and left out; alone, or where a file is broken, there is a problem."""
+    helpers = {"problem": "nothing tells which exercise", "is_other": True}
+    given = {"a.py": marks(4, 3, 3), "h.py": helpers, "b.ipynb": {"problem": "is empty"}}
+    book = book_of(
+        hand_in("ada", paper("h.py"), paper("a.py")),
+        hand_in("bob", paper("h.py")),
+        hand_in("eve", paper("a.py"), paper("b.ipynb")),
+        marks_of=given,
+    )
+    ada, bob, eve = book.students
+    assert (ada.problems, ada.notes) == ((), ("h.py: left out, it answers no exercise",))
+    assert bob.problems == ("h.py: nothing tells which exercise",)
+    assert eve.problems == ("b.ipynb: is empty",)
+
+
 def test_late_is_after_the_students_own_time() -> None:
     """A file is late by when it was last changed; who has more time is not late yet."""
     late = paper("a.py", NOON + timedelta(days=1, hours=2, minutes=3))
