@@ -43,7 +43,7 @@ class Journal:
     Raises
     ------
     ValueError
-        The journal is that of another run; what differs is named.
+        The journal is that of another run, and what differs is named; or another run is writing it.
     """
 
     def __init__(self, path: Path, head: dict[str, Any], drawn: dict[str, Any]) -> None:
@@ -52,6 +52,7 @@ class Journal:
         self.head = head | {name: drawn[name] for name in drawn if head[name] is None}
         self._file: BufferedRandom = path.open("a+b")
         try:
+            _lock(self._file, path)
             self._read(
                 {name: head[name] for name in head if name not in drawn or head[name] is not None}
             )
@@ -104,6 +105,18 @@ class Journal:
         self._file.seek(0, os.SEEK_END)
         self._file.write(json.dumps(value).encode() + b"\n")
         self._file.flush()
+
+
+def _lock(file: BufferedRandom, path: Path) -> None:
+    """Keep other runs from writing the same journal, for as long as the file is open."""
+    try:
+        import fcntl
+    except ImportError:  # Windows has none: there nobody is kept from it
+        return
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        raise ValueError(f"{path}: another run is writing it") from None
 
 
 def key_of(paper: Paper) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -62,3 +63,12 @@ def test_journal_of_another_run_is_refused(tmp_path: Path, other: dict[str, obje
     with pytest.raises(ValueError, match=rf"another run \({name} was .* --fresh begins again"):
         Journal(path, HEAD | other, DRAWN)
     assert path.read_bytes() == before
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such locks")
+def test_journal_is_written_by_one_run_at_a_time(tmp_path: Path) -> None:
+    """A second run is refused as long as the first has it open, and not afterwards."""
+    with Journal(tmp_path / "j", HEAD, DRAWN), pytest.raises(ValueError, match="another run is"):
+        Journal(tmp_path / "j", HEAD, DRAWN)
+    with Journal(tmp_path / "j", HEAD, DRAWN) as free:
+        assert free.done == {}
