@@ -27,16 +27,26 @@ def test_sealed_chapter_is_the_same_chapter(number: str) -> None:
 
 @pytest.mark.parametrize("number", CHAPTERS)
 def test_sealed_chapter_shows_what_is_asked_and_no_key(number: str) -> None:
-    """The text of a question can be read; options, values and feedback cannot."""
+    """Questions and options can be read; which is right, values and feedback cannot."""
     sealed = seal_chapter(written(number))
     table = tomllib.loads(sealed)
     for question, entry in zip(load_chapter(number).questions, table["question"], strict=True):
         assert entry["text"] == question.text
         assert not set(entry) & set(SECRET[entry["kind"]])
         if isinstance(question, ChoiceQuestion):
+            assert entry["options"] == [option.text for option in question.options]
             assert all(option.feedback not in sealed for option in question.options)
+            assert len(entry["key"]) == 64
         else:
             assert question.right_feedback not in sealed
+            assert set(entry) == {"id", "kind", "text", "unit", "salt", "sealed"}
+
+
+def test_same_letter_has_another_hash_in_each_question() -> None:
+    """So that one key that is known tells nothing of the others."""
+    entries = [e for n in CHAPTERS for e in tomllib.loads(seal_chapter(written(n)))["question"]]
+    keys = [entry["key"] for entry in entries if entry["kind"] == "choice"]
+    assert len(set(keys)) == len(keys) > len("abcde")
 
 
 def test_each_question_has_a_salt_of_its_own() -> None:
