@@ -89,7 +89,7 @@ def measure_isolation(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """What each rung of isolation stops: hostile submissions, run on all of them."""
+    """Run hostile submissions on every rung of isolation, and show what each stops."""
     from lesson_code.grading.measuring.hostile_set import run_hostile_set
     from lesson_code.notebook_tools.root import find_root
 

@@ -158,8 +158,8 @@ def _warm(kind: str) -> Callable[[Limits], Children]:
     return make
 
 
-CALLS = "no system calls but those of computing"
-LIMITS = "time, memory, file size, open files and processes limited"
+CALLS = "system calls restricted to computing"
+LIMITS = "time, memory, files and processes limited"
 NO_PRIVILEGES = "no privileges"
 OWN_MACHINE = "files, network and processes of its own"
 

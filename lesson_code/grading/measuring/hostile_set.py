@@ -1,4 +1,4 @@
-"""What each rung of isolation stops and what it cannot, found out by running hostile submissions."""
+"""What each rung of isolation stops and what it cannot: hostile submissions, run on all of them."""
 
 from __future__ import annotations
 
@@ -106,7 +106,9 @@ class HostileRuns:
         """Return a table of what got through, a row a submission."""
         there = [on for on in self.rungs if on.in_force is not None]
         who = "root" if os.geteuid() == 0 else "a user who is not root"
-        table = Table("submission", *(on.rung for on in there), title=f"What gets through, as {who}")
+        table = Table(
+            "submission", *(on.rung for on in there), title=f"What gets through, as {who}"
+        )
         table.add_row("level", *(on.in_force.level for on in there if on.in_force))
         contained = (f"{on.contained} of {len(on.through)}" for on in there)
         table.add_row("contained", *contained, end_section=True)
@@ -120,7 +122,7 @@ class HostileRuns:
 def run_hostile_set(
     root: Path,
     only: Iterable[str] = (),
-    told: Callable[[str, float], None] = lambda what, share: None,
+    told: Callable[[str, float], None] = lambda *_: None,
 ) -> HostileRuns:
     """Run every hostile submission on every rung of isolation.
 
@@ -139,11 +141,7 @@ def run_hostile_set(
         There is no hostile set in that folder, or no such rung.
     """
     hostile = hostile_set(root)
-    names = list(only) or [rung.name for rung in RUNGS]
-    for name in names:
-        if name not in [rung.name for rung in RUNGS]:
-            raise ValueError(f"rung must be one of {', '.join(r.name for r in RUNGS)}, got {name!r}")
-    chosen = [rung for rung in RUNGS if rung.name in names]
+    chosen = chosen_rungs(only)
     neighbour = root / FOLDER / NEIGHBOUR
     return HostileRuns(
         tuple(
@@ -151,6 +149,22 @@ def run_hostile_set(
             for at, rung in enumerate(chosen)
         )
     )
+
+
+def chosen_rungs(names: Iterable[str]) -> list[Rung]:
+    """Return the rungs of these names, the best first; all if there are no names.
+
+    Raises
+    ------
+    ValueError
+        There is no such rung.
+    """
+    known = [rung.name for rung in RUNGS]
+    wanted = list(names) or known
+    for name in wanted:
+        if name not in known:
+            raise ValueError(f"rung must be one of {', '.join(known)}, got {name!r}")
+    return [rung for rung in RUNGS if rung.name in wanted]
 
 
 def hostile_set(root: Path) -> list[Hostile]:
@@ -172,9 +186,7 @@ def hostile_set(root: Path) -> list[Hostile]:
     ]
 
 
-def _share(
-    told: Callable[[str, float], None], done: int, of: int
-) -> Callable[[str, float], None]:
+def _share(told: Callable[[str, float], None], done: int, of: int) -> Callable[[str, float], None]:
     """Return a listener for one part of several."""
     return lambda what, share: told(what, (done + share) / of)
 

@@ -6,7 +6,6 @@ import contextlib
 import os
 import shutil
 
-
 MOST_BYTES, MOST_FILES = 16_000_000, 1_000
 """What a submission may write, as in a folder of its own in memory."""
 
