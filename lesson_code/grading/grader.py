@@ -8,11 +8,14 @@ from pathlib import Path
 from types import TracebackType
 
 from lesson_code.grading.check_task import LARGEST_SEED
-from lesson_code.grading.exercises import exercise_by_name, exercise_of
+from lesson_code.grading.exercises import Exercise, exercise_by_name, exercise_of
+from lesson_code.grading.feedback import missing_function
 from lesson_code.grading.isolation import Children, InForce, Limits, StudentProcess, isolated
+from lesson_code.grading.isolation.outcome import Outcome
 from lesson_code.grading.report import Report
-from lesson_code.grading.submission import read_submission
-from lesson_code.grading.verdict import judge
+from lesson_code.grading.submission import Submission, read_submission
+from lesson_code.grading.task import Arguments
+from lesson_code.grading.verdict import Call, judge
 
 
 class Grader:
@@ -85,9 +88,25 @@ class Grader:
         chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
         drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
         with StudentProcess(submission.units, self._children, self._limits) as student:
-            verdicts = tuple(judge(task, student.call, drawn) for task in chosen.tasks)
+            call = _explaining(student.call, submission, chosen)
+            verdicts = tuple(
+                judge(task, call, drawn, hide_inputs=self._hide_inputs) for task in chosen.tasks
+            )
             notes = (*submission.unreadable, *student.load_errors)
         return Report(submission, chosen, verdicts, notes, drawn, self.isolation)
+
+
+def _explaining(call: Call, submission: Submission, exercise: Exercise) -> Call:
+    """Return a way to call functions that says of a missing one where it may be."""
+
+    def explaining(function: str, arguments: Arguments) -> Outcome:
+        outcome = call(function, arguments)
+        if outcome.kind != "missing":
+            return outcome
+        others = [name for name in submission.functions if name not in exercise.task_ids]
+        return Outcome("missing", text=missing_function(function, others, submission.lost))
+
+    return explaining
 
 
 def grade(

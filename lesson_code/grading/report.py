@@ -85,14 +85,18 @@ def _names(criteria: tuple[CriterionVerdict, ...], *, full: bool) -> str:
 
 
 def _to_mend(verdict: Verdict) -> Group:
-    """Return what was asked, what is wrong in the answer, each thing once, and the hint."""
-    asked = Text(verdict.task.objective, style="italic")
-    lines: list[Any] = [Text(verdict.line), Padding(asked, (0, 0, 0, 2))]
-    messages = dict.fromkeys(c.message for c in verdict.criteria if c.message)
-    lines += [Padding(Text(message), (0, 0, 0, 2)) for message in messages]
-    if verdict.recognised is not None:
-        lines.append(Padding(Text(f"hint: {verdict.recognised.hint}", style="bold"), (0, 0, 0, 2)))
+    """Return what was asked, and what there is to say about the answer."""
+    first, *rest = verdict.lines
+    lines: list[Any] = [Text(first), _indented(verdict.task.objective, "italic")]
+    for line in rest:
+        is_hint = line.startswith("  hint: ")
+        lines.append(_indented(line.strip(), "bold" if is_hint else ""))
     return Group(*lines)
+
+
+def _indented(text: str, style: str) -> Padding:
+    """Return a line below the one that names the task."""
+    return Padding(Text(text, style=style), (0, 0, 0, 2))
 
 
 def _task_as_dict(verdict: Verdict) -> dict[str, Any]:

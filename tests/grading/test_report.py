@@ -47,7 +47,7 @@ def test_report_as_dict_is_one_json_object(report: Report) -> None:
     assert value["exercise"] == "01_one_dimension"
     assert value["isolation"] == report.isolation.as_dict()
     assert (value["points"], value["full_points"]) == (4, 10)
-    assert value["notes"] == ["your cell 3, line 2: invalid syntax"]
+    assert value["notes"] == ["your cell 3, line 2: invalid syntax, in: x = 1 /"]
     assert [task["points"] for task in value["tasks"]] == [1, 3, 0]
     first = value["tasks"][0]
     assert list(first) == [
@@ -89,7 +89,7 @@ def test_report_table_shows_marks_hint_notes_seed_and_isolation(report: Report) 
         "Called elastic_1d(",
         "hint: Only equal masses exchange velocities.",
         "there is no function named elastic_impulse_1d",
-        "left out: your cell 3, line 2: invalid syntax",
+        "left out: your cell 3, line 2: invalid syntax, in: x = 1 /",
         f"seed 1, isolation: {report.isolation}",
     ):
         assert part in text

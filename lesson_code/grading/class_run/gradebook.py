@@ -13,10 +13,8 @@ from lesson_code.grading.class_run.collect import HandIn, Paper
 from lesson_code.grading.class_run.journal import Marks, key_of
 from lesson_code.grading.class_run.names import shown
 from lesson_code.grading.exercises import EXERCISES, Exercise
+from lesson_code.grading.feedback import NOT_WRITTEN
 from lesson_code.grading.task import Task
-
-NOT_WRITTEN = "not written yet"
-"""What a verdict says of a stub."""
 
 
 @dataclass(frozen=True)

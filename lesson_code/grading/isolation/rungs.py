@@ -28,7 +28,7 @@ from lesson_code.grading.isolation.in_force import (
     Level,
     require_level,
 )
-from lesson_code.grading.isolation.inside import landlock, namespaces, seccomp
+from lesson_code.grading.isolation.inside import disk, landlock, namespaces, seccomp
 from lesson_code.grading.isolation.limits import Limits
 from lesson_code.grading.isolation.warm_server import WarmServer
 
@@ -132,7 +132,7 @@ def _bubblewrap_command() -> tuple[str, ...]:
         *(word for path in _hidden_within(seen) for word in ("--tmpfs", path)),
         *("--ro-bind", inside, inside),
         *("--dev-bind", os.devnull, os.devnull, "--dev-bind", "/dev/urandom", "/dev/urandom"),
-        *("--tmpfs", namespaces.WORKING_FOLDER),
+        *("--size", str(disk.MOST_BYTES), "--tmpfs", namespaces.WORKING_FOLDER),
         "--",
     )
 
@@ -158,8 +158,8 @@ def _warm(kind: str) -> Callable[[Limits], Children]:
     return make
 
 
-CALLS = "no system calls but those of computing"
-LIMITS = "time, memory, file size, open files and processes limited"
+CALLS = "system calls restricted to computing"
+LIMITS = "time, memory, files and processes limited"
 NO_PRIVILEGES = "no privileges"
 OWN_MACHINE = "files, network and processes of its own"
 

@@ -9,14 +9,16 @@ from __future__ import annotations
 import json
 from itertools import count
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lesson_code.grading.isolation.channel import Channel
 from lesson_code.grading.isolation.limits import Limits
 from lesson_code.grading.isolation.outcome import Outcome, one_line, outcome_of
 from lesson_code.grading.isolation.rungs import Children
-from lesson_code.grading.submission import Unit
 from lesson_code.grading.task import Arguments
+
+if TYPE_CHECKING:
+    from lesson_code.grading.submission import Unit
 
 
 class StudentProcess:
@@ -34,6 +36,7 @@ class StudentProcess:
         self._channel: Channel | None = None
         self._numbers = count(1)
         self._load_failed: Outcome | None = None
+        self._is_loaded = False
         self.load_errors: list[str] = []
 
     def __enter__(self) -> StudentProcess:
@@ -66,7 +69,8 @@ class StudentProcess:
         )
         if isinstance(reply, Outcome):
             self._load_failed = Outcome(reply.kind, text=f"{reply.text}, while it was loaded")
-        else:
+        elif not self._is_loaded:  # a second child could tell what the first was called with
+            self._is_loaded = True
             errors = reply.get("loaded")
             lines = errors if isinstance(errors, list) else []
             self.load_errors = [one_line(line) for line in lines if isinstance(line, str)]

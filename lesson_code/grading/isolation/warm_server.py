@@ -178,7 +178,13 @@ class WarmServer:
 
 def python(module: str, *arguments: str) -> list[str]:
     """Return the command that runs a module of ``inside`` in a Python of its own."""
-    return [sys.executable, "-I", "-c", BOOT.format(module=module), str(paths.FOLDER), *arguments]
+    boot = BOOT.format(module=module)
+    return [sys.executable, "-I", "-c", boot, str(paths.FOLDER), *arguments, mark_of_children()]
+
+
+def mark_of_children() -> str:
+    """Return what stands in the command line of all that is forked for this process."""
+    return f"for-grader-{os.getpid()}"
 
 
 def environment() -> dict[str, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lesson_code.grading.exercises import Exercise
+from lesson_code.grading.feedback import NOT_WRITTEN
 from lesson_code.grading.verdict import Verdict
 
 
@@ -17,13 +18,14 @@ def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
         Where the task stands.
     """
     messages = list(dict.fromkeys(c.message for c in verdict.criteria if c.message))
-    if messages == ["not written yet"]:
+    if messages == [NOT_WRITTEN]:
         return [f"Not written yet. {verdict.task.objective}", _where_to_read(exercise)]
     steps = [messages[0]]
     if verdict.recognised is not None:
         steps.append(f"A question: {verdict.recognised.hint}")
         steps.append(f"Your answer is what comes of this: {verdict.recognised.misconception}")
-    steps += [f"Also: {message}" for message in messages[1:]]
+    else:
+        steps += [f"Also: {message}" for message in messages[1:]]
     steps.append(f"What is asked: {verdict.task.objective}")
     return [*steps, _where_to_read(exercise)]
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.grading.exercises import Exercise
+from lesson_code.grading.feedback import NOT_WRITTEN
 from lesson_code.grading.report import Report
 from lesson_code.grading.task import Task
 
@@ -68,7 +69,7 @@ class Progress:
             state.points = verdict.points
             if verdict.is_full:
                 state.tries = 0
-            elif any(c.message != "not written yet" for c in verdict.criteria if c.message):
+            elif any(c.message != NOT_WRITTEN for c in verdict.criteria if c.message):
                 state.tries += 1
         self._checked[report.exercise.name] = _digest(report.submission.path)
         self._save()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import threading
 import time
@@ -100,6 +101,40 @@ def test_load_that_hangs_or_dies_fails_every_call_at_once(
         assert time.perf_counter() - began < Limits().seconds_to_load
     assert {outcome.kind for outcome in outcomes} == {kind}
     assert text in outcomes[0].text
+
+
+class Scripted:
+    """Makes children that say what they are told to say."""
+
+    def __init__(self, *replies: dict[str, Any]) -> None:
+        self._replies = iter(replies)
+
+    def open(self) -> None:
+        """Do nothing."""
+
+    def start(self) -> Scripted:
+        """Return itself: it is its own channel."""
+        return self
+
+    def ask(self, line: bytes, seconds: float) -> bytes:
+        """Return the next reply, numbered as asked for; an empty one is a crash."""
+        reply = next(self._replies)
+        return json.dumps(reply | {"number": json.loads(line)["number"]}).encode() if reply else b""
+
+    def end(self) -> None:
+        """Do nothing."""
+
+    def close(self) -> None:
+        """Do nothing."""
+
+
+def test_load_errors_of_a_second_child_are_not_listened_to() -> None:
+    """What code says that is loaded again could tell what it was called with before."""
+    again = Scripted({"loaded": ["first"]}, {}, {"loaded": ["f(0.82)"]}, {"kind": "returned"})
+    with StudentProcess(units("x = 1"), again) as student:
+        assert student.call("f", (0.82,)).kind == "crashed"
+        assert student.call("f", (0.82,)).kind == "returned"
+        assert student.load_errors == ["first"]
 
 
 @POSIX

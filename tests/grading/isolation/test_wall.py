@@ -22,7 +22,7 @@ from lesson_code.grading.isolation import (
     opened,
 )
 from lesson_code.grading.isolation.fresh_process import FreshProcess
-from lesson_code.grading.isolation.inside import landlock, seccomp, trash
+from lesson_code.grading.isolation.inside import disk, landlock, seccomp
 from lesson_code.grading.isolation.rungs import RUNGS
 from lesson_code.grading.isolation.warm_server import WarmServer
 
@@ -377,12 +377,34 @@ def f():
     children = open_or_skip(BY_NAME[name], Limits())
     with StudentProcess(units(source), children) as student:
         outcome = student.call("f", ())
-        assert outcome.kind == "returned" or "No space" in outcome.text
+        assert outcome.kind in ("returned", "crashed") or "No space" in outcome.text
     children.close()
     assert list(temporary.iterdir()) == []
 
 
-def test_trash_follows_no_link(tmp_path: Path) -> None:
+@LINUX
+def test_disk_is_not_filled(rung: Rung, quick: Limits) -> None:
+    """Who writes more than 16 MB, or a thousand files, is refused or ended."""
+    if rung.name == "process":
+        pytest.skip("a fresh process on its own cannot see to that")
+    source = """\
+import time
+def f(files, size):
+    for number in range(files):
+        with open(str(number), "wb") as file:
+            file.write(b"x" * size)
+    time.sleep(0.3)
+"""
+    children = open_or_skip(rung, quick)
+    for files, size in ((30, 999_000), (3_000, 1)):
+        with StudentProcess(units(source), children, Limits()) as student:
+            outcome = student.call("f", (files, size))
+            assert outcome.kind == "crashed" or "No space left" in outcome.text
+            assert student.call("f", (1, 1)).kind == "returned"
+    children.close()
+
+
+def test_removal_follows_no_link(tmp_path: Path) -> None:
     """What a link in a folder leads to stays, be it a file or a folder."""
     kept = tmp_path / "kept"
     kept.mkdir()
@@ -391,7 +413,7 @@ def test_trash_follows_no_link(tmp_path: Path) -> None:
     (folder / "deep" / "deeper").mkdir(parents=True)
     (folder / "link").symlink_to(kept)
     (folder / "deep" / "deeper" / "link").symlink_to(kept / "file")
-    trash.remove(str(folder))
+    disk.remove(str(folder))
     assert not folder.exists()
     assert (kept / "file").read_text() == "1"
 

@@ -18,7 +18,7 @@ def main() -> None:
     nothing = os.open(os.devnull, os.O_RDWR)
     for descriptor in (0, 1, 2):
         os.dup2(nothing, descriptor)
-    cpu_seconds, bytes_of_memory, *readable = sys.argv[2:]
+    cpu_seconds, bytes_of_memory, *readable, _ = sys.argv[2:]
     forget_the_way_here(tuple(readable))
     limits.lower(int(cpu_seconds), int(bytes_of_memory))
     answers.serve(requests, replies)

@@ -23,6 +23,10 @@ from .imports import forget_the_way_here
 from .wall import KINDS, Orders, Wall
 
 LONGEST_PACKET = 60_000
+
+SECONDS_BETWEEN_LOOKS = 0.05
+"""How often a child's folder is looked into while it runs; most are gone before the first time."""
+
 PRELOADED = (
     "cmath", "collections", "copy", "dataclasses", "decimal", "fractions", "functools",
     "itertools", "math", "numpy", "operator", "random", "statistics", "typing",
@@ -41,7 +45,13 @@ class Server:
     def serve(self) -> None:
         """Do as the parent says, for as long as there is one."""
         while True:
-            packet, descriptors, *_ = socket.recv_fds(self._control, LONGEST_PACKET, 1)
+            self._control.settimeout(None if self._child is None else SECONDS_BETWEEN_LOOKS)
+            try:
+                packet, descriptors, *_ = socket.recv_fds(self._control, LONGEST_PACKET, 1)
+            except TimeoutError:
+                if self._wall.is_overfull():
+                    self._end_child()  # of which the parent learns by its silence
+                continue
             self._end_child()
             if not packet:
                 return

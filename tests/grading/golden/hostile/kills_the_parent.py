@@ -16,11 +16,10 @@ def attempt(name, deed):
 
 def attack():
     parent = os.getppid()
-    if parent > 1:
-        attempt("sends signals", lambda: os.kill(parent, 0))
-        attempt("sends signals", lambda: os.kill(parent, signal.SIGTERM))
-    if os.getpid() != 1:  # else it is the first process of a namespace of its own
-        attempt("sends signals", lambda: os.kill(1, signal.SIGTERM))
+    if parent > 0:  # else it sees no other process at all
+        attempt("can kill the grader", lambda: os.kill(parent, 0))
+        if not THROUGH:  # else it could, and that is proof enough
+            attempt("can kill the grader", lambda: os.kill(parent, signal.SIGTERM))
 
 
 TRIED = []

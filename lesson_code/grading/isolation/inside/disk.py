@@ -1,10 +1,31 @@
-"""Removes a folder whatever somebody has put into it: deep trees, locked folders, links."""
+"""A submission's folder on the disk: how full it is, and how it is removed whatever is in it."""
 
 from __future__ import annotations
 
 import contextlib
 import os
 import shutil
+
+MOST_BYTES, MOST_FILES = 16_000_000, 1_000
+"""What a submission may write, as in a folder of its own in memory."""
+
+
+def is_overfull(folder: str) -> bool:
+    """Return whether a folder holds more bytes, or more files and folders, than it may."""
+    total, count, waiting = 0, 0, [folder]
+    while waiting:
+        try:
+            with os.scandir(waiting.pop()) as entries:
+                for entry in entries:
+                    total += entry.stat(follow_symlinks=False).st_size
+                    count += 1
+                    if total > MOST_BYTES or count > MOST_FILES:
+                        return True
+                    if entry.is_dir(follow_symlinks=False):
+                        waiting.append(entry.path)
+        except OSError:  # gone meanwhile, or too deep for a path: it is counted one level above
+            continue
+    return False
 
 
 def remove(folder: str) -> None:
