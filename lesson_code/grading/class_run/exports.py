@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.grading.class_run.gradebook import Gradebook, Student, TaskSummary
-from lesson_code.grading.class_run.names import file_stem, sheet_text, shown
+from lesson_code.grading.class_run.names import file_stem, sheet_text, shown, visible
 from lesson_code.grading.exercises import Exercise
 
 VERSION = 1
@@ -66,7 +66,7 @@ def _points(student: Student, exercise: Exercise) -> Iterator[int]:
 def remarks_of(student: Student) -> list[str]:
     """Return what there is to say of what a student handed in, a line each."""
     missing = ["nothing was handed in"] if student.hand_in.is_missing else []
-    return [*missing, *student.problems, *student.late, *student.notes]
+    return [visible(r) for r in (*missing, *student.problems, *student.late, *student.notes)]
 
 
 def as_dict(book: Gradebook) -> dict[str, Any]:

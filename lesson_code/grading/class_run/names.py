@@ -40,8 +40,17 @@ def shown(name: str) -> str:
     >>> shown("Zo\u00eb"), shown("a\u202eb\n")
     ('Zoë', 'a<U+202E>b<U+000A>')
     """
-    visible = "".join(c if c.isprintable() else f"<U+{ord(c):04X}>" for c in name)
-    return visible if len(visible) <= LONGEST_SHOWN else f"{visible[: LONGEST_SHOWN - 3]}..."
+    line = visible(name)
+    return line if len(line) <= LONGEST_SHOWN else f"{line[: LONGEST_SHOWN - 3]}..."
+
+
+def visible(text: str) -> str:
+    r"""Return a text of any length in one line, with all that cannot be seen written out.
+
+    >>> visible("one\ntwo")
+    'one<U+000A>two'
+    """
+    return "".join(c if c.isprintable() else f"<U+{ord(c):04X}>" for c in text)
 
 
 def file_stem(name: str) -> str:
