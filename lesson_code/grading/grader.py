@@ -31,6 +31,8 @@ class Grader:
     hide_inputs : bool
         Let no message name an input, a value or an error's words, so that the inputs can be used
         again.
+    rung : str, optional
+        The only rung of the ladder to use, by name; to measure them one by one.
 
     Raises
     ------
@@ -46,8 +48,10 @@ class Grader:
         isolation: str | None = None,
         limits: Limits | None = None,
         hide_inputs: bool = False,
+        rung: str | None = None,
     ) -> None:
         self._least = isolation
+        self._rung = rung
         self._limits = limits or Limits()
         self._hide_inputs = hide_inputs
         self._open = ExitStack()
@@ -55,7 +59,7 @@ class Grader:
     def __enter__(self) -> Grader:
         self._children: Children
         self._children, self.isolation = self._open.enter_context(
-            isolated(self._limits, self._least)
+            isolated(self._limits, self._least, self._rung)
         )
         return self
 

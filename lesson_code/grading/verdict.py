@@ -136,7 +136,7 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
 def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]:
     """Make the calls of one criterion; after one that hangs, crashes or is not there, no more."""
     trials: list[Trial] = []
-    for arguments, expected in _drawn(task, criterion, seed):
+    for arguments, expected in drawn(task, criterion, seed):
         outcome = call(task.function, arguments)
         trials.append(Trial(arguments, expected, outcome))
         if outcome.kind not in ("returned", "raised"):
@@ -145,7 +145,7 @@ def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]
 
 
 @lru_cache(maxsize=1000)
-def _drawn(task: Task, criterion: Criterion, seed: int) -> tuple[tuple[Arguments, Any], ...]:
+def drawn(task: Task, criterion: Criterion, seed: int) -> tuple[tuple[Arguments, Any], ...]:
     """Return the arguments that a seed draws, and what is expected of each: once for a class."""
     return tuple(
         (arguments, plain(task.expected(*arguments_from(arguments))))

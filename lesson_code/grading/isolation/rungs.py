@@ -195,7 +195,9 @@ RUNGS = (
 
 
 @contextmanager
-def isolated(limits: Limits, least: str | None = None) -> Iterator[tuple[Children, InForce]]:
+def isolated(
+    limits: Limits, least: str | None = None, only: str | None = None
+) -> Iterator[tuple[Children, InForce]]:
     """Yield who makes children on the highest rung that holds here, and what that is worth.
 
     Parameters
@@ -204,6 +206,8 @@ def isolated(limits: Limits, least: str | None = None) -> Iterator[tuple[Childre
         What a submission may use.
     least : str, optional
         The least level that will do: "full", "limits" or "none", which is as good as any.
+    only : str, optional
+        The only rung to try, by name.
 
     Raises
     ------
@@ -214,7 +218,7 @@ def isolated(limits: Limits, least: str | None = None) -> Iterator[tuple[Childre
     """
     wanted = require_level(least or "none")
     reasons = []
-    for rung in RUNGS:
+    for rung in (rung for rung in RUNGS if only in (None, rung.name)):
         try:
             children, in_force = opened(rung, limits)
         except IsolationError as error:

@@ -62,9 +62,9 @@ class WarmServer:
         self._kind = kind
         self._limits = limits
         self._wrapper = wrapper
-        self._folder = tempfile.mkdtemp(prefix="grading-")
-        Path(self._folder).chmod(0o711)
-        self._folder_inside = folder or self._folder
+        self._has_own_root = kind == "namespaces" or folder is not None
+        self._folder = ""
+        self._folder_inside = folder
         self._user = UnprivilegedUser() if drop_user else None
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
@@ -77,6 +77,8 @@ class WarmServer:
         IsolationError
             This machine does not allow such a wall.
         """
+        self._folder = tempfile.mkdtemp(prefix="grading-")
+        Path(self._folder).chmod(0o711)
         self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._control.settimeout(SECONDS_TO_START)
         with theirs, tempfile.TemporaryFile() as errors:
@@ -91,6 +93,8 @@ class WarmServer:
         if "error" in reply:
             self._end_server()
             raise IsolationError(reply["error"])
+        if self._has_own_root:  # then it needs no folder of this machine any more
+            shutil.rmtree(self._folder, ignore_errors=True)
 
     def _started(self, control: int, errors: IO[bytes]) -> subprocess.Popen[bytes]:
         """Return a server, started."""
@@ -111,7 +115,7 @@ class WarmServer:
             kind=self._kind,
             readable=paths.readable(),
             hidden=paths.hidden(),
-            folder=self._folder_inside,
+            folder=self._folder_inside or self._folder,
             user=None if self._user is None else self._user.id,
             cpu_seconds=self._limits.cpu_seconds,
             bytes_of_memory=self._limits.bytes_of_memory,
@@ -164,7 +168,6 @@ class WarmServer:
         self._end_server()
         if self._user is not None:
             self._user.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
 
     def _end_server(self) -> None:
         """End the server, if it runs; it ends its child and cleans up first."""
@@ -174,6 +177,7 @@ class WarmServer:
         if self._process is not None:
             _wait_for(self._process)
             self._process = None
+        shutil.rmtree(self._folder, ignore_errors=True)
 
 
 def python(module: str, *arguments: str) -> list[str]:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-import signal
 import time
 import tomllib
 from collections.abc import Callable, Iterable
@@ -26,7 +24,7 @@ from lesson_code.grading.isolation import (
     opened,
 )
 from lesson_code.grading.isolation.outcome import Outcome
-from lesson_code.grading.isolation.warm_server import mark_of_children
+from lesson_code.grading.measuring.processes import end, processes_below, processes_of_children
 from lesson_code.grading.submission import read_submission
 from lesson_code.grading.verdict import judge
 
@@ -209,7 +207,7 @@ def _on_rung(
             through[each.name] = _what_got_through(children, each, neighbour)
     finally:
         children.close()
-        _end(_processes_of_children())
+        end(processes_of_children())
     return OnRung(rung.name, in_force, "", through)
 
 
@@ -227,7 +225,7 @@ def _what_got_through(children: Children, hostile: Hostile, neighbour: Path) -> 
         found.append("costs the next one marks")
     if left := _left_running():
         found.append("outlives its end")
-        _end(left)
+        end(left)
     return tuple(sorted(set(found)))
 
 
@@ -242,35 +240,8 @@ def _graded(children: Children, path: Path, exercise: str) -> tuple[list[int], O
 def _left_running() -> set[int]:
     """Return the processes of past children that are still there after a while."""
     for _ in range(SECONDS_TO_END * 20):
-        left = _processes_of_children() - _processes_below(os.getpid())
+        left = processes_of_children() - processes_below(os.getpid())
         if not left:
             return set()
         time.sleep(0.05)
     return left
-
-
-def _processes_of_children() -> set[int]:
-    """Return all processes that were forked for this one, or for a child of it."""
-    mark, found = mark_of_children().encode(), set()
-    for folder in Path("/proc").glob("[0-9]*"):
-        with contextlib.suppress(OSError):
-            if mark in (folder / "cmdline").read_bytes().split(b"\0"):
-                found.add(int(folder.name))
-    return found
-
-
-def _processes_below(process: int) -> set[int]:
-    """Return the processes that descend from one."""
-    found: set[int] = set()
-    for path in Path(f"/proc/{process}/task").glob("*/children"):
-        with contextlib.suppress(OSError):
-            for child in map(int, path.read_text().split()):
-                found |= {child} | _processes_below(child)
-    return found
-
-
-def _end(processes: set[int]) -> None:
-    """End what a submission has left running."""
-    for process in processes - _processes_below(os.getpid()) - {os.getpid()}:
-        with contextlib.suppress(OSError):
-            os.kill(process, signal.SIGKILL)

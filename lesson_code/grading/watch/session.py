@@ -70,9 +70,9 @@ class Session:
 
     def run(self, lines: queue.Queue[str]) -> None:
         """Watch until a line says to stop."""
-        self.show()
         paths = {exercise.student_copy(self.root): exercise for exercise in self.exercises}
-        files = Files(paths)
+        files = Files(paths)  # before anything is shown, so that no save is missed meanwhile
+        self.show()
         while True:
             for path in files.saved():
                 self.saved(paths[path])

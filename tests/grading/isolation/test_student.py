@@ -116,7 +116,7 @@ class Scripted:
         """Return itself: it is its own channel."""
         return self
 
-    def ask(self, line: bytes, seconds: float) -> bytes:
+    def ask(self, line: bytes, seconds: float) -> bytes:  # noqa: ARG002
         """Return the next reply, numbered as asked for; an empty one is a crash."""
         reply = next(self._replies)
         return json.dumps(reply | {"number": json.loads(line)["number"]}).encode() if reply else b""
