@@ -27,9 +27,12 @@ Isolation = Annotated[
     str | None,
     typer.Option(
         metavar="LEVEL",
-        help="The least isolation that will do: full, limits or none. The best there is gets used.",
+        help="The least isolation that will do: full, limits or none; a class asks for full.",
     ),
 ]
+
+CLASS_ISOLATION = "full"
+"""What a class asks for unless it is told otherwise: nobody has read what is handed in."""
 
 grading = typer.Typer()
 
@@ -139,7 +142,7 @@ def _grade_class(
             exercises=exercises,
             seed=seed,
             due=None if due is None else read_time(due),
-            isolation=isolation,
+            isolation=isolation or CLASS_ISOLATION,
             hands=hands,
             fresh=fresh,
             told=say_error,

@@ -16,9 +16,11 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from lesson_code.cli import app
+from lesson_code.grading import class_run
 from lesson_code.grading.class_run import Gradebook, Hands, grade_class, marking
 from lesson_code.grading.class_run import run as running
 from lesson_code.grading.class_run.journal import Journal
+from lesson_code.grading.isolation import IsolationError
 
 from .conftest import RIGHT, STUB, SWAPS, MakeClass, contents_of
 
@@ -33,6 +35,11 @@ EXPECTED = {f"s{n:02d}": (10, 1, 0)[n % 3] for n in range(12)}
 def workbook(*arguments: object) -> Result:
     """Run the command, here."""
     return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+def workbook_anywhere(*arguments: object) -> Result:
+    """Run the command with whatever isolation this system has."""
+    return workbook(*arguments, "--isolation", "none")
 
 
 def points_of(book: Gradebook) -> dict[str, int]:
@@ -81,7 +88,7 @@ def test_run_killed_at_any_time_goes_on(make_class: MakeClass, tmp_path: Path) -
     """As a command of its own, killed outright while it grades: the same bytes in the end."""
     folder = make_class({f"s{n:03d}.py": RIGHT for n in range(60)})
     out, journal = tmp_path / "killed", tmp_path / "killed" / "journal.jsonl"
-    command = [WORKBOOK, "grade", folder, "--out", out, "--seed", "7", "--workers", "2"]
+    command = [WORKBOOK, "grade", folder, "--out", out, "--seed", "7", "--isolation", "none"]
     running = subprocess.Popen(
         command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
     )
@@ -115,11 +122,13 @@ def test_file_that_has_changed_is_graded_again(make_class: MakeClass, tmp_path: 
 def test_other_seed_asks_for_a_fresh_run(make_class: MakeClass, tmp_path: Path) -> None:
     """Marks of two runs are not mixed; --fresh begins again."""
     folder = make_class({"ada.py": RIGHT})
-    assert workbook("grade", folder, "--out", tmp_path / "out", "--seed", 7).exit_code == 0
-    refused = workbook("grade", folder, "--out", tmp_path / "out", "--seed", 8)
+    assert workbook_anywhere("grade", folder, "--out", tmp_path / "out", "--seed", 7).exit_code == 0
+    refused = workbook_anywhere("grade", folder, "--out", tmp_path / "out", "--seed", 8)
     assert refused.exit_code == 2
     assert "seed was 7 and is 8 now" in refused.stderr
-    fresh = workbook("grade", folder, "--out", tmp_path / "out", "--seed", 8, "--fresh", "--json")
+    fresh = workbook_anywhere(
+        "grade", folder, "--out", tmp_path / "out", "--seed", 8, "--fresh", "--json"
+    )
     assert json.loads(fresh.stdout)["seed"] == 8
 
 
@@ -153,7 +162,9 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
             "zip.zip": "PK",
         }
     )
-    ran = workbook("grade", folder, "--out", tmp_path / "out", "--exercise", "01", "--json")
+    ran = workbook_anywhere(
+        "grade", folder, "--out", tmp_path / "out", "--exercise", "01", "--json"
+    )
     assert ran.exit_code == 1
     remarks = {s["id"]: s["remarks"] for s in json.loads(ran.stdout)["students"]}
     assert remarks == {
@@ -167,7 +178,7 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
         "unknown": [],
         "zip": ["zip.zip: a submission ends in .ipynb or .py"],
     }
-    shown = workbook("grade", folder, "--out", tmp_path / "out", "--exercise", "01")
+    shown = workbook_anywhere("grade", folder, "--out", tmp_path / "out", "--exercise", "01")
     assert "zip: zip.zip: a submission ends in .ipynb or .py\n" in shown.stderr
     assert "9 students: 3 graded, 0 late, 0 missing, 6 not gradable" in shown.stdout
 
@@ -219,6 +230,24 @@ def test_class_run_with_a_bad_option_grades_nothing(
     assert ran.exit_code == 2
     assert said in ran.stderr
     assert not (tmp_path / "out" / "grades.csv").exists()
+
+
+def test_class_run_asks_for_full_isolation_unless_told_otherwise(
+    make_class: MakeClass, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where there is less to be had, nothing of a student runs."""
+    asked: list[object] = []
+
+    def refusing(*_: object, isolation: str | None, **__: object) -> None:
+        asked.append(isolation)
+        raise IsolationError("too little")
+
+    monkeypatch.setattr(class_run, "grade_class", refusing)
+    folder = make_class({"ada.py": RIGHT})
+    for options, least in (([], "full"), (["--isolation", "limits"], "limits")):
+        ran = workbook("grade", folder, "--out", tmp_path / "out", *options)
+        assert (ran.exit_code, asked.pop()) == (2, least)
+        assert "too little" in ran.stderr
 
 
 def test_options_of_a_class_are_refused_for_a_file(make_class: MakeClass) -> None:
