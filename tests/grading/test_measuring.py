@@ -98,7 +98,7 @@ def test_measure_grading_measures_a_rate_for_each_rung(
     names = [rung.name for rung in RUNGS if rung.name != "process"]
     measured = measure_grading(root, names, workers=1, batches=1)
     assert {rate.name for rate in measured.rates} | set(measured.missing) == set(names)
-    assert all(rate.a_second > 0.0 and rate.cpu_ms > 0.0 for rate in measured.rates)
+    assert all(rate.a_second > 0.0 for rate in measured.rates)
     value = json.loads(json.dumps(measured.as_dict()))
     assert [rate["submissions_a_second"] for rate in value["rates"]] == [
         rate.a_second for rate in measured.rates
