@@ -114,7 +114,9 @@ class HostileRuns:
         contained = (f"{on.contained} of {len(on.through)}" for on in there)
         table.add_row("contained", *contained, end_section=True)
         for name in there[0].through if there else ():
-            table.add_row(name, *("\n".join(on.through[name]) or "-" for on in there))
+            table.add_row(
+                name.replace("_", " "), *("\n".join(on.through[name]) or "-" for on in there)
+            )
         missing = "; ".join(f"{on.rung}: {on.missing}" for on in self.rungs if on.missing)
         table.caption = f"- nothing. Not here: {missing}" if missing else "- nothing"
         return table
