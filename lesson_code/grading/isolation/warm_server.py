@@ -22,8 +22,9 @@ from lesson_code.grading.isolation.inside.wall import Orders
 from lesson_code.grading.isolation.limits import Limits
 from lesson_code.grading.isolation.unprivileged import UnprivilegedUser
 
+SECONDS_TO_END = 10.0
 SECONDS_TO_START = 30.0
-SECONDS_TO_FORK = 10.0
+SECONDS_TO_FORK = 30.0
 LARGEST_REPLY = 60_000
 
 BOOT = (
@@ -206,7 +207,7 @@ def environment() -> dict[str, str]:
 def _wait_for(process: subprocess.Popen[bytes]) -> None:
     """Wait for a server to end, and end it if it does not."""
     try:
-        process.wait(SECONDS_TO_FORK)
+        process.wait(SECONDS_TO_END)
     except subprocess.TimeoutExpired:
         with contextlib.suppress(OSError):
             os.killpg(process.pid, signal.SIGKILL)

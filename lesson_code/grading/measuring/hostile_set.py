@@ -33,6 +33,9 @@ FOLDER = Path("tests") / "grading" / "golden"
 NEIGHBOUR = "right_notebook.ipynb"
 SEED = 7
 
+OPEN_TO_ALL, LEFT = ("/tmp", "/var/tmp", "/dev/shm"), "answers-for-a-friend"  # noqa: S108
+"""Where a submission may leave something for the next one, and under which name it does."""
+
 SECONDS_TO_END = 1
 """How long what was ended may take to be gone, on a machine that does other things too."""
 
@@ -111,7 +114,9 @@ class HostileRuns:
         contained = (f"{on.contained} of {len(on.through)}" for on in there)
         table.add_row("contained", *contained, end_section=True)
         for name in there[0].through if there else ():
-            table.add_row(name, *("\n".join(on.through[name]) or "-" for on in there))
+            table.add_row(
+                name.replace("_", " "), *("\n".join(on.through[name]) or "-" for on in there)
+            )
         missing = "; ".join(f"{on.rung}: {on.missing}" for on in self.rungs if on.missing)
         table.caption = f"- nothing. Not here: {missing}" if missing else "- nothing"
         return table
@@ -226,6 +231,8 @@ def _what_got_through(children: Children, hostile: Hostile, neighbour: Path) -> 
     if left := _left_running():
         found.append("outlives its end")
         end(left)
+    for folder in OPEN_TO_ALL:
+        (Path(folder) / LEFT).unlink(missing_ok=True)
     return tuple(sorted(set(found)))
 
 

@@ -55,9 +55,12 @@ class Course:
 
     def _run(self, *arguments: str) -> None:
         """Run nbgrader, in silence."""
+        program = command() or "nbgrader"
+        others = os.pathsep.join((str(Path(program).parent), os.environ.get("PATH", "")))
         ran = subprocess.run(  # noqa: S603 - the command the user has installed
-            [command() or "nbgrader", *arguments],
+            [program, *arguments],
             cwd=self._folder,
+            env=os.environ | {"PATH": others, "PYTHONPATH": ""},  # it calls programs beside it
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             check=False,

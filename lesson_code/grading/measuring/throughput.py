@@ -17,6 +17,7 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
+from multiprocessing.util import Finalize
 from pathlib import Path
 from typing import Any
 
@@ -195,6 +196,7 @@ def _grade_batch(rung: str, path: Path, count: int) -> float:
     """Return the processor's time for grading a submission so often; run by a worker."""
     if rung not in _kept:
         _kept[rung] = Grader(rung=rung).__enter__()
+        Finalize(None, _kept[rung].__exit__, (None, None, None), exitpriority=1)
     before = cpu_seconds()
     for _ in range(count):
         if not _kept[rung].grade(path, seed=SEED).is_full:

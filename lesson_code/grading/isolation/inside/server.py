@@ -114,3 +114,5 @@ def main() -> None:
         return
     control.send(b'{"ready": true}')
     Server(control, wall).serve()
+    with contextlib.suppress(OSError):  # the parent may be gone, and cannot do it then
+        os.rmdir(orders.folder)  # noqa: PTH106
