@@ -539,13 +539,13 @@ for rate in rates.tolist():
 
 # %%
 gas, returns = disc_gas.disc_gas(8, covered=0.5, seed=1), []
-for duration in np.arange(0.5, 6.5, 0.5):
+for duration in np.arange(0.5, 7.0, 0.5):
     run = simulate(gas, duration, solver="exact", sample="end")
     back = simulate(exact_scenes.turned_back(run), duration, solver="exact", sample="end")
     returns.append((disc_gas.hits_a_disc(run), exact_scenes.error_after_return(run, back)))
 hits, off = np.transpose(returns)
 check("up to 9 collisions a disc: back within, m", off[hits <= 9], 0, tolerance=1e-9)
-check("beyond 40 it is lost: over a millimetre off", bool(off[hits > 40].min() > 1e-3), True)
+check("beyond 42 it is lost: over a millimetre off", bool(off[hits > 42].min() > 1e-3), True)
 
 # %%
 fig, ax = style.figure(width=7, height=3.2)
@@ -554,8 +554,8 @@ ax.set_yscale("log")
 show(
     fig,
     "How far the farthest disc is from its start after the way back, over the number of "
-    "collisions, on a logarithmic scale. From 1e-14 m it grows along a nearly straight line to a "
-    "decimetre.",
+    "collisions, on a logarithmic scale. From 1e-14 m it grows along a nearly straight line to some "
+    "decimetres.",
 )
 
 # %% [markdown]
