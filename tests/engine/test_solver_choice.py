@@ -32,7 +32,8 @@ ELASTIC = Material(restitution=1.0)
 
 def disc(x: float = 0.0, **rest: Any) -> Body:
     """Return an elastic disc of 1 kg and radius 1/2 m."""
-    return Body(Circle(0.5), **({"mass": 1.0, "position": (x, 0.0), "material": ELASTIC} | rest))
+    given: dict[str, Any] = {"mass": 1.0, "position": (x, 0.0), "material": ELASTIC}
+    return Body(Circle(0.5), **(given | rest))
 
 
 def blocks(count: int, **rest: Any) -> Scene:
