@@ -8,6 +8,7 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from lesson_code.evidence.effect_costs import CODES, EffectCost, EffectCosts
 from lesson_code.view import style
@@ -60,6 +61,8 @@ def what_effects_cost(ax: Axes, result: EffectCosts, code: str) -> Axes:
         _draw(ax, rows, name, look)
     ax.set_yticks(range(len(rows)), [_name(cost) for cost in rows])
     ax.set(xscale="log", xlabel="time of a step, \u00b5s")
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter(NullFormatter())  # a short axis would label them all
     ax.set_ylim(len(rows) - 0.4, -0.6)  # the first stage on top
     ax.set_title(code, fontsize=11)
     return ax
