@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
 from lesson_code.evidence.effect_costs import CODES, EffectCost, EffectCosts
+from lesson_code.evidence.effect_costs.result import ALL
 from lesson_code.view import style
 
 LOOKS: dict[str, dict[str, Any]] = {
@@ -78,10 +79,4 @@ def _draw(ax: Axes, rows: Sequence[EffectCost], name: str, look: dict[str, Any])
 
 def _name(cost: EffectCost) -> str:
     """Return what stands beside a row."""
-    return cost.effect.replace("_", " ") if cost.calls_needed >= 0 else _short(cost)
-
-
-def _short(cost: EffectCost) -> str:
-    """Return the name of a row that has no calls of its own."""
-    name = cost.effect.replace("_", " ")
-    return f"{name}:\n{cost.difference}" if cost.effect.startswith("all") else name
+    return f"all: {cost.difference}" if cost.effect == ALL else cost.effect.replace("_", " ")
