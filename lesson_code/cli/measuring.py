@@ -82,6 +82,49 @@ def measure_cases(
     raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
 
 
+@measure.command("isolation")
+def measure_isolation(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="RUNG", help="Only this rung.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run hostile submissions on every rung of isolation, and show what each stops."""
+    from lesson_code.grading.measuring.hostile_set import run_hostile_set
+    from lesson_code.notebook_tools.root import find_root
+
+    with clear_errors(), share_bar() as told:
+        measured = run_hostile_set(find_root(), only or (), told)
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        Console(width=max(console.width, TABLE_WIDTH)).print(measured.as_table())
+    raise typer.Exit(0 if measured.full_holds else 1)
+
+
+@measure.command("grading")
+def measure_grading(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="RUNG", help="Only this rung.")
+    ] = None,
+    workers: Workers = None,
+    batches: Annotated[int, typer.Option(min=1, help="How often each takes its turn.")] = 5,
+    as_json: AsJson = False,
+) -> None:
+    """Measure submissions graded a second, by rung of isolation, beside nbgrader."""
+    from lesson_code.grading.measuring import throughput
+    from lesson_code.notebook_tools.root import find_root
+
+    with clear_errors(), share_bar() as told:
+        measured = throughput.measure_grading(
+            find_root(), only, workers=workers, batches=batches, told=told
+        )
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        Console(width=max(console.width, TABLE_WIDTH)).print(measured.as_table())
+
+
 @measure.command("speed")
 def measure_speed(
     only: Annotated[

@@ -129,12 +129,12 @@ SPEED_DOUBT = 1.5
 and sweeps that have not agreed. Faster than half its width a step, and a body has to be watched.
 """
 
-STILL = 1e-6
+STILL = 1e-9
 """Of the speed that gravity gives in a step: a body that is slower is still.
 
 What is at rest has that much left of what gravity gives and contacts take back, and less with every
-step. Larger, and bodies that creep would be stopped: 1e-6 of it is 0.16 micrometres a second at 60
-steps a second, half a millimetre in an hour. Without gravity what is still does not move at all.
+step. Larger, and bodies that creep would be stopped: 1e-9 of it is 0.16 nanometres a second at 60
+steps a second, half a micrometre in an hour. Without gravity what is still does not move at all.
 """
 
 QUIET_TIME = 1.0

@@ -60,7 +60,7 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     """
     state = world.state
     state.dt = state.left
-    if pipeline.is_continuous and mark_fast(world, state.left):
+    if pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
         if not pipeline.splits_steps:
             state.has_fast = True
             return False
@@ -75,12 +75,12 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     return True
 
 
-def mark_fast(world: World, duration: float) -> bool:
+def mark_fast(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
     """Mark the bodies that could pass through another one unseen; return whether there are any."""
     found = False
     for body in world.bodies:
         body.waits = False
-        way = way_of(body, duration)
+        way = way_of(body, duration, effects)
         if not math.isfinite(way):
             return False  # the move will say that it cannot be made
         body.is_fast = way > 0.5 * min(body.thickness, world.state.thinnest)
@@ -88,11 +88,17 @@ def mark_fast(world: World, duration: float) -> bool:
     return found
 
 
-def way_of(body: BodyRow, duration: float) -> float:
+def way_of(body: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> float:
     """Return how far a point of a body may move at the most, m."""
     speed = math.sqrt(body.vx * body.vx + body.vy * body.vy)
-    turning = abs(body.w) * body.reach if body.corner_count > 0 else 0.0
-    return (speed + turning) * duration
+    return (speed + rim_speed(body, effects)) * duration
+
+
+def rim_speed(body: BodyRow, effects: Effects) -> float:
+    """Return how fast a body's farthest corner turns about its centre, m/s; a circle has none."""
+    if not (effects.outlines and effects.rotation) or body.corner_count == 0:
+        return 0.0
+    return abs(body.w) * body.reach
 
 
 def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
@@ -101,7 +107,7 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
     Pairs that overlap already are left to the solver: they are contacts. When the table of pairs is
     too small, that is noted, and the answer means nothing.
     """
-    bound_way(world, duration)
+    bound_way(world, duration, pipeline.effects)
     has_room = seek_pairs(world, pipeline.broad_phase)
     world.state.has_pairs = False  # these are not the pairs of the step
     if not has_room:
@@ -112,17 +118,16 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
         if a.is_fast or b.is_fast:
             after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
-                earliest = min(earliest, after + time_into(a, b))
+                earliest = min(earliest, after + time_into(a, b, pipeline.effects))
     return earliest
 
 
-def bound_way(world: World, duration: float) -> None:
+def bound_way(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> None:
     """Put a box around every body and all of its way."""
-    bound(world)
+    bound(world, effects)
     for body in world.bodies:
         x, y = body.vx * duration, body.vy * duration
-        turning = abs(body.w) * body.reach * duration if body.corner_count > 0 else 0.0
-        margin = min(turning, 2.0 * body.reach)
+        margin = min(rim_speed(body, effects) * duration, 2.0 * body.reach)
         body.min_x += min(x, 0.0) - margin
         body.max_x += max(x, 0.0) + margin
         body.min_y += min(y, 0.0) - margin
@@ -153,12 +158,11 @@ def depth_into(a: BodyRow, b: BodyRow) -> float:
     return IMPACT_DEPTH * SLOP * min(a.extent, b.extent)
 
 
-def time_into(a: BodyRow, b: BodyRow) -> float:
+def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
     """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
     vx, vy = b.vx - a.vx, b.vy - a.vy
-    turning_a = abs(a.w) * a.reach if a.corner_count > 0 else 0.0
-    turning_b = abs(b.w) * b.reach if b.corner_count > 0 else 0.0
-    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning_a + turning_b)
+    turning = rim_speed(a, effects) + rim_speed(b, effects)
+    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning)
 
 
 def let_fast_wait(world: World) -> None:

@@ -291,6 +291,9 @@ LACKING: dict[str, dict[str, str]] = {
     "substep": {"sleeping": "only the sequential solver lets islands sleep"},
     "exact": {
         "manifolds": "discs touch at one point",
+        "seams": "at the end of a face a disc hops, onto the next one if there is one",
+        "damping": "damped motion has no closed form here",
+        "callbacks": "it calls none",
         "continuous": _EXACT,
         "warm_starting": "no contact lasts for a step: there are none",
         "position_correction": _EXACT,
@@ -302,10 +305,6 @@ LACKING: dict[str, dict[str, str]] = {
 BUILT_IN: dict[str, dict[str, str]] = {
     "direct": {"friction": _OWN, "warm_starting": "the cases of the last step are the first guess"},
     "substep": {"warm_starting": "each sub-step begins with the impulses of the one before"},
-    "exact": dict.fromkeys(
-        ("collisions", "outlines", "seams", "restitution", "friction", "rotation", "gravity"),
-        "the exact solver has one program for all scenes",
-    ),
 }
 """Effects that a solver cannot do without, whatever the scene calls for, and why."""
 
@@ -321,7 +320,7 @@ def find(question: Question, name: str) -> Finding:
     lacking, built_in = LACKING.get(question.solver, {}), BUILT_IN.get(question.solver, {})
     if name in lacking:
         return Finding(False, lacking[name])
-    if name in OF_COLLISIONS and question.solver != "exact":
+    if name in OF_COLLISIONS:
         meeting = collisions(question)
         if not meeting.called_for:
             return Finding(False, meeting.reason)

@@ -7,7 +7,7 @@ is sought between them, and nothing is solved. Its contacts keep the impulses th
 A body that is awake and touches one that sleeps wakes its whole island, before the contacts of
 that step are found. The impulses go back into the memory, as if they were those of the step
 before. So the island goes on where it was, and nobody can tell that it has slept: what is still
-moves by less than a millionth of what gravity gives (:data:`STILL`).
+moves by less than a billionth of what gravity gives (:data:`STILL`).
 """
 
 from __future__ import annotations

@@ -192,6 +192,7 @@ class EngineStepper:
             self.pipeline = self.pipeline._replace(solver=rules)
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
+        self._rows = self.world
         self._events: list[NDArray[np.float64]] = []
         steps = 0.0 if math.isinf(duration) else self._steps_a_step * duration / dt
         program = partial(source_of, self.pipeline)
@@ -259,11 +260,15 @@ class EngineStepper:
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        if self._compiled:
-            bodies: Any = self.world.bodies
-            return np.column_stack([bodies[name] for name in STATE_FIELDS])
-        rows = [[getattr(body, name) for name in STATE_FIELDS] for body in self.world.bodies]
-        return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+        columns = [self._column(name) for name in STATE_FIELDS]
+        return np.array(columns, dtype=float).T.reshape(-1, STATE_NUMBERS)
+
+    def _column(self, name: str) -> Any:
+        """Return a field of all bodies; what a program does not name it has not changed."""
+        bodies: Any = self.world.bodies
+        if self._compiled and name in bodies.dtype.names:
+            return bodies[name]
+        return [getattr(body, name) for body in self._rows.bodies]
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""
@@ -297,7 +302,7 @@ class EngineStepper:
         """
         source = source_of(self.pipeline)
         self._program = compiled_function(source, "advance")
-        self.world = as_arrays(self.world, source)
+        self.world = as_arrays(self.world, source, self._rows)
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""

@@ -10,11 +10,13 @@ from lesson_code.grading.task import Task
 from lesson_code.grading.tasks import (
     billiards,
     circles,
+    effects,
     hard_cases,
     one_dimension,
     reflection,
     restitution,
     separating_axes,
+    small_engine,
     spin_and_friction,
     time_of_impact,
     what_accuracy_costs,
@@ -59,6 +61,8 @@ EXERCISES = (
     Exercise("07_time_of_impact", "Time of impact", time_of_impact.TASKS),
     Exercise("08_what_accuracy_costs", "What accuracy costs", what_accuracy_costs.TASKS),
     Exercise("09_hard_cases", "Hard cases", hard_cases.TASKS),
+    Exercise("10_only_what_the_scene_needs", "Only what the scene needs", effects.TASKS),
+    Exercise("11_the_small_engine", "The small engine", small_engine.TASKS),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 

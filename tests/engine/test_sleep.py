@@ -26,8 +26,8 @@ DT = 1 / 60
 GRAVITY = 10.0
 
 UNTOLD = 1e-9
-"""m, rad, m/s and N s: what is still is slower than 1e-6 g dt = 1.7e-7 m/s and gets slower by a
-tenth and more in each step, so that it goes less than 1e-9 m further."""
+"""m, rad, m/s and N s: what is still is slower than 1e-9 g dt = 1.7e-10 m/s and gets slower by a
+tenth and more in each step, so that it goes less than 1e-11 m further; a hit may grow that."""
 
 ROUNDING = 1e-12
 """Part: sums of some hundred impulses."""

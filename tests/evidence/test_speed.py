@@ -186,7 +186,7 @@ def test_growth_leaves_out_what_is_small() -> None:
 def test_gauge_measures_what_a_run_measures() -> None:
     """The same depth, in the same states, of discs and of polygons."""
     for speed_scene in (speed_scenes.gas(30), speed_scenes.pyramid(4)):
-        run = simulate(speed_scene.scene, 0.5, sample="end")
+        run = simulate(speed_scene.scene, 0.5, sample="end", solver="sequential")
         states = np.column_stack(
             [run.positions[-1], run.angles[-1], run.velocities[-1], run.angular_velocities[-1]]
         )
@@ -197,7 +197,7 @@ def test_gauge_measures_what_a_run_measures() -> None:
 def test_kinetic_energy_of_states_is_that_of_the_run() -> None:
     """Spin included; walls are at rest."""
     speed_scene = speed_scenes.bin_of_shapes(5)
-    run = simulate(speed_scene.scene, 0.5, sample="end")
+    run = simulate(speed_scene.scene, 0.5, sample="end", solver="sequential")
     states = np.column_stack(
         [run.positions[-1], run.angles[-1], run.velocities[-1], run.angular_velocities[-1]]
     )

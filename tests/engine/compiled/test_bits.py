@@ -227,7 +227,9 @@ def test_compiled_run_stops_for_room_and_goes_on(monkeypatch: pytest.MonkeyPatch
 
     def watched(world: Any) -> Any:
         state = world.state
-        wanted.append((state.pairs_wanted, state.contacts_wanted, state.impulses_wanted))
+        rows = state.pairs_wanted, state.contacts_wanted, state.impulses_wanted
+        if any(rows):  # not the stop at the first fast body
+            wanted.append(rows)
         return make_room(world)
 
     monkeypatch.setattr(stepper, "make_room", watched)
@@ -305,17 +307,19 @@ def test_simulate_gives_the_same_run_compiled_or_plain(
 
     monkeypatch.setattr(stepper, "link", watched)
     scene = thrown_discs(speed)
-    compiled, plain = (simulate(scene, 1.0, compiled=choice) for choice in (True, False))
+    compiled, plain = (
+        simulate(scene, 1.0, solver="sequential", compiled=choice) for choice in (True, False)
+    )
     assert linked == ([False, True] if speed > 100 else [False])
     for name in ("positions", "velocities", "angles", "angular_velocities", "times"):
-        assert getattr(compiled, name).tobytes() == getattr(plain, name).tobytes(), name
+        assert (getattr(compiled, name) + 0.0).tobytes() == getattr(plain, name).tobytes(), name
     for mine, its in zip(
         vars(compiled.contacts).values(), vars(plain.contacts).values(), strict=True
     ):
         assert mine.tobytes() == its.tobytes()
     assert len(plain.contacts) > 0
-    assert str(compiled.plan).endswith("compiled (asked for)")
-    assert str(plain.plan).endswith("plain Python (asked for)")
+    assert compiled.plan.headline.endswith("compiled (asked for)")
+    assert plain.plan.headline.endswith("plain Python (asked for)")
 
 
 # Indices
