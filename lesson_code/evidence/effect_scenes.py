@@ -69,7 +69,7 @@ class EffectPair:
     duration : float
         s, as it is told to the engine.
     along : mapping
-        Effects that are forced on in all runs of the pair.
+        Effects that are forced on, or left out, in all runs of the pair.
     in_pymunk : bool
         Whether the pair is one for pymunk too.
     tells_pymunk : callable, optional
@@ -119,6 +119,7 @@ def pairs() -> list[EffectPair]:
             *("sleeping", stacks(), calm, "stacks at rest | a gas"),
             warm_up=STEPS_TO_SLEEP,
             duration=LONG,
+            along={"impulse_record": False},  # else what sleeps is written down in every step
             tells_pymunk=_let_sleep,
         ),
         pair("callbacks", heard(calm), calm, "a gas that is heard | is not", tells_pymunk=_hear),

@@ -8,8 +8,10 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from lesson_code.evidence.effect_costs import CODES, EffectCost, EffectCosts
+from lesson_code.evidence.effect_costs.result import ALL
 from lesson_code.view import style
 
 LOOKS: dict[str, dict[str, Any]] = {
@@ -60,6 +62,8 @@ def what_effects_cost(ax: Axes, result: EffectCosts, code: str) -> Axes:
         _draw(ax, rows, name, look)
     ax.set_yticks(range(len(rows)), [_name(cost) for cost in rows])
     ax.set(xscale="log", xlabel="time of a step, \u00b5s")
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter(NullFormatter())  # a short axis would label them all
     ax.set_ylim(len(rows) - 0.4, -0.6)  # the first stage on top
     ax.set_title(code, fontsize=11)
     return ax
@@ -75,10 +79,4 @@ def _draw(ax: Axes, rows: Sequence[EffectCost], name: str, look: dict[str, Any])
 
 def _name(cost: EffectCost) -> str:
     """Return what stands beside a row."""
-    return cost.effect.replace("_", " ") if cost.calls_needed >= 0 else _short(cost)
-
-
-def _short(cost: EffectCost) -> str:
-    """Return the name of a row that has no calls of its own."""
-    name = cost.effect.replace("_", " ")
-    return f"{name}:\n{cost.difference}" if cost.effect.startswith("all") else name
+    return f"all: {cost.difference}" if cost.effect == ALL else cost.effect.replace("_", " ")

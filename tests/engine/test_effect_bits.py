@@ -91,7 +91,7 @@ def crowd(
     surfaces = _surfaces(rng, restitution=restitution, friction=friction)
     bodies = []
     for n in range(int(rng.integers(2, 7))):
-        place = np.array([n % 3 - 1.0, n // 3 - 0.5]) * 1.15 + rng.uniform(-0.1, 0.1, 2)
+        place: Any = np.array([n % 3 - 1.0, n // 3 - 0.5]) * 1.15 + rng.uniform(-0.1, 0.1, 2)
         shape = shape_of(rng, cornered=cornered)
         turns = turning and rng.random() < 0.7
         may_turn = turning or (isinstance(shape, Circle) and not friction and n % 2 == 0)
@@ -102,7 +102,7 @@ def crowd(
                 inertia=None if may_turn else math.inf,
                 position=place,
                 angle=rng.uniform(-3, 3),
-                velocity=-speed * place / 2 + speed / 4 * rng.uniform(-1, 1, 2),
+                velocity=thrown(rng, place, speed),
                 angular_velocity=rng.uniform(-5, 5) if turns else 0.0,
                 material=next(surfaces),
             )
@@ -125,6 +125,11 @@ def crowd(
         gravity=(rng.uniform(-1, 1), -10.0) if gravity and rng.random() < 0.7 else (0.0, -0.0),
         damping=rng.uniform(0.0, 1.0) if damping and rng.random() < 0.5 else 0.0,
     )
+
+
+def thrown(rng: np.random.Generator, place: Any, speed: float) -> Any:
+    """Return a velocity to the middle, more or less."""
+    return -speed * place / 2 + speed / 4 * rng.uniform(-1, 1, 2)
 
 
 def _surfaces(rng: np.random.Generator, *, restitution: bool, friction: bool) -> Iterator[Material]:
@@ -192,7 +197,7 @@ def faster(scene: Scene, times: float) -> Scene:
     bodies = [
         replace(
             body,
-            velocity=tuple(times * v for v in body.velocity),
+            velocity=(times * body.velocity[0], times * body.velocity[1]),
             angular_velocity=times * body.angular_velocity,
         )
         for body in scene.bodies

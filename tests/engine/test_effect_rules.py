@@ -37,13 +37,14 @@ SURELY = 1 + 1e-9
 
 def disc(x: float = 0.0, *surface: float | None, **rest: Any) -> Body:
     """Return a disc of 1 kg and 1 m across, whose surface is e, mu."""
-    given = {"mass": 1.0, "position": (x, 0.0), "material": Material(*surface)}
+    given: dict[str, Any] = {"mass": 1.0, "position": (x, 0.0), "material": Material(*surface)}
     return Body(Circle(0.5), **(given | rest))
 
 
 def block(x: float = 0.0, **rest: Any) -> Body:
     """Return a square of 1 m and 1 kg."""
-    return Body(Polygon.box(1, 1), **({"mass": 1.0, "position": (x, 0.0)} | rest))
+    given: dict[str, Any] = {"mass": 1.0, "position": (x, 0.0)}
+    return Body(Polygon.box(1, 1), **(given | rest))
 
 
 def floor(*surface: float | None, **rest: Any) -> Body:
@@ -87,8 +88,8 @@ def test_coefficient_of_a_pair_decides_not_that_of_a_body(
     expected: bool,
 ) -> None:
     """Exactly 0 on one body is enough for a minimum, a mean of roots and a product alone."""
-    surfaces = [[None, None], [None, None]]
-    surfaces[0][place], surfaces[1][place] = first, second  # type: ignore[call-overload]
+    surfaces: list[list[float | None]] = [[None, None], [None, None]]
+    surfaces[0][place], surfaces[1][place] = first, second
     bodies = [disc(0.0, *surfaces[0]), disc(1.0, *surfaces[1])]
     assert calls_for(name, *bodies, combine=Combination(rule, rule)) is expected
 

@@ -27,7 +27,8 @@ SLOWEST_LOSS = 1e-9
 
 def disc(x: float = 0.0, y: float = 0.0, **rest: Any) -> Body:
     """Return a disc of 1 kg and radius 1/2 m."""
-    return Body(Circle(0.5), **({"mass": 1.0, "position": (x, y)} | rest))
+    given: dict[str, Any] = {"mass": 1.0, "position": (x, y)}
+    return Body(Circle(0.5), **(given | rest))
 
 
 def meet(*bodies: Body, duration: float, dt: float = DT, **rest: Any) -> bool:
@@ -103,16 +104,25 @@ def test_turning_body_reaches_as_far_as_its_farthest_point() -> None:
     assert not meet(rod, disc(0, 2.6), duration=2.0)
 
 
+def xy(rng: np.random.Generator, most: float) -> tuple[float, float]:
+    """Return two numbers, each no larger than so much."""
+    return rng.uniform(-most, most), rng.uniform(-most, most)
+
+
 def drawn(seed: int) -> Scene:
     """Return bodies here and there, some of which meet in a second."""
     rng = np.random.default_rng(seed)
-    shapes = [Circle(0.5), Polygon.box(1.2, 0.4), Segment((-0.6, 0), (0.6, 0), radius=0.1)]
+    shapes: list[Any] = [
+        Circle(0.5),
+        Polygon.box(1.2, 0.4),
+        Segment((-0.6, 0), (0.6, 0), radius=0.1),
+    ]
     bodies = [
         Body(
             shapes[rng.integers(3)],
             mass=None if rng.random() < 0.3 else rng.uniform(0.5, 2),
-            position=rng.uniform(-4, 4, 2),
-            velocity=rng.uniform(-3, 3, 2),
+            position=xy(rng, 4),
+            velocity=xy(rng, 3),
             angular_velocity=rng.uniform(-5, 5),
         )
         for _ in range(3)
@@ -180,7 +190,7 @@ def test_no_body_is_ever_faster_than_the_bound(seed: int) -> None:
             Circle(0.5),
             mass=10.0 ** rng.uniform(-1, 1),
             position=(1.2 * n, 0.0),
-            velocity=rng.uniform(-3, 3, 2),
+            velocity=xy(rng, 3),
         )
         for n in range(5)
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -32,7 +33,8 @@ ELASTIC = Material(restitution=1.0)
 
 def disc(x: float = 0.0, **rest: Any) -> Body:
     """Return an elastic disc of 1 kg and radius 1/2 m."""
-    return Body(Circle(0.5), **({"mass": 1.0, "position": (x, 0.0), "material": ELASTIC} | rest))
+    given: dict[str, Any] = {"mass": 1.0, "position": (x, 0.0), "material": ELASTIC}
+    return Body(Circle(0.5), **(given | rest))
 
 
 def blocks(count: int, **rest: Any) -> Scene:
@@ -148,7 +150,7 @@ def test_setting_that_only_one_solver_has_decides(
     [
         ({"sleeping": True}, "sequential"),
         ({"continuous": True}, "direct"),
-        ({"friction": False}, "sequential"),
+        ({"friction": False}, "exact"),
         ({"damping": False}, "exact"),
         ({"friction": True}, "exact"),
     ],
@@ -160,6 +162,20 @@ def test_effect_that_a_solver_lacks_or_cannot_do_without_rules_it_out(
     scene = Scene([disc(0), disc(3, velocity=(-4, 0))])
     assert names(scene, effects=effects)[0] == expected
     assert simulate(scene, 1.0, effects=effects).plan.solver == expected
+
+
+def test_direct_solver_is_passed_over_where_friction_is_left_out() -> None:
+    """It cannot do without; two smooth blocks can."""
+    assert names(blocks(2), effects={"friction": False}) == ["sequential"]
+    assert simulate(blocks(2), 0.1, effects={"friction": False}).plan.solver == "sequential"
+    with pytest.raises(ValueError, match="'direct' cannot do without"):
+        simulate(two_that_meet(), 1.0, solver="direct", effects={"friction": False})
+
+
+def two_that_meet() -> Scene:
+    """Return two smooth blocks, one on its way to the other."""
+    first, second = blocks(2).bodies
+    return Scene([replace(first, velocity=(2.0, 0.0)), second])
 
 
 def test_compiled_code_rules_the_direct_solver_out() -> None:

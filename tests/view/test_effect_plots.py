@@ -34,7 +34,8 @@ def drawn(ax: Axes, name: str) -> list[tuple[float, float]]:
     """Return where the marks of one kind of time stand."""
     label = effect_plots.LOOKS[name]["label"]
     (line,) = (line for line in ax.lines if line.get_label() == label)
-    return [(round(float(x), 9), float(y)) for x, y in line.get_xydata()]  # type: ignore[union-attr]
+    points: Any = line.get_xydata()
+    return [(round(float(x), 9), float(y)) for x, y in points]
 
 
 def test_every_time_of_a_row_is_drawn_in_microseconds(ax: Axes) -> None:
@@ -45,7 +46,7 @@ def test_every_time_of_a_row_is_drawn_in_microseconds(ax: Axes) -> None:
     assert drawn(ax, "left_out") == [(2.0, 0.0), (3.0, 1.0), (2.0, 2.0)]
     assert drawn(ax, "forced") == [(4.0, 0.0), (3.0, 1.0), (3.0, 2.0)]
     names = [text.get_text() for text in ax.get_yticklabels()]
-    assert names == ["friction", "sleeping", "all effects:\na gas"]
+    assert names == ["friction", "sleeping", "all: a gas"]
     assert ax.get_xlabel() == "time of a step, \u00b5s"
 
 
