@@ -80,15 +80,7 @@ def test_plan_of_another_engine_has_no_source() -> None:
         simulate(discs(), 0.1, solver="pymunk").plan.source()
 
 
-NOT_LINKED = pytest.mark.xfail(
-    raises=TypeError, strict=True, reason="the linker does not follow functions given as values"
-)
-
-
-@pytest.mark.parametrize(
-    "solver",
-    ["sequential", "substep", pytest.param("direct", marks=NOT_LINKED), "naive", "exact"],
-)
+@pytest.mark.parametrize("solver", ["sequential", "substep", "direct", "naive", "exact"])
 def test_plan_of_ours_has_every_effect_and_a_source(solver: str) -> None:
     """The source is a program of functions, each with its docstring."""
     plan = simulate(discs(), 1.0, solver=solver).plan

@@ -29,6 +29,9 @@ from lesson_code.engine.compiled.known import is_stage, known_value
 PROJECT = "lesson_code."
 """Functions of modules whose names begin so are taken into a program; others stay outside."""
 
+OUTSIDE = ("lesson_code.engine.direct_solver",)
+"""Modules whose functions a program imports all the same: they work on arrays with NumPy."""
+
 Names: TypeAlias = Mapping[str, Any]
 Key: TypeAlias = tuple[Any, ...]
 
@@ -114,6 +117,13 @@ class _Program:
             raise TypeError(f"{name} in {user} must be a function, class or constant: {value!r}")
         elif self._constants.setdefault(name, value) != value:
             raise TypeError(f"{name} in {user} must have one value in the whole program: {value!r}")
+
+    def take_in(self, function: Any) -> str:
+        """Import a function under a name that says where it comes from, and return that."""
+        module, name = function.__module__, function.__name__
+        own = f"{module.rpartition('.')[2]}_{name}"
+        self._imports.add(f"from {module} import {name} as {own}")
+        return own
 
     def _free_name(self, function: Any) -> str:
         """Return a function's name; if it is taken, with that of its module in front."""
@@ -221,6 +231,8 @@ class _Specialised(ast.NodeTransformer):
     def visit_Call(self, node: ast.Call) -> ast.AST:
         """Call the function of the program that a call of the project's stands for."""
         found = self._value(node.func)
+        if found and _is_outside(found.value):
+            return self._imported(node, found.value)
         if not (found and isinstance(found.value, types.FunctionType) and _is_ours(found.value)):
             return self.generic_visit(node)
         called = inspect.unwrap(found.value)
@@ -237,6 +249,21 @@ class _Specialised(ast.NodeTransformer):
         name = self._program.add(called, bound)
         if not (isinstance(node.func, ast.Name) and node.func.id == name):
             node.func = ast.Name(name, ast.Load())
+        return node
+
+    def _imported(self, node: ast.Call, stage: Any) -> ast.Call:
+        """Call a function that stays outside, without what is known: its defaults stand for that.
+
+        What a partial function has been given it is given here.
+        """
+        given = stage.keywords if isinstance(stage, functools.partial) else {}
+        function = stage.func if given else stage
+        node.func = ast.Name(self._program.take_in(function), ast.Load())
+        node.args = [self.visit(arg) for arg in node.args if not self._is_stage(arg)]
+        node.keywords = [
+            ast.keyword(name, ast.Name(self._program.take_in(value), ast.Load()))
+            for name, value in given.items()
+        ]
         return node
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
@@ -262,6 +289,12 @@ def _stages_by_default(function: Any, given: set[str]) -> dict[str, Any]:
         if name not in given and parameter.default is not parameter.empty
         if is_stage(parameter.default)
     }
+
+
+def _is_outside(stage: Any) -> bool:
+    """Return whether a stage is a function, or part of one, that no program takes in."""
+    function = stage.func if isinstance(stage, functools.partial) else stage
+    return getattr(function, "__module__", None) in OUTSIDE
 
 
 def _is_ours(function: Any) -> bool:

@@ -387,6 +387,23 @@ def test_program_as_plain_python_has_the_bits_of_the_functions(
         assert linked.states().tobytes() == usual.states().tobytes()
 
 
+@pytest.mark.parametrize("law", ["newton", "energetic"])
+def test_stages_of_the_direct_solver_are_imported(law: str) -> None:
+    """They stay outside; a rule for impacts comes with them. The bits are the same."""
+    usual, linked = (
+        EngineStepper(
+            cornered(), solver="direct", dt=1 / 60, iterations=1, substeps=1,
+            combine=Combination(), restitution_law=law,
+        )
+        for _ in range(2)
+    )  # fmt: skip
+    usual.advance(20)
+    source = link(advance, pipeline=linked.pipeline)
+    assert "from lesson_code.engine.direct_solver import solve as direct_solver_solve" in source
+    linked.world = advanced(run(source)["advance"], linked.world, 20)
+    assert (linked.states() + 0.0).tobytes() == (usual.states() + 0.0).tobytes()
+
+
 def advanced(program: Callable[[World], bool], world: World, steps: int) -> World:
     """Return the tables after so many steps by a program; its impulses are thrown away."""
     world.state.steps_left = steps
