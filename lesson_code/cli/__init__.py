@@ -254,8 +254,21 @@ def site(
     from lesson_code.site.build import build
 
     with clear_errors(), share_bar() as told:
-        pages = build(find_root(), folder, still=still, told=told)
+        pages = build(find_root(), folder, moving=() if still else None, told=told)
     console.print(f"{pages} pages. Open {folder / 'index.html'}", soft_wrap=True, highlight=False)
+
+
+@app.command()
+def pictures(
+    folder: Annotated[Path, typer.Argument(help="Where they go.")],
+    only: Annotated[list[str] | None, typer.Option(help="Only the one of this name.")] = None,
+) -> None:
+    """Take the pictures of the README (for those who carry it on); needs Chromium."""
+    from lesson_code.site.readme_pictures import write_pictures
+
+    with clear_errors():
+        for file in write_pictures(folder, only or ()):
+            console.print(f"{file}", soft_wrap=True, highlight=False)
 
 
 @play.command("billiards")

@@ -6,7 +6,8 @@ import importlib.util
 import io
 import shutil
 import tempfile
-from collections.abc import Callable, Iterable
+import warnings
+from collections.abc import Callable, Collection, Iterable
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
@@ -57,7 +58,17 @@ class SiteError(RuntimeError):
     """The site cannot be built; the message says what is missing or wrong."""
 
 
-def build(root: Path, site: Path, *, still: bool = False, told: Told = lambda *_: None) -> int:
+class MissingToolsError(SiteError):
+    """What builds the pages is not installed."""
+
+
+def build(
+    root: Path,
+    site: Path,
+    *,
+    moving: Collection[str] | None = None,
+    told: Told = lambda *_: None,
+) -> int:
     """Make the workbook's pages.
 
     Parameters
@@ -67,9 +78,9 @@ def build(root: Path, site: Path, *, still: bool = False, told: Told = lambda *_
     site : Path
         The folder for the pages: a new one, an empty one, or a site that was built before. Files
         of the latter that are made again are replaced; others stay.
-    still : bool
-        Leave the figures with sliders as they stand in the notebooks. Drawing them for all places
-        of the sliders is what takes the time.
+    moving : collection of str, optional
+        The notebooks whose figures with sliders are drawn ahead, by name; None for all. In the
+        others they stand still. Drawing them for all places of the sliders takes the time.
     told : callable, optional
         Hears how far it is.
 
@@ -87,20 +98,25 @@ def build(root: Path, site: Path, *, still: bool = False, told: Told = lambda *_
     _require_tools()
     _require_own(site)
     notebooks = sorted((root / "notebooks").glob("*.ipynb"))
-    moving = {} if still else _moving_figures(notebooks, told)
+    drawn = [path for path in notebooks if moving is None or path.stem in moving]
+    figures = _moving_figures(drawn, told)
     told("pages", 1.0)
     with tempfile.TemporaryDirectory(prefix="workbook-site-") as folder:
-        _write_sources(root, Path(folder), notebooks, moving)
+        _write_sources(root, Path(folder), notebooks, figures)
         _run_sphinx(Path(folder), site)
     finish(site)
     return len(notebooks) + 2
 
 
+def missing_tools() -> list[str]:
+    """Return what of the tools that build the pages is not installed."""
+    return [name for name in NEEDS if importlib.util.find_spec(name) is None]
+
+
 def _require_tools() -> None:
     """Say what to install if something is missing."""
-    missing = [name for name in NEEDS if importlib.util.find_spec(name) is None]
-    if missing:
-        raise SiteError(f"{', '.join(missing)} not installed: pip install -e '.[site]'")
+    if missing := missing_tools():
+        raise MissingToolsError(f"{', '.join(missing)} not installed: pip install -e '.[site]'")
 
 
 def _require_own(site: Path) -> None:
@@ -158,9 +174,12 @@ def _run_sphinx(sources: Path, site: Path) -> None:
     from sphinx.errors import SphinxError
     from sphinx.util.docutils import docutils_namespace, patch_docutils
 
-    warnings = io.StringIO()
+    found = io.StringIO()
     try:
-        with patch_docutils(), docutils_namespace():
+        with patch_docutils(), docutils_namespace(), warnings.catch_warnings():
+            # What Sphinx's extensions call that Sphinx will drop one day is their business.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            warnings.simplefilter("ignore", PendingDeprecationWarning)
             app = Sphinx(
                 sources,
                 confdir=None,
@@ -169,10 +188,10 @@ def _run_sphinx(sources: Path, site: Path) -> None:
                 buildername="html",
                 confoverrides=SETTINGS,
                 status=None,
-                warning=warnings,
+                warning=found,
             )
             app.build(force_all=True)
     except SphinxError as error:
         raise SiteError(f"Sphinx found a fault: {error}") from error
-    if app.statuscode or warnings.getvalue():
-        raise SiteError(f"Sphinx found a fault:\n{warnings.getvalue()}")
+    if app.statuscode or found.getvalue():
+        raise SiteError(f"Sphinx found a fault:\n{found.getvalue()}")

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from importlib.resources import as_file, files
+from importlib.metadata import distribution
 from pathlib import Path
 from typing import Any
 
-FONT = "fonts/STIXTwoMath-Regular.ttf"
-"""In the package ziamath. Browsers take roots and brackets from a font made for formulas, and not
-every machine has one. STIX Two is under the SIL Open Font License."""
+FONT = "ziamath/fonts/STIXTwoMath-Regular.ttf"
+"""A file of the distribution ziamath. Browsers take roots and brackets from a font made for
+formulas, and not every machine has one. STIX Two is under the SIL Open Font License."""
 
-KEPT = "20-7E A0-FF 370-3FF 2000-206F 210E 2190-22FF 2308-230B 27E8-27E9 1D400-1D503 1D6A4-1D71B"
+KEPT = "20-7E A0-FF 370-3FF 2000-206F 210E 2190-22FF 2308-230B 27E8-27E9 27F5-27FF 1D400-1D503 1D6A4-1D71B"
 """The characters that formulas may use: Latin, Greek, operators, arrows, and letters in italics."""
 
 
@@ -44,12 +44,11 @@ def write_font(file: Path) -> None:
     from fontTools import subset
 
     options = subset.Options(flavor="woff")
-    with as_file(files("ziamath").joinpath(FONT)) as whole:
-        font = subset.load_font(whole, options)
     subsetter = subset.Subsetter(options)
     subsetter.populate(unicodes=subset.parse_unicodes(KEPT))
-    subsetter.subset(font)
-    subset.save_font(font, file, options)
+    with subset.load_font(str(distribution("ziamath").locate_file(FONT)), options) as font:
+        subsetter.subset(font)
+        subset.save_font(font, file, options)
 
 
 def setup(app: Any) -> dict[str, bool]:

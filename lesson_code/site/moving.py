@@ -37,7 +37,7 @@ DECIMALS = 9
 SAME_VALUE = 1e-9
 """Of a stride: a value so near to an end is the end."""
 
-LONG_NUMBER = re.compile(r"(?<![\w.])[1-9]\d{0,3}\.\d{3,}")
+LONG_NUMBER = re.compile(r"(?<![\w.])[1-9]\d{0,3}\.\d{3,}(?![\de])")
 """A coordinate with more than two decimals."""
 
 
