@@ -150,11 +150,9 @@ def _write_sources(
     with as_file(files("lesson_code.site").joinpath("assets")) as assets:
         shutil.copytree(assets, folder / "_static")
     write_font(folder / "_static" / "math.woff")
-    shutil.copytree(
-        root / "exercises",
-        folder / "downloads/exercises",
-        ignore=shutil.ignore_patterns(".*", "_*"),
-    )
+    downloads = folder / "downloads" / "exercises"
+    shutil.copytree(root / "exercises", downloads, ignore=shutil.ignore_patterns(".*", "_*"))
+    shutil.make_archive(str(downloads), "zip", downloads.parent, "exercises")
     (folder / "notebooks").mkdir()
     read: list[tuple[str, Any]] = [
         (path.stem, nbformat.read(path, as_version=4))  # type: ignore[no-untyped-call]

@@ -44,6 +44,8 @@ checks your answer with new numbers every time, and gives a hint where an answer
 The checks need the workbook's package: put the file into the folder `exercises` of the workbook,
 and open it there. `workbook grade FILE` marks a whole exercise.
 
+All of them together: <a href="exercises.zip" download>exercises.zip</a>.
+
 {table}
 """
 

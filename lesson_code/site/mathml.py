@@ -10,7 +10,10 @@ FONT = "ziamath/fonts/STIXTwoMath-Regular.ttf"
 """A file of the distribution ziamath. Browsers take roots and brackets from a font made for
 formulas, and not every machine has one. STIX Two is under the SIL Open Font License."""
 
-KEPT = "20-7E A0-FF 370-3FF 2000-206F 210E 2190-22FF 2308-230B 27E8-27E9 27F5-27FF 1D400-1D503 1D6A4-1D71B"
+KEPT = (
+    "20-7E A0-FF 370-3FF 2000-206F 210E 2190-22FF 2308-230B 27E8-27E9 27F5-27FF "
+    "1D400-1D503 1D6A4-1D71B"
+)
 """The characters that formulas may use: Latin, Greek, operators, arrows, and letters in italics."""
 
 

@@ -22,7 +22,7 @@ from typing import Any
 
 from lesson_code.view.interactive import Explorable, Slider, collected
 
-MOST_STATES = 250
+MOST_STATES = 150
 """Pictures of one figure, at most. Matplotlib needs 0.05 to 0.4 s for each."""
 
 MOST_QUICK_STATES = 6000

@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
+from zipfile import ZipFile
 
 import nbformat
 import pytest
@@ -109,13 +111,18 @@ def test_search_finds_a_word_of_one_chapter(site: Path, page: Page, faults: list
     assert faults == []
 
 
-def test_exercise_comes_as_a_file(site: Path, page: Page) -> None:
-    """The link of an exercise gives the student copy, byte for byte."""
+def test_exercises_come_as_files(site: Path, page: Page) -> None:
+    """Each link leads to the student copy, byte for byte, and one brings all of them."""
     open_page(page, site, "exercises")
-    with page.expect_download() as coming:
-        page.get_by_role("link", name="01_one_dimension.ipynb").click()
-    given = (ROOT / "exercises" / "01_one_dimension.ipynb").read_bytes()
-    assert coming.value.path().read_bytes() == given
+    links = page.locator("article td a").evaluate_all("all => all.map((link) => link.href)")
+    given = {path.name: path.read_bytes() for path in (ROOT / "exercises").glob("[!._]*.*")}
+    linked = [Path(urlsplit(link).path) for link in links]
+    assert {path.name: path.read_bytes() for path in linked} == given
+    with page.expect_download(timeout=SOON) as coming:
+        page.get_by_role("link", name="exercises.zip").click()
+    with ZipFile(coming.value.path()) as archive:
+        files = [name for name in archive.namelist() if not name.endswith("/")]
+        assert {Path(name).name: archive.read(name) for name in files} == given
 
 
 def test_animation_plays_by_keyboard(site: Path, page: Page) -> None:
