@@ -28,6 +28,9 @@ MOST_STATES = 150
 MOST_QUICK_STATES = 6000
 """The same for a figure that is written as text, and so comes with words: 1 ms for each."""
 
+FEWEST = 3
+"""Values that a slider keeps in any case: its start and both ends."""
+
 NICE = (1, 2, 5)
 """A stride is one of these times a power of ten, in steps of the slider."""
 
@@ -127,7 +130,7 @@ def values_of(sliders: Mapping[str, Slider], most: int) -> dict[str, tuple[float
     kept = {name: _every(slider, 0) for name, slider in sliders.items()}
     while math.prod(len(values) for values in kept.values()) > most:
         finest = max(kept, key=lambda name: len(kept[name]))
-        if len(kept[finest]) <= len(sliders):  # its start and both ends are all that is left
+        if len(kept[finest]) <= FEWEST:
             break
         strides[finest] += 1
         kept[finest] = _every(sliders[finest], strides[finest])
@@ -183,8 +186,9 @@ def _every(slider: Slider, number: int) -> tuple[float, ...]:
     stride = slider.step * NICE[place] * 10**power
     below = math.floor((slider.start - slider.low) / stride + SAME_VALUE)
     above = math.floor((slider.high - slider.start) / stride + SAME_VALUE)
-    between = [round(slider.start + k * stride, DECIMALS) for k in range(-below, above + 1)]
-    return tuple(sorted({*between, float(slider.low), float(slider.high)}))
+    between = [slider.start + k * stride for k in range(-below, above + 1)]
+    rounded = {round(float(value), DECIMALS) + 0.0 for value in (slider.low, *between, slider.high)}
+    return tuple(sorted(rounded))  # + 0.0 makes 0 of -0
 
 
 def _combinations(grid: Mapping[str, tuple[float, ...]]) -> Iterator[dict[str, float]]:

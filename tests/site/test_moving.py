@@ -79,6 +79,12 @@ def test_kept_values_are_round_numbers_from_the_start() -> None:
     assert kept["a"] == tuple(range(-180, 181, 20))
 
 
+def test_kept_values_are_floats_and_none_is_minus_zero() -> None:
+    """They are what the notebook's sliders give, and nobody reads "-0" beside one."""
+    kept = values_of({"x": Slider("x, m", -0.3, 0.3, -0.3, step=0.1)}, most=7)["x"]
+    assert [repr(value) for value in kept] == ["-0.3", "-0.2", "-0.1", "0.0", "0.1", "0.2", "0.3"]
+
+
 def test_pictures_stand_in_the_order_of_the_sliders() -> None:
     """The last slider changes fastest, as the page counts."""
     drawn = drawn_ahead(figure())
