@@ -52,19 +52,24 @@ def open_page(page: Page, site: Path, name: str) -> None:
     page.goto((site / f"{name}.html").as_uri())
 
 
+def violations_in(page: Page) -> list[Any]:
+    """Return what axe-core finds wrong in a page: the rule, and the elements that break it."""
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs pip install -e '.[browser]'"
+    )
+    found = axe.Axe().run(page, options=AXE).response["violations"]
+    return [(rule["id"], [node["html"] for node in rule["nodes"]]) for rule in found]
+
+
 @pytest.mark.parametrize("name", PAGES)
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_page_passes_axe_and_has_no_errors(
     site: Path, page: Page, faults: list[str], name: str, scheme: Any
 ) -> None:
     """No script fails, no file is missing, no network is asked, and axe-core finds nothing."""
-    axe = pytest.importorskip(
-        "axe_playwright_python.sync_playwright", reason="needs pip install -e '.[browser]'"
-    )
     page.emulate_media(color_scheme=scheme)
     open_page(page, site, name)
-    found = axe.Axe().run(page, options=AXE).response["violations"]
-    assert [(v["id"], [node["html"] for node in v["nodes"]]) for v in found] == []
+    assert violations_in(page) == []
     assert faults == []
 
 
@@ -286,3 +291,9 @@ def test_slider_is_moved_by_keyboard_and_says_its_value(
     page.keyboard.press("ArrowRight")
     page.locator("figure.moving img[data-state='4']").wait_for(timeout=SOON)
     assert slider.get_attribute("aria-valuetext") == "1"
+
+
+def test_figure_with_sliders_passes_axe(tiny: tuple[Path, Path], page: Page) -> None:
+    """Its sliders have names, its picture a text."""
+    open_page(page, tiny[1], "notebooks/00_tiny")
+    assert violations_in(page) == []
