@@ -24,9 +24,21 @@ from lesson_code.grading import self_check
 from lesson_code.notebook_tools import nbval_run, root
 from lesson_code.notebook_tools.nbval_run import CellResult
 from lesson_code.quiz.bank import chapter_numbers
+from lesson_code.site import build
 
 ROOT = Path(__file__).parents[1]
-COMMANDS = ["open", "check", "grade", "merge", "quiz", "regenerate", "play", "measure"]
+COMMANDS = [
+    "open",
+    "check",
+    "grade",
+    "merge",
+    "quiz",
+    "regenerate",
+    "play",
+    "measure",
+    "site",
+    "pictures",
+]
 ALL_IS_WELL, SOMETHING_IS_NOT, NOT_DONE = 0, 1, 2
 HEAVY = ("matplotlib", "pygame", "pymunk", "IPython", "nbformat", "jupytext", "numpy", "pytest")
 
@@ -584,3 +596,24 @@ def test_open_serves_the_workbook_until_it_is_stopped(
     host, port = address.split("/")[2].split(":")
     with socket.socket() as tried:
         assert tried.connect_ex((host, int(port))) != 0
+
+
+# Pages
+
+
+def test_site_leaves_other_files_alone(tiny: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder that holds something else is refused in one line, and nothing in it changes."""
+    monkeypatch.setattr(build, "NEEDS", ())
+    (tiny / "mine").mkdir()
+    (tiny / "mine" / "letter.txt").write_text("mine", encoding="utf-8")
+    result = workbook("site", "mine", "--still")
+    assert result.exit_code == NOT_DONE
+    assert "the site's folder must be new, empty or a site, got mine" in result.stderr
+    assert [path.name for path in (tiny / "mine").iterdir()] == ["letter.txt"]
+
+
+def test_pictures_names_those_there_are(tiny: Path) -> None:
+    """A picture that is asked for by a wrong name is an error with the right ones."""
+    result = workbook("pictures", "new", "--only", "sunset")
+    assert result.exit_code == NOT_DONE
+    assert "picture must be one of notebook, page, phone, billiards, got 'sunset'" in result.stderr

@@ -24,6 +24,7 @@ from lesson_code.cli.shared import (
     errors,
     print_json,
     say_error,
+    share_bar,
 )
 from lesson_code.cli.watching import watching
 
@@ -157,6 +158,35 @@ def quiz(
         result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
         if as_json:
             print_json(result.as_dict() | {"command": "quiz"})
+
+
+@app.command()
+def site(
+    folder: Annotated[Path, typer.Argument(help="Where the pages go: new, empty or a site.")],
+    still: Annotated[
+        bool, typer.Option("--still", help="Leave figures with sliders as they stand: seconds.")
+    ] = False,
+) -> None:
+    """Make the workbook's pages: a folder that needs no server and no network."""
+    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.site.build import build
+
+    with clear_errors(), share_bar() as told:
+        pages = build(find_root(), folder, moving=() if still else None, told=told)
+    console.print(f"{pages} pages. Open {folder / 'index.html'}", soft_wrap=True, highlight=False)
+
+
+@app.command()
+def pictures(
+    folder: Annotated[Path, typer.Argument(help="Where they go.")],
+    only: Annotated[list[str] | None, typer.Option(help="Only the one of this name.")] = None,
+) -> None:
+    """Take the pictures of the README (for those who carry it on); needs Chromium."""
+    from lesson_code.site.readme_pictures import write_pictures
+
+    with clear_errors():
+        for file in write_pictures(folder, only or ()):
+            console.print(f"{file}", soft_wrap=True, highlight=False)
 
 
 @play.command("billiards")

@@ -53,7 +53,9 @@ def has_screen() -> bool:
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
-def start(root: Path, notebook: Path, port: int | None = None) -> Server:
+def start(
+    root: Path, notebook: Path, port: int | None = None, config: Path | None = None
+) -> Server:
     """Start JupyterLab and return once it answers.
 
     Parameters
@@ -64,6 +66,8 @@ def start(root: Path, notebook: Path, port: int | None = None) -> Server:
         The notebook to open, relative to `root`.
     port : int, optional
         8888 by default, or another one if that is taken; one asked for must be free.
+    config : Path, optional
+        A folder with settings and layout to use in place of the user's own.
 
     Raises
     ------
@@ -74,9 +78,10 @@ def start(root: Path, notebook: Path, port: int | None = None) -> Server:
         raise ServerError("JupyterLab is not installed: pip install -e '.[jupyter]'")
     chosen = _free_port([USUAL_PORT, 0] if port is None else [port])
     token = secrets.token_hex(24)
-    process = subprocess.Popen(  # noqa: S603 - our own interpreter
-        _command(root, chosen), env={**os.environ, "JUPYTER_TOKEN": token}
-    )
+    environment = {**os.environ, "JUPYTER_TOKEN": token}
+    if config is not None:
+        environment["JUPYTER_CONFIG_DIR"] = str(config)
+    process = subprocess.Popen(_command(root, chosen), env=environment)  # noqa: S603 - our own
     address = f"http://{HOST}:{chosen}/lab/tree/{quote(notebook.as_posix())}?token={token}"
     server = Server(process, address)
     try:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import base64
 import html
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +14,7 @@ import ipywidgets
 from IPython.display import display
 from matplotlib.figure import Figure
 
-from lesson_code.view.show import png_of
+from lesson_code.view.show import png_of, svg_of
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,51 @@ class Slider:
             raise ValueError(f"start must lie between {self.low} and {self.high}, got {self.start}")
         if not self.step > 0:
             raise ValueError(f"step must be > 0, got {self.step}")
+
+
+@dataclass(frozen=True)
+class Explorable:
+    """A figure with sliders, for whoever draws it ahead of its reader.
+
+    Attributes
+    ----------
+    alt : str
+        What can be seen at the start, and what the sliders change.
+    sliders : mapping of str to Slider
+        The quantities to change, by name.
+    svg : callable
+        Takes the sliders' values by name and returns the picture as the text of an SVG.
+    words : callable, optional
+        Takes the same and says what the picture shows.
+    """
+
+    alt: str
+    sliders: Mapping[str, Slider]
+    svg: Callable[..., str]
+    words: Callable[..., str] | None = None
+
+
+_collected: ContextVar[list[Explorable] | None] = ContextVar("_collected", default=None)
+
+
+@contextmanager
+def collected() -> Iterator[list[Explorable]]:
+    """Collect the figures with sliders that are made inside, and display none of them."""
+    figures: list[Explorable] = []
+    token = _collected.set(figures)
+    try:
+        yield figures
+    finally:
+        _collected.reset(token)
+
+
+def collects(explorable: Explorable) -> bool:
+    """Hand a figure to whoever collects them; return whether anybody does."""
+    figures = _collected.get()
+    if figures is None:
+        return False
+    figures.append(explorable)
+    return True
 
 
 def explore(draw: Callable[..., Figure], alt: str, **sliders: Slider) -> None:
@@ -53,6 +100,8 @@ def explore(draw: Callable[..., Figure], alt: str, **sliders: Slider) -> None:
     """
     if not sliders:
         raise ValueError("explore needs at least one slider, got none")
+    if collects(Explorable(alt, sliders, lambda **values: svg_of(draw(**values)))):
+        return
     start = png_of(draw(**{name: slider.start for name, slider in sliders.items()}))
     show_panel(_panel(draw, alt, sliders, start), start, alt, "Run the cell to move the sliders.")
 

@@ -64,6 +64,11 @@ def picture(vertices_a: Vertices, vertices_b: Vertices) -> str:
     )
 
 
+def as_file(picture: str) -> str:
+    """Return a picture as the text of a file of its own, outside of a page."""
+    return picture.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
+
+
 def in_words(vertices_a: Vertices, vertices_b: Vertices) -> str:
     """Return what the test finds, in a sentence or two.
 

@@ -15,7 +15,7 @@ import numpy as np
 import traitlets
 
 from lesson_code.view import sat_plots, sat_svg, style
-from lesson_code.view.interactive import Slider, float_slider, show_panel
+from lesson_code.view.interactive import Explorable, Slider, collects, float_slider, show_panel
 from lesson_code.view.sat_plots import Vertices
 from lesson_code.view.show import png_of
 
@@ -60,9 +60,7 @@ class DraggedPolygon(anywidget.AnyWidget):
     @property
     def vertices_b(self) -> Any:
         """Corners of B where it is now, m."""
-        turn = np.radians(self.angle)
-        cos, sin = np.cos(turn), np.sin(turn)
-        return self._b @ np.array([[cos, sin], [-sin, cos]]) + (self.x, self.y)
+        return placed(self._b, self.x, self.y, self.angle)
 
     @traitlets.validate("x", "y", "angle")
     def _within_limits(self, proposal: Any) -> float:
@@ -110,12 +108,15 @@ def drag_polygon(
     ValueError
         `alt` is empty, or the vertices are no convex polygon.
     """
-    widget = DraggedPolygon(vertices_a, vertices_b, x, y, angle)
-    sliders = {
-        "x": float_slider(Slider("x of B, m", *LIMITS["x"], x, step=0.01)),
-        "y": float_slider(Slider("y of B, m", *LIMITS["y"], y, step=0.01)),
-        "angle": float_slider(Slider("angle of B, degrees", *LIMITS["angle"], angle, step=1)),
+    ranges = {
+        "x": Slider("x of B, m", *LIMITS["x"], x, step=0.01),
+        "y": Slider("y of B, m", *LIMITS["y"], y, step=0.01),
+        "angle": Slider("angle of B, degrees", *LIMITS["angle"], angle, step=1),
     }
+    if collects(_explorable(vertices_a, vertices_b, alt, ranges)):
+        return
+    widget = DraggedPolygon(vertices_a, vertices_b, x, y, angle)
+    sliders = {name: float_slider(slider) for name, slider in ranges.items()}
     for name, slider in sliders.items():
         slider.continuous_update = True
         # Linked in the browser: by way of Python, a slider would undo a drag that is faster.
@@ -123,6 +124,30 @@ def drag_polygon(
     panel = ipywidgets.VBox([widget, *sliders.values()])
     start = png_of(still(vertices_a, widget.vertices_b))
     show_panel(panel, start, alt, "Run the cell to drag B.")
+
+
+def _explorable(
+    vertices_a: Vertices, vertices_b: Vertices, alt: str, sliders: dict[str, Slider]
+) -> Explorable:
+    """Return the same for whoever draws it ahead of its reader."""
+
+    def at(x: float, y: float, angle: float) -> tuple[Any, Any]:
+        """Return the corners of A and those of B where it then is."""
+        return np.asarray(vertices_a, dtype=float), placed(vertices_b, x, y, angle)
+
+    return Explorable(
+        alt,
+        sliders,
+        svg=lambda **place: sat_svg.as_file(sat_svg.picture(*at(**place))),
+        words=lambda **place: sat_svg.in_words(*at(**place)),
+    )
+
+
+def placed(vertices: Vertices, x: float, y: float, angle: float) -> Any:
+    """Return corners, m, turned by an angle in degrees and then moved by x and y."""
+    turn = np.radians(angle)
+    cos, sin = np.cos(turn), np.sin(turn)
+    return np.asarray(vertices, dtype=float) @ np.array([[cos, sin], [-sin, cos]]) + (x, y)
 
 
 def still(vertices_a: Vertices, vertices_b: Vertices) -> Any:

@@ -129,6 +129,25 @@ def test_ctrl_c_while_it_starts_leaves_no_server(
     assert started[0].poll() is not None
 
 
+def test_settings_of_its_own_leave_those_of_the_user_alone(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """A folder for settings is handed over; without one the user's own are used."""
+    environments: list[dict[str, str]] = []
+
+    def start_nothing(*_: object, env: dict[str, str]) -> None:
+        environments.append(env)
+
+    monkeypatch.setattr(server.importlib.util, "find_spec", lambda _: True)
+    monkeypatch.setattr(server.subprocess, "Popen", start_nothing)
+    monkeypatch.setattr(server, "_wait_for", lambda *_: None)
+    monkeypatch.setenv("JUPYTER_CONFIG_DIR", "the user's")
+    server.start(tmp_path, NOTEBOOK)
+    server.start(tmp_path, NOTEBOOK, config=tmp_path)
+    found = [environment["JUPYTER_CONFIG_DIR"] for environment in environments]
+    assert found == ["the user's", str(tmp_path)]
+
+
 def test_server_that_does_not_want_to_end_is_killed(monkeypatch: pytest.MonkeyPatch) -> None:
     """After `stop` the process is gone, whatever it thinks of SIGTERM."""
     monkeypatch.setattr(server, "SECONDS_TO_STOP", 0.2)

@@ -11,8 +11,8 @@ from ipywidgets.widgets.widget import _instances
 from matplotlib.figure import Figure
 
 from lesson_code.view import interactive, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import png_of
+from lesson_code.view.interactive import Slider, collected, explore
+from lesson_code.view.show import png_of, svg_of
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
 ALT = 'A point at "x" < 1 & more.'
@@ -160,3 +160,21 @@ def test_step_that_leads_nowhere_is_refused(step: float) -> None:
     """A slider with such a step could not be moved."""
     with pytest.raises(ValueError, match=f"step must be > 0, got {step}"):
         Slider("x, m", 0, 1, 0.5, step=step)
+
+
+def test_collected_figure_is_not_displayed_and_can_be_drawn_anywhere(displayed: Any) -> None:
+    """Whoever draws ahead gets text, sliders, and the figure for any values."""
+    with collected() as figures:
+        explore(draw_point, ALT, x=X, y=Y)
+    [figure] = figures
+    assert displayed == []
+    assert (figure.alt, dict(figure.sliders), figure.words) == (ALT, {"x": X, "y": Y}, None)
+    assert figure.svg(x=0.75, y=-0.5) == svg_of(draw_point(0.75, -0.5))
+
+
+def test_figures_are_displayed_again_after_collecting(displayed: Any) -> None:
+    """Collecting ends with its block, also where a figure fails in it."""
+    with pytest.raises(ZeroDivisionError), collected():
+        explore(draw_point, ALT, x=Slider("x, m", 0, 1, 1 / 0))
+    explore(draw_point, ALT, x=X)
+    assert len(displayed) == 1

@@ -88,3 +88,24 @@ def test_drag_polygon_wants_words(displayed: Any) -> None:
     """Who cannot see the picture is told what is in it."""
     with pytest.raises(ValueError, match="alt must say what the figure shows"):
         drag_polygon(A, B, " ")
+
+
+def test_collected_picture_is_the_one_the_widget_shows(displayed: Any) -> None:
+    """Drawn ahead it is the same picture, as a file of its own, with the same words."""
+    with interactive.collected() as figures:
+        drag_polygon(A, B, "Two polygons.", x=0.5, y=0.25, angle=30)
+    [figure] = figures
+    widget = DraggedPolygon(A, B, -0.5, 1.0, 45)
+    place = {"x": -0.5, "y": 1.0, "angle": 45}
+    assert displayed == []
+    assert figure.svg(**place) == sat_svg.as_file(widget.picture)
+    assert figure.words is not None
+    assert figure.words(**place) == widget.words
+    assert [slider.start for slider in figure.sliders.values()] == [0.5, 0.25, 30]
+
+
+def test_picture_as_a_file_says_what_it_is() -> None:
+    """Outside of a page an SVG needs its name space; nothing else is changed."""
+    assert sat_svg.as_file('<svg a="1"><g/></svg>') == (
+        '<svg xmlns="http://www.w3.org/2000/svg" a="1"><g/></svg>'
+    )

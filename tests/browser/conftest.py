@@ -1,0 +1,86 @@
+"""The workbook in Chromium: the browser, a JupyterLab of its own, and the pages.
+
+Where Playwright, Chromium, JupyterLab or what builds the pages is missing, what needs it is
+skipped, and says so.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from lesson_code.notebook_tools.server import ServerError
+from lesson_code.site.build import MissingToolsError, build
+from lesson_code.site.in_browser import JupyterLab, NoBrowserError, chromium, jupyterlab
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, ConsoleMessage, Page, Request
+
+ROOT = Path(__file__).parents[2]
+DESKTOP: Any = {"width": 1280, "height": 900}
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Yield Chromium."""
+    try:
+        with chromium() as started:
+            yield started
+    except NoBrowserError as error:
+        pytest.skip(str(error))
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    """Yield an empty page, as wide as a desktop's."""
+    context = browser.new_context(viewport=DESKTOP, reduced_motion="reduce")
+    yield context.new_page()
+    context.close()
+
+
+@pytest.fixture
+def faults(page: Page) -> list[str]:
+    """Return what goes wrong in the page: errors and warnings, missing files, use of a network."""
+    found: list[str] = []
+
+    def heard(message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            found.append(message.text)
+
+    def asked(request: Request) -> None:
+        if not request.url.startswith(("file:", "data:", "blob:")):
+            found.append(f"asked for {request.url}")
+
+    page.on("pageerror", lambda error: found.append(str(error)))
+    page.on("console", heard)
+    page.on("requestfailed", lambda request: found.append(f"did not get {request.url}"))
+    page.on("request", asked)
+    return found
+
+
+@pytest.fixture(scope="session")
+def site(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the pages of the workbook, the figures with sliders standing still."""
+    folder = tmp_path_factory.mktemp("site")
+    try:
+        build(ROOT, folder, moving=())
+    except MissingToolsError as error:
+        pytest.skip(str(error))
+    return folder
+
+
+@pytest.fixture(scope="session")
+def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[JupyterLab]:
+    """Yield JupyterLab with a copy of the workbook, which may be changed."""
+    root = tmp_path_factory.mktemp("workbook")
+    for folder in ("notebooks", "exercises"):
+        shutil.copytree(ROOT / folder, root / folder)
+    try:
+        with jupyterlab(root) as running:
+            yield running
+    except ServerError as error:
+        pytest.skip(str(error))

@@ -1,0 +1,105 @@
+"""The notebooks in JupyterLab, as a student uses them: run, slide, answer, write."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from lesson_code.quiz.bank import ChoiceQuestion, load_chapter
+from lesson_code.site.in_browser import JupyterLab, LabNotebook
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Locator, Page
+
+ROOT = Path(__file__).parents[2]
+SHORT = "02_restitution"
+"""The notebook that the short run opens; -m browser opens all of them."""
+
+CHAPTERS = [
+    pytest.param(path.stem, marks=() if path.stem == SHORT else pytest.mark.browser, id=path.stem)
+    for path in sorted((ROOT / "notebooks").glob("*.ipynb"))
+]
+ANSWERED = 20_000
+"""ms: a figure is drawn anew and an answer judged within a second, if the machine is idle."""
+
+PICTURE = "output => (output.querySelector('img') || output.querySelector('svg')).outerHTML"
+"""In the page: what an output shows."""
+
+ANSWER = """def elastic_1d(m1, v1, m2, v2):
+    v_centre = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return 2 * v_centre - v1, 2 * v_centre - v2"""
+
+
+@pytest.fixture(scope="module", params=CHAPTERS)
+def chapter(
+    request: pytest.FixtureRequest, browser: Browser, lab: JupyterLab
+) -> Iterator[LabNotebook]:
+    """Yield each notebook, all of its cells run."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    opened = lab.open(page, f"notebooks/{request.param}.ipynb")
+    opened.run_all()
+    yield opened
+    lab.end_kernels(page)
+    page.close()
+
+
+def output_with(page: Page, inside: str) -> Locator:
+    """Return the first output that holds something."""
+    return page.locator(f".jp-OutputArea-output:has({inside})").first
+
+
+def test_notebook_runs_from_top_to_bottom(chapter: LabNotebook) -> None:
+    """No cell of a notebook stops with an error."""
+    assert chapter.errors.all_text_contents() == []
+
+
+def test_slider_moved_by_a_key_draws_the_figure_anew(chapter: LabNotebook) -> None:
+    """An arrow key moves a slider by a step, and the picture with it is another one."""
+    output = output_with(chapter.page, ".widget-slider")
+    slider = output.locator(".noUi-handle").first
+    before = output.evaluate(PICTURE)
+    slider.focus()
+    chapter.page.keyboard.press("ArrowLeft")
+    # Fails with a time-out if the picture stays as it was.
+    chapter.page.wait_for_function(
+        f"([output, before]) => ({PICTURE})(output) !== before",
+        arg=[output.element_handle(), before],
+        timeout=ANSWERED,
+    )
+
+
+def test_quiz_gives_the_feedback_to_the_answer_that_was_clicked(
+    request: pytest.FixtureRequest, chapter: LabNotebook
+) -> None:
+    """A wrong option is clicked, then the right one; each time its own feedback is read out."""
+    number = request.node.callspec.params["chapter"][:2]
+    asked = load_chapter(number).questions
+    question = next(q for q in asked if isinstance(q, ChoiceQuestion))
+    quiz = output_with(chapter.page, ".widget-radio")
+    place = asked.index(question)
+    wrong = next(option for option in question.options if option != question.right_option)
+    for option in (wrong, question.right_option):
+        quiz.locator(".widget-radio").first.get_by_text(f") {option.text}", exact=False).click()
+        quiz.get_by_role("button", name="Check").nth(place).click()
+        quiz.get_by_text(option.feedback).wait_for(timeout=ANSWERED)
+    quiz.get_by_text(f"1 of {len(asked)} right").wait_for(timeout=ANSWERED)
+
+
+def test_written_answer_gets_full_marks(browser: Browser, lab: JupyterLab) -> None:
+    """A stub has no marks; the student types an answer over it, and the check gives all of them."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    exercise = lab.open(page, "exercises/01_one_dimension.ipynb")
+    exercise.run_all()
+    check = page.locator(".jp-CodeCell:has-text('check_task(\"1.1\"')")
+    check.get_by_text("1.1 elastic_1d: 0/4 points").wait_for(timeout=ANSWERED)
+    page.locator(".jp-CodeCell:has-text('def elastic_1d') .cm-content").click()
+    page.keyboard.press("Control+A")
+    page.keyboard.insert_text(ANSWER)
+    exercise.run_all()
+    check.get_by_text("1.1 elastic_1d: 4/4 points").wait_for(timeout=ANSWERED)
+    assert exercise.errors.all_text_contents() == []
+    lab.end_kernels(page)
+    page.close()

@@ -1,0 +1,299 @@
+"""The pages in a browser, opened from their folder: no server, no network, no mouse needed."""
+
+from __future__ import annotations
+
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
+from zipfile import ZipFile
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+
+from lesson_code.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_bank
+from lesson_code.quiz.checker import check_answer, expected_answer
+from lesson_code.site.build import build
+from lesson_code.site.moving import figures_of
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+ROOT = Path(__file__).parents[2]
+CHAPTERS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.ipynb"))
+PAGES = ["index", "exercises", "search", *(f"notebooks/{name}" for name in CHAPTERS)]
+PHONE: Any = {"width": 360, "height": 740}
+AXE: Any = {"resultTypes": ["violations"], "preload": False}
+"""What axe-core is asked. By itself it would load style sheets, which a folder does not let it."""
+
+SOON = 10_000
+"""ms: what needs no computing is there at once, unless the machine is busy."""
+
+MOVING = """
+from lesson_code.view import style
+from lesson_code.view.interactive import Slider, explore
+
+def draw(x, y):
+    figure, ax = style.figure(width=3, height=2)
+    ax.plot(x, y, marker="o")
+    ax.set(xlim=(-1, 2), ylim=(-1, 2))
+    return figure
+
+explore(draw, "A point.", x=Slider("x, m", 0, 1, 0.5, step=0.5), y=Slider("y, m", 0, 1, 0, step=1))
+"""
+PIXEL = (
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR42mNkYAAAAAYAAjCB0C8AAAAASUVORK5CYII="
+)
+
+
+def open_page(page: Page, site: Path, name: str) -> None:
+    """Open a page of the site."""
+    page.goto((site / f"{name}.html").as_uri())
+
+
+def violations_in(page: Page) -> list[Any]:
+    """Return what axe-core finds wrong in a page: the rule, and the elements that break it."""
+    axe = pytest.importorskip(
+        "axe_playwright_python.sync_playwright", reason="needs pip install -e '.[browser]'"
+    )
+    found = axe.Axe().run(page, options=AXE).response["violations"]
+    return [(rule["id"], [node["html"] for node in rule["nodes"]]) for rule in found]
+
+
+@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_page_passes_axe_and_has_no_errors(
+    site: Path, page: Page, faults: list[str], name: str, scheme: Any
+) -> None:
+    """No script fails, no file is missing, no network is asked, and axe-core finds nothing."""
+    page.emulate_media(color_scheme=scheme)
+    open_page(page, site, name)
+    assert violations_in(page) == []
+    assert faults == []
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_page_fits_a_phone(site: Path, page: Page, name: str) -> None:
+    """On a screen 360 px wide nothing but code and formulas has to be scrolled sideways."""
+    page.set_viewport_size(PHONE)
+    open_page(page, site, name)
+    assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
+
+
+@pytest.mark.parametrize("name", CHAPTERS)
+def test_every_picture_is_there_and_has_a_text(site: Path, page: Page, name: str) -> None:
+    """Each image has arrived, and has a text for those who do not see it; so has each animation."""
+    open_page(page, site, f"notebooks/{name}")
+    pictures = page.locator("article img")
+    shown = pictures.evaluate_all("all => all.map((image) => [image.naturalWidth > 0, image.alt])")
+    moving = page.locator("article svg[role=img]").evaluate_all(
+        "all => all.map((a) => a.ariaLabel)"
+    )
+    assert shown or moving
+    assert all(arrived and alt for arrived, alt in shown)
+    assert all(moving)
+
+
+def test_dark_and_light_follow_the_reader(site: Path, page: Page) -> None:
+    """The page is dark where the reader's system is, and a button changes it."""
+    seen = set()
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        open_page(page, site, "index")
+        seen.add(page.evaluate("getComputedStyle(document.body).backgroundColor"))
+    assert len(seen) == 2
+    before = page.evaluate("document.body.dataset.theme")
+    page.locator("button.theme-toggle:visible").click()
+    assert page.evaluate("document.body.dataset.theme") != before
+
+
+def test_search_finds_a_word_of_one_chapter(site: Path, page: Page, faults: list[str]) -> None:
+    """What is typed into the box of any page is found, from a folder too."""
+    open_page(page, site, "index")
+    page.get_by_role("textbox", name="Search").fill("Zeno")
+    page.keyboard.press("Enter")
+    page.locator("#search-results a", has_text="02 Restitution").wait_for(timeout=SOON)
+    assert faults == []
+
+
+def test_exercises_come_as_files(site: Path, page: Page) -> None:
+    """Each link leads to the student copy, byte for byte, and one brings all of them."""
+    open_page(page, site, "exercises")
+    links = page.locator("article td a").evaluate_all("all => all.map((link) => link.href)")
+    given = {path.name: path.read_bytes() for path in (ROOT / "exercises").glob("[!._]*.*")}
+    linked = [Path(urlsplit(link).path) for link in links]
+    assert {path.name: path.read_bytes() for path in linked} == given
+    with page.expect_download(timeout=SOON) as coming:
+        page.get_by_role("link", name="exercises.zip").click()
+    with ZipFile(coming.value.path()) as archive:
+        files = [name for name in archive.namelist() if not name.endswith("/")]
+        assert {Path(name).name: archive.read(name) for name in files} == given
+
+
+def test_animation_plays_by_keyboard(site: Path, page: Page) -> None:
+    """The space bar on an animation's slider starts it, and it comes to its end."""
+    open_page(page, site, "notebooks/04_circles")
+    slider = page.locator("figure[data-animation] input[type=range]").first
+    slider.focus()
+    page.keyboard.press(" ")
+    page.get_by_role("button", name="Play again").first.wait_for(timeout=6 * SOON)
+    assert slider.input_value() == slider.get_attribute("max")
+
+
+def test_first_tab_leads_past_the_navigation(site: Path, page: Page) -> None:
+    """Whoever uses the keyboard need not go through the list of chapters on every page."""
+    open_page(page, site, "notebooks/01_one_dimension")
+    page.keyboard.press("Tab")
+    assert "Skip to content" in page.evaluate("document.activeElement.textContent")
+
+
+def test_wide_code_can_be_scrolled_by_keyboard(site: Path, page: Page) -> None:
+    """On a phone most code is wider than the screen; each such box takes the focus."""
+    page.set_viewport_size(PHONE)
+    open_page(page, site, "notebooks/01_one_dimension")
+    wide = "all => all.filter((pre) => pre.scrollWidth > pre.clientWidth).map((p) => p.tabIndex)"
+    assert set(page.locator("article pre").evaluate_all(wide)) == {0}
+
+
+def test_print_leaves_out_what_paper_cannot_do(site: Path, page: Page) -> None:
+    """On paper there are no buttons, sliders and navigation, but the figures and questions."""
+    page.emulate_media(media="print")
+    open_page(page, site, "notebooks/04_circles")
+    for gone in (".quiz button", "figure[data-animation] input", ".sidebar-drawer"):
+        assert page.locator(f"{gone} >> visible=true").count() == 0, gone
+    for kept in (".quiz legend", "figure.drawn img", "figure[data-animation] svg", "math"):
+        assert page.locator(f"{kept} >> visible=true").count() > 0, kept
+
+
+# The quiz
+
+
+def answers_to(question: Question) -> list[str]:
+    """Return answers of all kinds: each letter or known value, its edges, and what is none."""
+    if not isinstance(question, NumericQuestion):
+        return [*(letter for letter, _ in question.lettered), ""]
+    answers = ["", "high", "1e999", "12 parsecs", "-7.5e3", "\N{MINUS SIGN}1,5"]
+    for value in (question.value, *(wrong.value for wrong in question.wrong_values)):
+        reach = question.tolerance
+        near = (value, value + reach, value - reach, value + 1.01 * reach, value - 0.99 * reach)
+        answers += [repr(number) for number in near]
+        answers.append(f" {value!r} {question.unit} ".replace(".", ","))
+    return answers
+
+
+def words_to(question: Question, answer: str) -> str:
+    """Return what the one judge of answers has to say, as the page writes it."""
+    try:
+        verdict = check_answer(question, answer)
+    except ValueError:
+        return f"Please give {expected_answer(question)}."
+    word = "right" if verdict.right else "not right"
+    return f"{answer.strip()}: {word}. {verdict.feedback}"
+
+
+GIVE = """([id, answers]) => {
+    const form = [...document.querySelectorAll(".quiz form")].find(
+        (form) => JSON.parse(form.dataset.question).id === id);
+    return answers.map((answer) => {
+        form.reset();
+        const radio = form.querySelector(`input[value="${answer}"]`);
+        if (radio) radio.checked = true;
+        else if (form.elements[id].type === "text") form.elements[id].value = answer;
+        form.requestSubmit();
+        return form.querySelector(".verdict").textContent;
+    });
+}"""
+"""In the page: gives each answer to a question and returns what is said to it."""
+
+
+@pytest.mark.parametrize("chapter", load_bank(), ids=lambda chapter: chapter.number)
+def test_quiz_of_the_page_judges_as_the_one_judge_does(
+    site: Path, page: Page, chapter: Any
+) -> None:
+    """Every option, every known value, values at the edge of a tolerance, units, and nonsense."""
+    name = next(name for name in CHAPTERS if name.startswith(chapter.number))
+    open_page(page, site, f"notebooks/{name}")
+    for question in chapter.questions:
+        answers = answers_to(question)
+        said = page.evaluate(GIVE, [question.id, answers])
+        assert dict(zip(answers, said, strict=True)) == {a: words_to(question, a) for a in answers}
+
+
+def test_quiz_is_answered_by_keyboard(site: Path, page: Page) -> None:
+    """Arrow keys choose, Enter checks, the verdict is read out, and the count goes up."""
+    asked = load_bank()[1].questions
+    question = next(q for q in asked if isinstance(q, ChoiceQuestion))
+    open_page(page, site, "notebooks/01_one_dimension")
+    form = page.locator(".quiz form").nth(asked.index(question))
+    form.get_by_role("radio").first.focus()
+    page.keyboard.press("Space")
+    for _ in range("abcde".index(question.answer)):
+        page.keyboard.press("ArrowDown")
+    page.keyboard.press("Enter")
+    assert form.get_by_role("status").text_content() == words_to(question, question.answer)
+    assert page.locator(".quiz .count").text_content() == f"1 of {len(asked)} right"
+
+
+# Figures with sliders
+
+
+@pytest.fixture(scope="module")
+def tiny(site: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """Return a workbook of one notebook with one moving figure, and its pages.
+
+    Where there is no `site`, there is none of this either.
+    """
+    root = tmp_path_factory.mktemp("tiny")
+    (root / "notebooks").mkdir()
+    (root / "exercises").mkdir()
+    output = new_output(
+        "display_data",
+        data={"image/png": PIXEL, "text/plain": "Figure: A point. (Run the cell to move it.)"},
+        metadata={"image/png": {"alt": "A point."}},
+    )
+    cells = [new_markdown_cell("# 00 Tiny"), new_code_cell(MOVING, outputs=[output])]
+    notebook = root / "notebooks" / "00_tiny.ipynb"
+    nbformat.write(
+        new_notebook(cells=cells, metadata={"language_info": {"name": "python"}}), notebook
+    )
+    build(root, root / "site")
+    return notebook, root / "site"
+
+
+def test_every_place_of_the_sliders_shows_its_own_picture(
+    tiny: tuple[Path, Path], page: Page, faults: list[str]
+) -> None:
+    """For each pair of values the page shows the very picture that was drawn for them."""
+    notebook, site = tiny
+    [figure] = figures_of(notebook)
+    open_page(page, site, "notebooks/00_tiny")
+    x, y = page.get_by_role("slider").all()
+    for state, picture in islice(enumerate(figure.pictures), 6):
+        x.fill(str(state // 2))
+        y.fill(str(state % 2))
+        image = page.locator(f"figure.moving img[data-state='{state}']")
+        image.wait_for(timeout=SOON)
+        shown = image.evaluate("image => fetch(image.src).then((file) => file.text())")
+        assert shown == picture
+    assert faults == []
+
+
+def test_slider_is_moved_by_keyboard_and_says_its_value(
+    tiny: tuple[Path, Path], page: Page
+) -> None:
+    """An arrow key moves it by one value; label and value are what a screen reader says."""
+    _, site = tiny
+    open_page(page, site, "notebooks/00_tiny")
+    slider = page.get_by_role("slider", name="x, m")
+    assert slider.get_attribute("aria-valuetext") == "0.5"
+    slider.focus()
+    page.keyboard.press("ArrowRight")
+    page.locator("figure.moving img[data-state='4']").wait_for(timeout=SOON)
+    assert slider.get_attribute("aria-valuetext") == "1"
+
+
+def test_figure_with_sliders_passes_axe(tiny: tuple[Path, Path], page: Page) -> None:
+    """Its sliders have names, its picture a text."""
+    open_page(page, tiny[1], "notebooks/00_tiny")
+    assert violations_in(page) == []
