@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -20,6 +21,7 @@ from lesson_code.grading.isolation import (
     StudentProcess,
     isolated,
     opened,
+    paths,
 )
 from lesson_code.grading.isolation.fresh_process import FreshProcess
 from lesson_code.grading.isolation.inside import disk, landlock, seccomp
@@ -96,6 +98,26 @@ def test_isolation_of_an_unknown_level_is_refused_by_name() -> None:
         isolated(Limits(), "high"),
     ):
         pass
+
+
+def test_isolation_is_full_for_an_ordinary_user_too(root: Path) -> None:
+    """Nobody, who is not root and owns nothing, gets the same level as root does."""
+    if os.name != "posix" or os.geteuid() != 0:
+        pytest.skip("only root can become nobody; for others all tests here say it")
+    if not paths.is_readable_by_others() or not os.access(sys.executable, os.X_OK):
+        pytest.skip("nobody cannot run this Python: it lies where only root can read")
+    program = (
+        "from lesson_code.grading.isolation import Limits, isolated\n"
+        "with isolated(Limits()) as (_, in_force): print(in_force.level, in_force.rung)"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", program],
+        user=65_534, group=65_534, extra_groups=[],
+        env={"PYTHONPATH": str(root), "PYTHONDONTWRITEBYTECODE": "1"},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    with isolated(Limits()) as (_, in_force):
+        assert ran.stdout.split() == [in_force.level, in_force.rung], ran.stderr
 
 
 def test_child_has_an_empty_folder_and_environment(children: Children) -> None:
