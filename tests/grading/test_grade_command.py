@@ -104,3 +104,21 @@ def test_grade_under_nbval_says_that_it_has_no_isolation() -> None:
     assert "without any isolation" in ran.stderr
     assert (value["version"], value["isolation"]) == (1, "none")
     assert [task["passed"] for task in value["tasks"]] == [False, True, True]
+
+
+def test_grade_with_full_isolation_says_what_was_in_force() -> None:
+    """--isolation full grades behind a full wall, or not at all and says why."""
+    ran = workbook(
+        "grade", FOLDER / "right_program.py", "--exercise", "02", "--isolation", "full", "--json"
+    )
+    if ran.exit_code == 2:
+        assert "isolation full is not to be had here" in ran.stderr
+    else:
+        assert json.loads(ran.stdout)["isolation"]["level"] == "full"
+
+
+def test_grade_with_an_unknown_level_of_isolation_exits_2() -> None:
+    """A level that does not exist is one line that lists those that do."""
+    ran = workbook("grade", FOLDER / "right_program.py", "--isolation", "high")
+    assert ran.exit_code == 2
+    assert "isolation must be full, limits or none, got 'high'" in " ".join(ran.stderr.split())

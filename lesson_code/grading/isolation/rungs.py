@@ -258,7 +258,7 @@ def opened(rung: Rung, limits: Limits) -> tuple[Children, InForce]:
 def _level_of(children: Children) -> Level:
     """Return the level that a rung gives: full if a child can do none of the forbidden deeds."""
     if not isinstance(children, WarmServer):
-        return "limits" if os.name == "posix" else "none"
+        return "limits" if os.name == "posix" and not _is_root() else "none"
     with _target() as target:
         return "limits" if any(children.possible(target).values()) else "full"
 

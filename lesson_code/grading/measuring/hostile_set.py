@@ -205,6 +205,9 @@ def _on_rung(
         children, in_force = opened(rung, LIMITS)
     except IsolationError as error:
         return OnRung(rung.name, None, str(error), {})
+    if in_force.level == "none":
+        children.close()
+        return OnRung(rung.name, None, "not tried: nothing would hold what is run there", {})
     through = {}
     try:
         for at, each in enumerate(hostile):

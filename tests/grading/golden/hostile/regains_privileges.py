@@ -26,7 +26,8 @@ def attack():
     libc = ctypes.CDLL(None, use_errno=True)
     attempt("becomes another user", lambda: os.setuid(0 if os.getuid() else 1))
     attempt("changes its root", lambda: os.chroot("/"))
-    attempt("mounts", lambda: checked(libc.mount(b"x", b"/", b"tmpfs", 0, None)))
+    attempt("mounts", lambda: checked(libc.mount(b"x", b".", b"tmpfs", 0, None)))
+    libc.umount2(b".", 2)
     attempt("makes namespaces", lambda: checked(libc.unshare(CLONE_NEWUSER | CLONE_NEWNS)))
     attempt("becomes another group", lambda: os.setgroups([0]))
 
