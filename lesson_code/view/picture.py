@@ -162,11 +162,11 @@ class Picture:
         place, r = self.camera.world_to_screen(centre), radius * self.camera.scale
         pygame.draw.circle(self._field, colour, place, r, width)
 
-    def polygon(self, points: Sequence[XY], colour: Colour, edge: Colour | None = None) -> None:
+    def polygon(self, points: Sequence[XY], colour: Colour) -> None:
         """Draw a filled polygon with smooth edges."""
         places = [self.camera.world_to_screen(point) for point in points]
+        pygame.draw.aalines(self._field, colour, True, places)
         pygame.draw.polygon(self._field, colour, places)
-        pygame.draw.aalines(self._field, colour if edge is None else edge, True, places)
 
     def capsule(self, start: XY, end: XY, radius: float, colour: Colour) -> None:
         """Draw a thick line with round ends; at least 2 px thick."""
@@ -177,7 +177,7 @@ class Picture:
     def line(self, start: XY, end: XY, colour: Colour) -> None:
         """Draw a thin line."""
         a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
-        pygame.draw.aaline(self._field, colour, a, b)
+        pygame.draw.line(self._field, colour, a, b, 2)
 
     def arrow(self, tail: XY, along: XY, colour: Colour, width: float = 3.0) -> None:
         """Draw an arrow from `tail` to `tail` + `along`, m."""
