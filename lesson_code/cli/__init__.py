@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from lesson_code.cli.measuring import measure
+from lesson_code.cli.playing import play
 from lesson_code.cli.shared import (
     AsJson,
     cell_progress,
@@ -36,7 +37,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     help="The collision workbook: open it, check it, grade answers, take the quiz, play.",
 )
-play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 app.add_typer(play, name="play")
 app.add_typer(measure, name="measure")
 
@@ -239,22 +239,6 @@ def quiz(
         result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
         if as_json:
             print_json(result.as_dict() | {"command": "quiz"})
-
-
-@play.command("billiards")
-def play_billiards(
-    frames: Annotated[int | None, typer.Option(help="Stop after so many frames.")] = None,
-    headless: Annotated[bool, typer.Option("--headless", help="Without a window.")] = False,
-    screenshot: Annotated[Path | None, typer.Option(help="Save the last frame as a PNG.")] = None,
-) -> None:
-    """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
-    from lesson_code.programs.billiards import play as play_program
-
-    with clear_errors():
-        if headless and frames is None:
-            raise ValueError("--headless needs --frames: without a window nobody can close it")
-        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
-    console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
 
 
 @app.command()

@@ -12,7 +12,7 @@ from lesson_code.engine.callbacks import Touch
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.programs.breakout_rules import STEEPEST, paddle_bounce
-from lesson_code.programs.game import Effects, Game, Program, Readings, room
+from lesson_code.programs.game import Effects, Game, Input, Program, Readings, room
 from lesson_code.programs.live_world import LiveWorld
 from lesson_code.view.effects import Sparks, Trails
 from lesson_code.view.picture import Camera, Picture
@@ -194,7 +194,9 @@ def draw(game: Breakout, picture: Picture, effects: Effects) -> None:
         effects.trails.draw(picture, SKY)
     picture.disc(game.world.position(game.ball), RADIUS, ORANGE)
     if game.is_over:
-        picture.notice("All levels done: R plays again" if game.lives else "Game over: R plays again")
+        picture.notice(
+            "All levels done: R plays again" if game.lives else "Game over: R plays again"
+        )
     elif game.serves:
         picture.text("SPACE or click to serve", (WIDTH / 2, 1.4))
         for offset in (-1.0, -0.5, 0.0, 0.5, 1.0):
@@ -218,7 +220,6 @@ def readings(game: Breakout) -> Readings:
 PROGRAM = Program(
     name="breakout",
     title="Breakout",
-    summary="Bricks, a paddle that decides the angle, five levels.",
     game=Breakout,
     draw=draw,
     readings=readings,
@@ -229,5 +230,6 @@ PROGRAM = Program(
         ("R", "new game"),
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
+    tour=((10, Input("press", "space")),),
     effects=lambda: Effects(sparks=Sparks(), trails=Trails(), sounds=Sounds("stone", 0.1, 8.0)),
 )

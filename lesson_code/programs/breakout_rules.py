@@ -126,5 +126,3 @@ def fly(
         broken.append(first)
     p = p + v * left
     return (float(p[0]), float(p[1])), (float(v[0]), float(v[1])), broken
-
-

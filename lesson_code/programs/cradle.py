@@ -12,7 +12,7 @@ import math
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Circle
 from lesson_code.programs.cradle_rules import STRING, on_circle
-from lesson_code.programs.game import Effects, Game, Program, Readings
+from lesson_code.programs.game import Effects, Game, Input, Program, Readings
 from lesson_code.programs.live_world import LiveWorld
 from lesson_code.view.effects import Flashes
 from lesson_code.view.picture import WALL, Camera, Picture
@@ -45,7 +45,9 @@ class Cradle(Game):
     def reset(self) -> None:
         """Hang the balls, pull some out on the left, and let go."""
         spacing = 2 * RADIUS + GAP
-        self.pivots = [((k - (self.count - 1) / 2) * spacing, PIVOT_HEIGHT) for k in range(self.count)]
+        self.pivots = [
+            ((k - (self.count - 1) / 2) * spacing, PIVOT_HEIGHT) for k in range(self.count)
+        ]
         self.held_ball: int | None = None
         self.world = LiveWorld(
             [self._ball(k) for k in range(self.count)],
@@ -161,7 +163,6 @@ def readings(game: Cradle) -> Readings:
 PROGRAM = Program(
     name="cradle",
     title="Newton's cradle",
-    summary="k balls in, k balls out, for 1 to 9 balls.",
     game=Cradle,
     draw=draw,
     readings=readings,
@@ -173,5 +174,6 @@ PROGRAM = Program(
         ("R", "reset"),
     ),
     camera=Camera(left=-4.0, bottom=0.0, scale=100.0),
+    tour=((0, Input("press", "2")),),
     effects=lambda: Effects(Flashes(least_impulse=0.3), sounds=Sounds("steel", 0.3, 3.0)),
 )

@@ -13,6 +13,7 @@ from lesson_code.geometry.shapes import Circle, Polygon, Shape
 from lesson_code.programs.game import (
     Effects,
     Game,
+    Input,
     Program,
     Readings,
     draw_bodies,
@@ -62,9 +63,7 @@ class Demo(Game):
         self.random.seed(self.seed)
         self.restitution = RESTITUTION
         self.shows_velocities = False
-        self.world = LiveWorld(
-            room(0, 0, WIDTH, HEIGHT, self._material), callbacks=self.callbacks
-        )
+        self.world = LiveWorld(room(0, 0, WIDTH, HEIGHT, self._material), callbacks=self.callbacks)
         self.walls = self.world.numbers
         for shape, position, velocity in START:
             self._add(shape, position, velocity)
@@ -170,7 +169,6 @@ def readings(game: Demo) -> Readings:
 PROGRAM = Program(
     name="demo",
     title="The complete demo",
-    summary="Circles, a triangle and a square in a box: everything of the course at once.",
     game=Demo,
     draw=draw,
     readings=readings,
@@ -181,5 +179,6 @@ PROGRAM = Program(
         ("V", "velocities"),
         ("C   R", "clear   reset"),
     ),
+    tour=((0, Input("press", "v")), (60, Input("press", "space"))),
     effects=lambda: Effects(sparks=Sparks(least_impulse=2.0), sounds=Sounds("wood", 0.3, 15.0)),
 )

@@ -11,7 +11,7 @@ import math
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Polygon
 from lesson_code.programs.dominoes_rules import tipping_angle, toppling_rate
-from lesson_code.programs.game import Effects, Game, Program, Readings
+from lesson_code.programs.game import Effects, Game, Input, Program, Readings
 from lesson_code.programs.live_world import LiveWorld
 from lesson_code.view.effects import Sparks
 from lesson_code.view.picture import WALL, Camera, Picture
@@ -161,11 +161,11 @@ def readings(game: Dominoes) -> Readings:
 PROGRAM = Program(
     name="dominoes",
     title="Dominoes",
-    summary="A chain that branches: one on the floor, one on a shelf.",
     game=Dominoes,
     draw=draw,
     readings=readings,
     keys=(("SPACE", "push the first one"), ("click", "push any one"), ("R", "stand all up")),
     camera=Camera(left=0.0, bottom=-1.2, scale=100.0),
+    tour=((10, Input("press", "space")),),
     effects=lambda: Effects(sparks=Sparks(0.8, least_impulse=0.4), sounds=Sounds("wood", 0.2, 1.0)),
 )

@@ -7,9 +7,11 @@ next frame, so that a world does not depend on how fast it is drawn.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
+from typing import Any
 
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
 from lesson_code.engine.scene import XY
@@ -76,6 +78,7 @@ class Session:
         self.program, self.game, self.recording = program, game, recording
         self.effects = program.effects()
         self.effects.listen_to(game)
+        self.tour: tuple[tuple[int, Input], ...] = ()
         self.running = True
         self.paused = self.slow = self._wants_step = False
         self.steps = 0
@@ -125,6 +128,9 @@ class Session:
         """Make one step of the game."""
         for given in self.recording.inputs_at(self.steps):
             self.game.take(given)
+        for step, given in self.tour:
+            if step == self.steps:
+                self.give(given)
         self.effects.step(TIME_STEP)
         self.game.step()
         self.steps += 1
@@ -193,7 +199,8 @@ def play(
     screenshot: str | Path | None = None,
     record: str | Path | None = None,
     replay: str | Path | None = None,
-    game: Game | None = None,
+    tour: bool = False,
+    settings: Mapping[str, Any] = MappingProxyType({}),
 ) -> Outcome:
     """Play a program until its window is closed.
 
@@ -213,8 +220,10 @@ def play(
         A .json file for the seed and all inputs.
     replay : path, optional
         Such a file: its seed and inputs are played again, and the run ends where it did.
-    game : Game, optional
-        The game, where it is not to be made from the seed.
+    tour : bool
+        Let the program play itself; what a player does counts too.
+    settings : mapping
+        What else the game is made with.
 
     Raises
     ------
@@ -226,7 +235,8 @@ def play(
     """
     _check(frames, headless, screenshot, record, replay)
     recording = Recording.read(replay, program.name) if replay else Recording(program.name, seed)
-    session = Session(program, game or program.game(recording.seed), recording)
+    session = Session(program, program.game(recording.seed, **settings), recording)
+    session.tour = program.tour if tour else ()
     with open_window(PROGRAM_SIZE, program.title, headless=headless) as window:
         painter = Painter(session, Picture(window, program.camera))
         _compile_if_large(session.game, painter)

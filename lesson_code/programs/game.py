@@ -161,8 +161,8 @@ class Program:
 
     Attributes
     ----------
-    name, title, summary : str
-        What it is called, what its window is called, and a sentence about it.
+    name, title : str
+        What it is called, and what its window is called.
     game : callable
         ``game(seed)`` makes one.
     draw : callable
@@ -177,18 +177,20 @@ class Program:
         Makes its effects.
     more : callable
         ``more(game, panel)`` writes what else is in the panel.
+    tour : tuple of (int, Input)
+        Steps and inputs with which the program plays itself.
     """
 
     name: str
     title: str
-    summary: str
-    game: Callable[[int], Game]
+    game: Callable[..., Game]
     draw: Callable[..., None]
     readings: Callable[..., Readings]
     keys: Keys
     camera: Camera = Camera(0.0, 0.0, 100.0)  # noqa: RUF009 - it never changes
     effects: Callable[[], Effects] = Effects
     more: Callable[..., None] | None = None
+    tour: tuple[tuple[int, Input], ...] = ()
 
 
 def room(left: float, bottom: float, right: float, top: float, material: Material) -> list[Body]:

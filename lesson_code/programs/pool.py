@@ -12,7 +12,7 @@ from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.formulas import disc_inertia
 from lesson_code.geometry import time_of_impact
 from lesson_code.geometry.shapes import Circle, Segment
-from lesson_code.programs.game import Effects, Game, Program, Readings
+from lesson_code.programs.game import Effects, Game, Input, Program, Readings
 from lesson_code.programs.live_world import TIME_STEP, LiveWorld
 from lesson_code.programs.pool_rules import rack, roll, strike
 from lesson_code.view.effects import Flashes, Trails
@@ -176,7 +176,9 @@ class Pool(Game):
         for ball in self.balls:
             if ball != self.cue:
                 place = self.world.position(ball)
-                met = time_of_impact(disc, (*start, 0), (*heading, 0), disc, (*place, 0), still, 3.0)
+                met = time_of_impact(
+                    disc, (*start, 0), (*heading, 0), disc, (*place, 0), still, 3.0
+                )
                 if met is not None and (target is None or met < best):
                     best, target = met, place
         return (start[0] + best * heading[0], start[1] + best * heading[1]), target
@@ -284,7 +286,6 @@ def readings(game: Pool) -> Readings:
 PROGRAM = Program(
     name="pool",
     title="Pool",
-    summary="Cue, spin, cushions with friction, six pockets.",
     game=Pool,
     draw=draw,
     readings=readings,
@@ -294,8 +295,11 @@ PROGRAM = Program(
         ("R", "new rack"),
     ),
     camera=Camera(left=-0.115, bottom=-0.41, scale=289.0),
+    tour=(
+        (0, Input("down", place=(0.0, HEAD[1]))),
+        (40, Input("up", place=(0.0, HEAD[1]))),
+    ),
     effects=lambda: Effects(
         Flashes(least_impulse=0.02), trails=Trails(), sounds=Sounds("ivory", 0.06, 0.6)
     ),
 )
-

@@ -274,7 +274,6 @@ def plan_lines(game: Simulator) -> list[str]:
 PROGRAM = Program(
     name="simulator",
     title="Simulator",
-    summary="Launch balls and watch momentum and energy: elastic, partial, perfectly inelastic.",
     game=Simulator,
     draw=draw,
     readings=readings,

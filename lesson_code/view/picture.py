@@ -49,6 +49,9 @@ GRID: Colour = (36, 43, 52)
 FAR = 10_000.0
 """px: pygame cannot draw at any distance."""
 
+SPOKE = 0.5
+"""Of the radius: where a spoke begins."""
+
 LARGEST_SPRITE = 120.0
 """px, radius: a larger disc is drawn anew each time, and not kept."""
 
@@ -153,9 +156,10 @@ class Picture:
             self.spoke(centre, radius, angle, blend(colour, BACKGROUND, 0.65))
 
     def spoke(self, centre: XY, radius: float, angle: float, colour: Colour) -> None:
-        """Draw a line from a disc's centre to its rim."""
-        rim = (centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle))
-        self.line(centre, rim, colour)
+        """Draw a mark at a disc's rim; its middle stays free for a number."""
+        across, up = radius * math.cos(angle), radius * math.sin(angle)
+        inner = centre[0] + SPOKE * across, centre[1] + SPOKE * up
+        self.line(inner, (centre[0] + across, centre[1] + up), colour)
 
     def ring(self, centre: XY, radius: float, colour: Colour, width: int = 2) -> None:
         """Draw a circle line."""
