@@ -7,11 +7,17 @@ engine's exhaust and spent shots have carried away, always add up to the same.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from lesson_code.engine.callbacks import Touch
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.programs.asteroids_rules import fire, split, wrap
+from lesson_code.programs.borrowed import lent
 from lesson_code.programs.game import (
     Effects,
     Game,
@@ -54,8 +60,20 @@ OUTLINE = ((0.28, 0.0), (-0.2, 0.17), (-0.2, -0.17))
 MOST_ROCKS = 60
 
 
+@dataclass(frozen=True)
+class Rules:
+    """What a player may write for this field; see :mod:`lesson_code.programs.asteroids_rules`."""
+
+    split: Callable[..., Any] = split
+    fire: Callable[..., Any] = fire
+
+
 class Asteroids(Game):
     """A ship among asteroids."""
+
+    def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
+        self._split, self._fire = lent(rules.split, split), lent(rules.fire, fire)
+        super().__init__(seed)
 
     def reset(self) -> None:
         """Scatter the asteroids, and put the ship into the middle."""
@@ -153,7 +171,7 @@ class Asteroids(Game):
         self._last_shot = self.world.steps
         angle = self.world.angle(self.ship)
         velocity = self.world.velocity(self.ship)
-        ship, shot = fire(velocity, SHIP_MASS, SHOT_MASS, MUZZLE, angle)
+        ship, shot = self._fire(velocity, SHIP_MASS, SHOT_MASS, MUZZLE, angle)
         # The stores are outside of the ledger: the shot's mass joins with the ship's velocity.
         self._carry_away((-SHOT_MASS * velocity[0], -SHOT_MASS * velocity[1]))
         self.world.throw(self.ship, (float(ship[0]), float(ship[1])))
@@ -200,7 +218,7 @@ class Asteroids(Game):
         parts = [self.random.uniform(1.0, 2.0) for _ in range(PIECES)]
         masses = [mass * part / sum(parts) for part in parts]
         heading = self.random.uniform(0, 2 * math.pi)
-        velocities = split(velocity, masses, BURST_SPEED, heading)
+        velocities = np.asarray(self._split(velocity, masses, BURST_SPEED, heading))
         reach = self.radius(rock)
         self.world.remove(rock)
         for k, (m, v) in enumerate(zip(masses, velocities.tolist(), strict=True)):

@@ -30,8 +30,8 @@ def split(velocity: Vector, masses: Sequence[float], speed: float, heading: floa
 
     Examples
     --------
-    >>> split((1.0, 0.0), [1.0, 1.0], 2.0, 0.0).round(9).tolist()
-    [[3.0, 0.0], [-1.0, 0.0]]
+    >>> split((1.0, 0.5), [1.0, 1.0], 2.0, 0.0).round(9).tolist()
+    [[3.0, 0.5], [-1.0, 0.5]]
     """
     m = np.asarray(masses, dtype=float)
     turns = heading + 2 * math.pi * np.arange(len(m)) / len(m)

@@ -7,10 +7,14 @@ because the engine splits a step at every impact of a fast body.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 from lesson_code.engine.callbacks import Touch
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Circle, Polygon
+from lesson_code.programs.borrowed import lent
 from lesson_code.programs.breakout_rules import STEEPEST, paddle_bounce
 from lesson_code.programs.game import Effects, Game, Input, Program, Readings, room
 from lesson_code.programs.live_world import LiveWorld
@@ -43,8 +47,19 @@ LIVES, LEVELS = 3, 5
 ROW_COLOURS = (PURPLE, ORANGE, YELLOW, GREEN, SKY)
 
 
+@dataclass(frozen=True)
+class Rules:
+    """What a player may write for this game; see :mod:`lesson_code.programs.breakout_rules`."""
+
+    paddle_bounce: Callable[..., Any] = paddle_bounce
+
+
 class Breakout(Game):
     """A ball, a paddle and bricks."""
+
+    def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
+        self._paddle_bounce = lent(rules.paddle_bounce, paddle_bounce)
+        super().__init__(seed)
 
     def reset(self) -> None:
         """Begin with the first level."""
@@ -106,7 +121,7 @@ class Breakout(Game):
         if self.serves and not self.is_over:
             self.serves = False
             self.world.throw(
-                self.ball, paddle_bounce(self.random.uniform(-0.5, 0.5), self.speed), 0.0
+                self.ball, self._paddle_bounce(self.random.uniform(-0.5, 0.5), self.speed), 0.0
             )
 
     def step(self) -> None:
@@ -150,7 +165,7 @@ class Breakout(Game):
             x, y = self.world.position(self.ball)
             offset = (x - self.world.position(self.paddle)[0]) / (PADDLE[0] / 2)
             if y > PADDLE_Y:
-                self.world.throw(self.ball, paddle_bounce(offset, self.speed))
+                self.world.throw(self.ball, self._paddle_bounce(offset, self.speed))
 
     def _hit(self, number: int) -> None:
         """Take a hit from a brick, and the brick away with its last."""

@@ -59,6 +59,49 @@ def swing_step(angle: float, rate: float, length: float, dt: float) -> tuple[flo
     return angle + rate * dt, rate
 
 
+def cradle(
+    angles: Sequence[float], rates: Sequence[float], length: float, dt: float, steps: int
+) -> tuple[list[float], list[float]]:
+    """Return angles and rates of a cradle of equal, elastic balls after so many steps.
+
+    The balls hang side by side and just touch at rest, so that two neighbours touch as soon as
+    the left one's angle is the larger, or both are equal. In each step every ball swings, then
+    neighbours that touch and approach swap their rates, the leftmost such pair first, until none
+    does.
+
+    Parameters
+    ----------
+    angles, rates : sequence of float
+        rad and rad/s, from the left; positive to the right.
+    length : float
+        m.
+    dt : float
+        s.
+    steps : int
+        How many.
+
+    Examples
+    --------
+    >>> cradle([0.0, 0.0], [1.0, 0.0], 9.81, 0.001, 1)[1]
+    [0.0, 1.0]
+    """
+    a, r = [float(angle) for angle in angles], [float(rate) for rate in rates]
+    for _ in range(int(steps)):
+        for k in range(len(a)):
+            a[k], r[k] = swing_step(a[k], r[k], length, dt)
+        while (pair := _first_meeting(a, r)) is not None:
+            r[pair], r[pair + 1] = r[pair + 1], r[pair]
+    return a, r
+
+
+def _first_meeting(angles: Sequence[float], rates: Sequence[float]) -> int | None:
+    """Return the left ball of the first pair of neighbours that touch and approach."""
+    for k in range(len(angles) - 1):
+        if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+            return k
+    return None
+
+
 def on_circle(
     position: tuple[float, float],
     velocity: tuple[float, float],

@@ -24,17 +24,22 @@ def toppling_rate(width: float, height: float) -> float:
     I w^2 / 2 = m g rise,   I = m (width^2 + height^2) / 3,   rise = (diagonal - height) / 2
 
     >>> round(toppling_rate(0.1, 0.6), 3)
-    0.8
+    0.811
     """
     diagonal = math.hypot(width, height)
     rise = (diagonal - height) / 2
     return math.sqrt(6 * GRAVITY * rise) / diagonal
 
 
-def chain_step(
-    angles: Sequence[float], rates: Sequence[float], height: float, spacing: float, dt: float
+def chain(
+    angles: Sequence[float],
+    rates: Sequence[float],
+    height: float,
+    spacing: float,
+    dt: float,
+    steps: int,
 ) -> tuple[list[float], list[float]]:
-    """Return angles and rates of a row of thin dominoes after one step.
+    """Return angles and rates of a row of thin dominoes after so many steps.
 
     Each turns about its foot: rate' = rate + 3 g / (2 height) sin(angle) dt, then
     angle' = angle + rate' dt. Then, from the first to the last but one: a domino that leans by
@@ -49,20 +54,24 @@ def chain_step(
         m; the spacing is the smaller.
     dt : float
         s.
+    steps : int
+        How many.
 
     Examples
     --------
-    >>> chain_step([0.0, 0.0], [1.0, 0.0], height=1.0, spacing=0.5, dt=0.1)
+    >>> chain([0.0, 0.0], [1.0, 0.0], height=1.0, spacing=0.5, dt=0.1, steps=1)
     ([0.1, 0.0], [1.0, 0.0])
     """
-    touch = math.asin(spacing / height)
-    pull = 3 * GRAVITY / (2 * height)
-    turned = [r + pull * math.sin(a) * dt for a, r in zip(angles, rates, strict=True)]
-    leaning = [float(a) + r * dt for a, r in zip(angles, turned, strict=True)]
-    for k in range(len(leaning) - 1):
-        if leaning[k] > touch and turned[k] > turned[k + 1]:
-            turned[k] = turned[k + 1] = (turned[k] + turned[k + 1]) / 2
-    for k, angle in enumerate(leaning):
-        if angle > math.pi / 2:
-            leaning[k], turned[k] = math.pi / 2, 0.0
-    return leaning, [float(rate) for rate in turned]
+    a, r = [float(angle) for angle in angles], [float(rate) for rate in rates]
+    touch, pull = math.asin(spacing / height), 3 * GRAVITY / (2 * height)
+    for _ in range(int(steps)):
+        for k in range(len(a)):
+            r[k] += pull * math.sin(a[k]) * dt
+            a[k] += r[k] * dt
+        for k in range(len(a) - 1):
+            if a[k] > touch and r[k] > r[k + 1]:
+                r[k] = r[k + 1] = (r[k] + r[k + 1]) / 2
+        for k, angle in enumerate(a):
+            if angle > math.pi / 2:
+                a[k], r[k] = math.pi / 2, 0.0
+    return a, r

@@ -7,11 +7,15 @@ friction turns it into motion along the cushion.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.formulas import disc_inertia
 from lesson_code.geometry import time_of_impact
 from lesson_code.geometry.shapes import Circle, Segment
+from lesson_code.programs.borrowed import lent
 from lesson_code.programs.game import Effects, Game, Input, Program, Readings
 from lesson_code.programs.live_world import TIME_STEP, LiveWorld
 from lesson_code.programs.pool_rules import rack, roll, strike
@@ -61,8 +65,20 @@ REST_SPEED = 1e-3
 """m/s: slower than a ball's width in a minute counts as at rest."""
 
 
+@dataclass(frozen=True)
+class Rules:
+    """What a player may write for this table; see :mod:`lesson_code.programs.pool_rules`."""
+
+    rack: Callable[..., Any] = rack
+    strike: Callable[..., Any] = strike
+
+
 class Pool(Game):
     """Fifteen balls in a rack, and a cue ball."""
+
+    def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
+        self._rack, self._strike = lent(rules.rack, rack), lent(rules.strike, strike)
+        super().__init__(seed)
 
     def reset(self) -> None:
         """Set up the rack."""
@@ -70,7 +86,7 @@ class Pool(Game):
         self.aim: XY | None = None
         self.potted: list[int] = []
         self.strokes = self.fouls = 0
-        places = [HEAD, *rack(FOOT, RADIUS, GAP)]
+        places = [HEAD, *self._rack(FOOT, RADIUS, GAP)]
         self.world = LiveWorld(
             [self._ball(place) for place in places] + cushions(),
             iterations=SWEEPS,
@@ -135,7 +151,7 @@ class Pool(Game):
 
     def strike(self, impulse: XY) -> None:
         """Let the cue strike the cue ball."""
-        velocity, spin = strike(impulse, self.offset * RADIUS, MASS, RADIUS)
+        velocity, spin = self._strike(impulse, self.offset * RADIUS, MASS, RADIUS)
         self.world.throw(self.cue, velocity, spin)
         self.strokes += 1
 

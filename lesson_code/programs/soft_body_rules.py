@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -94,3 +95,80 @@ def pressure_forces(positions: Vector, area: float, stiffness: float) -> Any:
     outward = np.column_stack([edges[:, 1], -edges[:, 0]])
     push = pressure * outward / 2
     return push + np.roll(push, 1, axis=0)
+
+
+def ring_forces(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """Return the spring forces in a closed ring, N, shape (N, 2): each mass is tied to the next.
+
+    Parameters
+    ----------
+    positions, velocities : array_like, shape (N, 2)
+        m and m/s.
+    length : float
+        m, of each spring at rest.
+    stiffness, damping : float
+        N/m and N s/m.
+
+    Examples
+    --------
+    >>> ring_forces([(0, 0), (3, 0), (3, 3), (0, 3)], [(0, 0)] * 4, 2.0, 5.0, 0.0)[0].tolist()
+    [5.0, 5.0]
+    """
+    count = len(positions)
+    springs = [(k, (k + 1) % count) for k in range(count)]
+    return spring_forces(positions, velocities, springs, [length] * count, stiffness, damping)
+
+
+@dataclass(frozen=True)
+class Blob:
+    """The soft body of the exercise: a ring on a floor at y = 0."""
+
+    mass: float = 0.1  # kg, of each of its masses
+    stiffness: float = 300.0  # N/m
+    damping: float = 10.0  # N s/m
+    pressure: float = 800.0  # N/m
+    grip: float = 0.98  # of the velocity along the floor: what a step leaves to a mass on it
+    air: float = 1.5  # 1/s, what the air takes of every velocity
+    gravity: float = 9.81  # m/s^2
+    dt: float = 1 / 600  # s
+
+
+BLOB = Blob()
+
+
+def drop(positions: Vector, velocities: Vector, length: float, area: float, steps: int) -> Any:
+    """Return positions and velocities of a ring above a floor after so many steps.
+
+    In each step: forces F of springs and pressure at the positions as they are; then
+    v' = v + (F / m - air v + g) dt, x' = x + v' dt. A mass below the floor is put onto it; its vy
+    is no longer negative, and its vx is reduced to `grip` of it.
+
+    Parameters
+    ----------
+    positions, velocities : array_like, shape (N, 2)
+        m and m/s; counter-clockwise.
+    length, area : float
+        m and m^2, at rest.
+    steps : int
+        How many.
+
+    Examples
+    --------
+    >>> ring = [(1, 5), (0, 6), (-1, 5), (0, 4)]
+    >>> positions, velocities = drop(ring, [(0, 0)] * 4, 2**0.5, 2.0, 1)
+    >>> velocities[:, 1].round(5).tolist()
+    [-0.01635, -0.01635, -0.01635, -0.01635]
+    """
+    p, v = np.array(positions, dtype=float), np.array(velocities, dtype=float)
+    for _ in range(int(steps)):
+        forces = ring_forces(p, v, length, BLOB.stiffness, BLOB.damping)
+        forces = forces + pressure_forces(p, area, BLOB.pressure)
+        v = v + (forces / BLOB.mass - BLOB.air * v + (0.0, -BLOB.gravity)) * BLOB.dt
+        p = p + v * BLOB.dt
+        below = p[:, 1] < 0
+        p[below, 1] = 0.0
+        v[below, 1] = np.maximum(v[below, 1], 0.0)
+        v[below, 0] *= BLOB.grip
+    return p, v
