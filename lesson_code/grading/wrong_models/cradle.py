@@ -15,7 +15,9 @@ Vector: TypeAlias = Any
 SLOWEST = 1e-12
 
 
-@wrong_model("C.1", "The last ball has got its velocity. Has every ball between passed all of it on?")
+@wrong_model(
+    "C.1", "The last ball has got its velocity. Has every ball between passed all of it on?"
+)
 def one_pass(masses: Vector, velocities: Vector, restitution: float) -> Any:
     """Going through the row once is enough."""
     v = velocities.copy()

@@ -25,7 +25,9 @@ def square_rows(apex: Vector, radius: float, gap: float) -> Any:
     ]
 
 
-@wrong_model("P.1", "Where does the apex lie as seen along the rack: at its edge, or in its middle?")
+@wrong_model(
+    "P.1", "Where does the apex lie as seen along the rack: at its edge, or in its middle?"
+)
 def not_centred(apex: Vector, radius: float, gap: float) -> Any:
     """Every row begins at the apex's height."""
     step = 2 * radius + gap
@@ -93,7 +95,9 @@ def _touching(positions: Vector, radius: float) -> list[tuple[int, int, Any]]:
     return pairs
 
 
-@wrong_model("P.3", "Break head on. Is your answer as symmetric as the rack? Which pair came first?")
+@wrong_model(
+    "P.3", "Break head on. Is your answer as symmetric as the rack? Which pair came first?"
+)
 def one_pair_after_the_other(
     positions: Vector, velocities: Vector, radius: float, restitution: float
 ) -> Any:
