@@ -8,13 +8,19 @@ from pathlib import Path
 from lesson_code.grading.submission import Submission
 from lesson_code.grading.task import Task
 from lesson_code.grading.tasks import (
+    asteroids,
     billiards,
+    breakout,
     circles,
+    cradle,
+    dominoes,
     hard_cases,
     one_dimension,
+    pool,
     reflection,
     restitution,
     separating_axes,
+    soft_body,
     spin_and_friction,
     time_of_impact,
     what_accuracy_costs,
@@ -59,6 +65,12 @@ EXERCISES = (
     Exercise("07_time_of_impact", "Time of impact", time_of_impact.TASKS),
     Exercise("08_what_accuracy_costs", "What accuracy costs", what_accuracy_costs.TASKS),
     Exercise("09_hard_cases", "Hard cases", hard_cases.TASKS),
+    Exercise("pool", "Pool", pool.TASKS, suffix=".py"),
+    Exercise("cradle", "Newton's cradle", cradle.TASKS, suffix=".py"),
+    Exercise("breakout", "Breakout", breakout.TASKS, suffix=".py"),
+    Exercise("dominoes", "Dominoes", dominoes.TASKS, suffix=".py"),
+    Exercise("asteroids", "Asteroid field", asteroids.TASKS, suffix=".py"),
+    Exercise("soft_body", "Soft body", soft_body.TASKS, suffix=".py"),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 
