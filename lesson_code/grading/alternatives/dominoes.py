@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 from lesson_code.grading.task import Alternative, alternative, marked
@@ -36,7 +37,7 @@ def as_a_list_of_pairs(
         for domino in row:
             domino[1] += 1.5 * 9.81 / height * math.sin(domino[0]) * dt
             domino[0] += domino[1] * dt
-        for one, following in zip(row, row[1:], strict=False):
+        for one, following in pairwise(row):
             if height * math.sin(min(one[0], math.pi / 2)) > spacing and one[1] > following[1]:
                 one[1] = following[1] = 0.5 * (one[1] + following[1])
         row = [[a, r] if a <= math.pi / 2 else [math.pi / 2, 0] for a, r in row]

@@ -67,6 +67,10 @@ def squared(width: float, height: float) -> float:
     return 2 * GRAVITY * rise / ((width**2 + height**2) / 3)
 
 
+def _pass_by(angles: Vector, rates: Vector) -> None:
+    """Do nothing to dominoes that touch."""
+
+
 def _run(state: Vector, height: float, dt: float, steps: float, touch: Any) -> Any:
     """Return a row after so many steps; `touch(angles, rates)` does what a model does to pairs."""
     angles, rates = state[0].copy(), state[1].copy()
@@ -84,7 +88,7 @@ def each_for_itself(
     angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
 ) -> Any:
     """Dominoes do not touch."""
-    return _run((angles, rates), height, dt, steps, lambda a, r: None)
+    return _run((angles, rates), height, dt, steps, _pass_by)
 
 
 @wrong_model("D.3", "A domino touches the next one with its top. Where is its top at that angle?")
