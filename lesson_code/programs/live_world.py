@@ -219,15 +219,21 @@ class LiveWorld:
             The bodies overlap in so many pairs that no memory would hold them.
         """
         self._ready().state.steps_left = 1
+        self.impulses = NO_IMPULSES
         while not self._run():
-            state = self._ready().state
-            if state.lost_body >= 0:
-                number = self.numbers[state.lost_body]
-                raise FloatingPointError(f"body {number} has left the range of floating point")
-            self._tables = make_room(self._ready())
+            self._clear_the_way()
         self.steps += 1
         self._take_impulses()
         self._tell()
+
+    def _clear_the_way(self) -> None:
+        """Do away with what has stopped a step: a table that is full."""
+        state = self._tables.state
+        if state.lost_body >= 0:
+            number = self.numbers[state.lost_body]
+            raise FloatingPointError(f"body {number} has left the range of floating point")
+        self._take_impulses()
+        self._tables = make_room(self._tables)
 
     def compile(self) -> None:
         """Go on in machine code, with the same results to the last bit; it takes a while."""
@@ -355,10 +361,11 @@ class LiveWorld:
             setattr(rows[place], name, value)
 
     def _take_impulses(self) -> None:
-        """Take the impulses of the step out of their table."""
-        tables = self._ready()
+        """Take the impulses out of their table; a step may fill it more than once."""
+        tables = self._tables
         count = tables.state.impulse_count
-        self.impulses = as_numbers(tables.impulses[:count]) if count else NO_IMPULSES
+        if count:
+            self.impulses = np.concatenate([self.impulses, as_numbers(tables.impulses[:count])])
         tables.state.impulse_count = 0
 
     def _tell(self) -> None:
