@@ -12,9 +12,7 @@ from lesson_code.view.pygame_view import Window, open_window
 
 
 @pytest.fixture(autouse=True)
-def _no_screen(
-    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
-) -> None:
+def _no_screen(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
     """Run on SDL's dummy drivers."""
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
@@ -27,5 +25,3 @@ def program_window() -> Iterator[Window]:
     """Return an open headless window of the size that programs have."""
     with open_window(PROGRAM_SIZE, "test", headless=True) as opened:
         yield opened
-
-

@@ -150,7 +150,7 @@ def test_run_that_cannot_end_or_be_saved_is_refused(options: dict[str, Any], wor
 
 def test_unknown_program_is_refused() -> None:
     """The error lists those that there are."""
-    with pytest.raises(ValueError, match="program must be one of simulator, demo, .* got 'chess'"):
+    with pytest.raises(ValueError, match=r"program must be one of simulator, demo, .* got 'chess'"):
         load("chess")
 
 
