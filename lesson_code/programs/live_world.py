@@ -7,8 +7,9 @@ others come and go; the engine's tables are made anew only then.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cached_property
+from operator import attrgetter
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -21,6 +22,7 @@ from lesson_code.engine.compiled import as_arrays, as_numbers, compiled_function
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.recording import EVENT_NUMBERS
 from lesson_code.engine.room import make_room
+from lesson_code.engine.rows import ImpulseRow
 from lesson_code.engine.scene import XY, Body, Scene
 from lesson_code.engine.stepper import SOLVERS, STATE_FIELDS
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
@@ -31,6 +33,9 @@ TIME_STEP = 1 / 60
 """s: one frame of a program, and one step of its world."""
 
 Pair: TypeAlias = tuple[int, int]
+
+IMPULSE = attrgetter(*(field.name for field in fields(ImpulseRow)))
+"""All fields of a row of impulses; many times faster than :func:`dataclasses.astuple`."""
 
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
@@ -365,7 +370,9 @@ class LiveWorld:
         tables = self._tables
         count = tables.state.impulse_count
         if count:
-            self.impulses = np.concatenate([self.impulses, as_numbers(tables.impulses[:count])])
+            rows = tables.impulses[:count]
+            told = as_numbers(rows) if self.compiled else np.array([IMPULSE(row) for row in rows])
+            self.impulses = np.concatenate([self.impulses, told])
         tables.state.impulse_count = 0
 
     def _tell(self) -> None:
