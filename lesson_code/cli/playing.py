@@ -45,9 +45,10 @@ def play_simulator(
     screenshot: Screenshot = None,
     record: Record = None,
     replay: Replay = None,
+    tour: Tour = False,
 ) -> None:
     """Play the simulator, with any number of balls."""
-    _play("simulator", seed, frames, headless, screenshot, record, replay, balls=balls)
+    _play("simulator", seed, frames, headless, screenshot, record, replay, tour, balls)
 
 
 def _command(name: str) -> Callable[..., None]:

@@ -25,6 +25,7 @@ from lesson_code.programs.game import (
     Program,
     Readings,
     motion_readings,
+    short,
 )
 from lesson_code.programs.live_world import TIME_STEP, LiveWorld
 from lesson_code.view.effects import Flashes, Sparks
@@ -279,8 +280,8 @@ def readings(game: Asteroids) -> Readings:
         ("asteroids", f"{len(game.rocks)}"),
         ("hits   taken", f"{game.score}   {game.hits_taken}"),
         *motion_readings(game.world),
-        ("carried away", f"({ox:.2f}, {oy:.2f})"),
-        ("sum, kept", f"({lx:.2f}, {ly:.2f})"),
+        ("carried away", f"({short(ox)}, {short(oy)})"),
+        ("sum, kept", f"({short(lx)}, {short(ly)})"),
     ]
 
 

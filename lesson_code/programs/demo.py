@@ -19,6 +19,7 @@ from lesson_code.programs.game import (
     draw_bodies,
     motion_readings,
     room,
+    short,
 )
 from lesson_code.programs.live_world import LiveWorld
 from lesson_code.view.effects import Sparks
@@ -162,7 +163,7 @@ def readings(game: Demo) -> Readings:
         ("restitution", f"{game.restitution:.2f}"),
         ("bodies", f"{len(game.bodies)}"),
         *motion_readings(game.world),
-        ("angular momentum", f"{game.world.angular_momentum():.2f} kg m2/s"),
+        ("angular momentum", f"{short(game.world.angular_momentum())} N m s"),
     ]
 
 

@@ -223,6 +223,17 @@ def motion_readings(world: LiveWorld) -> Readings:
     """Return momentum and energy of a world, as every panel shows them."""
     px, py = world.momentum()
     return [
-        ("momentum", f"({px:.2f}, {py:.2f}) kg m/s"),
-        ("kinetic energy", f"{world.kinetic_energy():.2f} J"),
+        ("momentum", f"({short(px)}, {short(py)}) kg m/s"),
+        ("kinetic energy", f"{short(world.kinetic_energy())} J"),
     ]
+
+
+def short(value: float) -> str:
+    """Return a number as the panel has room for it.
+
+    >>> short(3.14159), short(-271.83), short(1.6e7), short(-0.001)
+    ('3.14', '-272', '1.6e+07', '0.00')
+    """
+    if abs(value) < 100:
+        return f"{round(value, 2) + 0.0:.2f}"
+    return f"{value:.0f}" if abs(value) < 1e5 else f"{value:.1e}"

@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from collections import deque
 
-from lesson_code.engine.effects import EVERY_EFFECT
-from lesson_code.engine.scene import XY, Body, Material
+from lesson_code.engine.effects import effects_of
+from lesson_code.engine.scene import XY, Body, Material, Scene
 from lesson_code.geometry.shapes import Circle
 from lesson_code.programs.game import (
     Effects,
     Game,
+    Input,
     Program,
     Readings,
     draw_bodies,
@@ -256,18 +257,23 @@ def more(game: Simulator, panel: Panel) -> None:
 
 
 def plan_lines(game: Simulator) -> list[str]:
-    """Return what is simulated, and what is left out, with the reasons."""
-    code = "machine code" if game.world.compiled else "plain Python"
-    restitution = MODES[game.mode][1]
+    """Return what is simulated and what is left out, with the reasons."""
+    world, restitution = game.world, MODES[game.mode][1]
+    scene = Scene(body for _, body in world.items())
+    needs = effects_of(scene)
     return [
         "",
-        f"solver: sequential impulses, {code}",
-        f"broad phase: {game.world.broad_phase}",
-        f"restitution {restitution:g}: " + ("bounces" if restitution else "nothing bounces"),
-        "friction 0: balls do not spin",
-        f"gravity: {'on' if game.falls else 'off'}; no damping",
-        "fast bodies: step split at impacts",
-        *[f"{name}: ready for any body" for name in EVERY_EFFECT._fields],
+        "solver: sequential impulses",
+        f"code: {'machine code' if world.compiled else 'plain Python'}",
+        f"broad phase: {world.broad_phase}",
+        f"restitution: {restitution:g}" if restitution else "restitution: none, nothing bounces",
+        "friction: none, balls keep their spin",
+        "gravity: on" if game.falls else "gravity: left out",
+        "damping: left out",
+        "fast bodies: steps split at impacts",
+        f"corners: {'the walls have some' if needs.outlines else 'none, all are round'}",
+        f"two-point contacts: {'needed' if needs.manifolds else 'none'}",
+        f"turning outlines: {'needed' if needs.turning else 'none'}",
     ]
 
 
@@ -285,6 +291,7 @@ PROGRAM = Program(
         ("G   R", "gravity   reset"),
         ("I   F", "impulses   plan of effects"),
     ),
+    tour=((0, Input("press", "i")),),
     effects=lambda: Effects(
         Flashes(least_impulse=0.05), sounds=Sounds("ivory", 0.2, full_impulse=8.0)
     ),

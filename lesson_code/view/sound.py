@@ -7,6 +7,10 @@ long, and how many. The impulse says how loud. Small bodies ring higher than lar
 from __future__ import annotations
 
 import math
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 
@@ -129,7 +133,8 @@ class Sounds:
     def open(self) -> None:
         """Ask for the audio device; without one everything stays silent."""
         try:
-            pygame.mixer.init(RATE, -16, 1, 512)
+            with quiet():
+                pygame.mixer.init(RATE, -16, 1, 512)
         except pygame.error:
             return
         pygame.mixer.set_num_channels(24)
@@ -167,6 +172,24 @@ class Sounds:
         samples = (32_000 * wave).astype(np.int16)
         _, _, channels = pygame.mixer.get_init()
         return pygame.mixer.Sound(buffer=np.repeat(samples, channels).tobytes())
+
+
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Keep what libraries in C write on standard error from the terminal.
+
+    ALSA writes a dozen lines where there is no sound card, and nobody has asked.
+    """
+    sys.stderr.flush()
+    kept = os.dup(2)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+        os.close(nowhere)
 
 
 def loudness_level(impulse: float, full: float) -> int:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code.programs import own_worlds
+from lesson_code.programs import own_worlds, simulator
 from lesson_code.programs.catalogue import SUMMARIES, load
 from lesson_code.programs.frame import SHARED_KEYS, Painter, Session, play
 from lesson_code.programs.game import Effects, Program
@@ -225,3 +225,13 @@ def _window(stream: Random) -> Any:
         pygame.QUIT,
     )
     return pygame.event.Event(stream.choice(kinds), size=_place(stream), w=1, h=1)
+
+
+def test_lines_of_the_plan_fit_the_panel(program_window: Window) -> None:
+    """None of them is cut, and they end above the keys."""
+    game = simulator.Simulator(0)
+    lines = simulator.plan_lines(game)
+    assert max(width(line, KEY_SIZE) for line in lines) <= PANEL_WIDTH - 2 * MARGIN
+    above = MARGIN + 36 + 24 * len(simulator.readings(game)) + 20 * len(lines)
+    keys = len(simulator.PROGRAM.keys + SHARED_KEYS)
+    assert above + 20 * keys + MARGIN <= FIELD_SIZE[1]

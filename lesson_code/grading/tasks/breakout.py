@@ -44,8 +44,9 @@ def into_corners(stream: Random) -> Iterator[Arguments]:
         yield _towards(stream, (float(x), float(y)), normal)
 
 
-def past_corners(stream: Random) -> Iterator[Arguments]:
-    """Draw a ball that passes a corner closely, one that flies away, and one that comes late."""
+def at_corners(stream: Random) -> Iterator[Arguments]:
+    """Draw balls that meet corners, one that just does not, one that flies away, one too late."""
+    yield from into_corners(stream)
     box = _box(stream)
     x, y = box[0] + box[2], box[1] + box[3]
     slip = 1.05 * RADIUS * math.sqrt(0.5)
@@ -130,8 +131,7 @@ TASKS = (
         expected=breakout_rules.brick_impact,
         criteria=(
             Criterion("faces", into_faces),
-            Criterion("corners", into_corners),
-            Criterion("no impact", past_corners),
+            Criterion("corners, met and missed", at_corners, points=2),
             Criterion("at any speed", at_any_speed),
         ),
         wrong_models=for_task(WRONG_MODELS, "K.2"),
