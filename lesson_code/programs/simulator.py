@@ -9,8 +9,7 @@ from __future__ import annotations
 import math
 from collections import deque
 
-from lesson_code.engine.effects import effects_of
-from lesson_code.engine.scene import XY, Body, Material, Scene
+from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Circle
 from lesson_code.programs.game import (
     Effects,
@@ -259,21 +258,17 @@ def more(game: Simulator, panel: Panel) -> None:
 def plan_lines(game: Simulator) -> list[str]:
     """Return what is simulated and what is left out, with the reasons."""
     world, restitution = game.world, MODES[game.mode][1]
-    scene = Scene(body for _, body in world.items())
-    needs = effects_of(scene)
     return [
         "",
         "solver: sequential impulses",
-        f"code: {'machine code' if world.compiled else 'plain Python'}",
+        f"code: {'machine code' if world.compiled else 'plain Python'}, {len(world)} bodies",
         f"broad phase: {world.broad_phase}",
+        "contacts: one point, balls are round",
         f"restitution: {restitution:g}" if restitution else "restitution: none, nothing bounces",
-        "friction: none, balls keep their spin",
-        "gravity: on" if game.falls else "gravity: left out",
-        "damping: left out",
-        "fast bodies: steps split at impacts",
-        f"corners: {'the walls have some' if needs.outlines else 'none, all are round'}",
-        f"two-point contacts: {'needed' if needs.manifolds else 'none'}",
-        f"turning outlines: {'needed' if needs.turning else 'none'}",
+        "friction: none, so nothing spins",
+        f"gravity: {'9.81 m/s2' if game.falls else 'none'}",
+        "damping: none",
+        "fast balls: steps split at impacts",
     ]
 
 

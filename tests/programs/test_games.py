@@ -105,7 +105,7 @@ def test_simulator_balls_never_overlap_at_the_start() -> None:
 def test_simulator_plan_says_what_is_simulated() -> None:
     """Solver, code, broad phase, and why."""
     lines = " ".join(simulator.plan_lines(Simulator(0)))
-    for words in ("sequential impulses", "plain Python", "all_pairs", "gravity: left out"):
+    for words in ("sequential impulses", "plain Python", "all_pairs", "gravity: none"):
         assert words in lines
 
 
