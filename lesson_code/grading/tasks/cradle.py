@@ -42,11 +42,20 @@ def parting_rows(stream: Random) -> Iterator[Arguments]:
     yield (1.0, 3.0, 2.0, 1.5), tuple(speeds), 0.8
 
 
-def swings(stream: Random) -> Iterator[Arguments]:
-    """Draw balls far out, on either side."""
-    for side in (1, -1):
-        angle = side * round(stream.uniform(0.7, 1.3), 3)
-        yield angle, draw.angular_velocity(stream), round(stream.uniform(0.4, 3.0), 2), 0.01
+def short_strings(stream: Random) -> Iterator[Arguments]:
+    """Draw a ball far out on a short string."""
+    yield _swing(stream, 1, 0.4, 0.7)
+
+
+def long_strings(stream: Random) -> Iterator[Arguments]:
+    """Draw a ball far out on a long string, on the other side."""
+    yield _swing(stream, -1, 2.0, 3.0)
+
+
+def _swing(stream: Random, side: int, shortest: float, longest: float) -> Arguments:
+    """Return the arguments of a step far out on one side."""
+    angle, length = round(stream.uniform(0.7, 1.3), 3), round(stream.uniform(shortest, longest), 2)
+    return side * angle, draw.angular_velocity(stream), length, 0.01
 
 
 def pulled_out(stream: Random) -> Iterator[Arguments]:
@@ -92,7 +101,10 @@ TASKS = (
         function="swing_step",
         objective="One step of a ball on a string.",
         expected=cradle_rules.swing_step,
-        criteria=(Criterion("large angles", swings, points=2),),
+        criteria=(
+            Criterion("short strings", short_strings),
+            Criterion("long strings", long_strings),
+        ),
         wrong_models=for_task(WRONG_MODELS, "C.2"),
         alternatives=for_task(ALTERNATIVES, "C.2"),
     ),
