@@ -25,14 +25,19 @@ Balls = Annotated[int, typer.Option(min=0, max=600, help="How many there are at 
 
 @play.command("billiards")
 def play_billiards(
-    frames: Frames = None, headless: Headless = False, screenshot: Screenshot = None
+    seed: Annotated[int | None, typer.Option(help="Draws the direction of the first shot.")] = None,
+    frames: Frames = None,
+    headless: Headless = False,
+    screenshot: Screenshot = None,
 ) -> None:
     """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
     from lesson_code.programs.billiards import play as play_program
+    from lesson_code.programs.billiards_table import LAUNCH, launch_by_lot
 
     with clear_errors():
         _require_end(headless, frames, None)
-        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
+        shot = LAUNCH if seed is None else launch_by_lot(seed)
+        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot, launch=shot)
     console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
 
 
