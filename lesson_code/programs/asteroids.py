@@ -100,7 +100,6 @@ class Asteroids(Game):
             heading, speed = self.random.uniform(0, 2 * math.pi), self.random.uniform(0.2, 0.9)
             radius = self.random.uniform(0.25, 0.55)
             self._add_rock(place, radius, (speed * math.cos(heading), speed * math.sin(heading)))
-        self.started_with = self.world.momentum()
 
     @property
     def rocks(self) -> list[int]:

@@ -10,14 +10,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import fields, replace
 from functools import cached_property
 from operator import attrgetter
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.broad_phase import uniform_grid
-from lesson_code.engine.callbacks import Callbacks, Touch
-from lesson_code.engine.combination import RULES, UNSPECIFIED, Combination, combined
+from lesson_code.engine.callbacks import Callbacks
+from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import as_arrays, as_numbers, compiled_function, link
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.recording import EVENT_NUMBERS
@@ -28,11 +28,10 @@ from lesson_code.engine.stepper import SOLVERS, STATE_FIELDS
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.world import Pipeline
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
+from lesson_code.programs.touch_teller import TouchTeller
 
 TIME_STEP = 1 / 60
 """s: one frame of a program, and one step of its world."""
-
-Pair: TypeAlias = tuple[int, int]
 
 IMPULSE = attrgetter(*(field.name for field in fields(ImpulseRow)))
 """All fields of a row of impulses; many times faster than :func:`dataclasses.astuple`."""
@@ -95,12 +94,11 @@ class LiveWorld:
     ) -> None:
         self.gravity, self.damping, self.dt = gravity, damping, dt
         self._iterations, self._combine = iterations, combine
-        self.callbacks = callbacks
+        self._teller = TouchTeller(callbacks, combine)
         self.steps = 0
         self.compiled = False
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
         self._next = len(self._bodies)
-        self._touching: dict[Pair, list[list[float]]] = {}
         self._tables: Any = None
         self._build()
 
@@ -229,7 +227,7 @@ class LiveWorld:
             self._clear_the_way()
         self.steps += 1
         self._take_impulses()
-        self._tell()
+        self._teller.tell(self.time, self.impulses, self._bodies)
 
     def _clear_the_way(self) -> None:
         """Do away with what has stopped a step: a table that is full."""
@@ -278,11 +276,6 @@ class LiveWorld:
         return (
             float(kinetic_energy(mass, state[:, 3:5], inertia, state[:, 5])) if len(mass) else 0.0
         )
-
-    def potential_energy(self) -> float:
-        """Return their potential energy, J; 0 at the origin."""
-        state, mass, _ = self._matter()
-        return float(-(mass[:, None] * state[:, 0:2] * np.array(self.gravity)).sum())
 
     def touching(self) -> frozenset[int]:
         """Return the numbers of the bodies that were pushed by another one in the last step."""
@@ -374,53 +367,3 @@ class LiveWorld:
             told = as_numbers(rows) if self.compiled else np.array([IMPULSE(row) for row in rows])
             self.impulses = np.concatenate([self.impulses, told])
         tables.state.impulse_count = 0
-
-    def _tell(self) -> None:
-        """Tell the callbacks what has begun to touch, touches, and has parted."""
-        call = self.callbacks
-        if not call.wanted:
-            return
-        before, self._touching = self._touching, self._pairs()
-        for pair, rows in self._touching.items():
-            begins = call.begin is not None and pair not in before
-            if begins or call.post_solve is not None:
-                touch = self._touch(pair, rows)
-                if begins and call.begin is not None:
-                    call.begin(touch)
-                if call.post_solve is not None:
-                    call.post_solve(touch)
-        if call.separate is not None:
-            for pair, rows in before.items():
-                if pair not in self._touching and self._bodies.keys() >= set(pair):
-                    call.separate(self._touch(pair, rows))
-
-    def _pairs(self) -> dict[Pair, list[list[float]]]:
-        """Return the impulses of the last step, pair by pair, in the order of the contacts."""
-        numbers = self.numbers
-        pairs: dict[Pair, list[list[float]]] = {}
-        for row in self.impulses.tolist():
-            pairs.setdefault((numbers[int(row[1])], numbers[int(row[2])]), []).append(row)
-        return pairs
-
-    def _touch(self, pair: Pair, rows: list[list[float]]) -> Touch:
-        """Return what a callback is told of one pair."""
-        _, _, _, _, _, nx, ny, _, _, _ = rows[0]
-        return Touch(
-            time=self.time,
-            body_a=pair[0],
-            body_b=pair[1],
-            normal=(nx, ny),
-            points=tuple((row[3], row[4]) for row in rows),
-            penetration=max(row[9] for row in rows),
-            restitution=combined(
-                RULES[self._combine.restitution], *self._coefficients("restitution", pair)
-            ),
-            friction=combined(RULES[self._combine.friction], *self._coefficients("friction", pair)),
-            normal_impulse=sum(row[7] for row in rows),
-            tangent_impulse=sum(row[8] for row in rows),
-        )
-
-    def _coefficients(self, name: str, pair: Pair) -> tuple[float, float]:
-        """Return a coefficient of two bodies; negative where one leaves it to the other."""
-        a, b = (getattr(self._bodies[number].material, name) for number in pair)
-        return UNSPECIFIED if a is None else a, UNSPECIFIED if b is None else b
