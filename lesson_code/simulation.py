@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from lesson_code.engine.combination import Combination, combination
+from lesson_code.engine.effect_rules import Question
 from lesson_code.engine.event_driven import ExactSolver, record_exact
 from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import Sample, Stepper, record
+from lesson_code.engine.recording import Sample, Stepper, record, step_times
 from lesson_code.engine.run import Run
 from lesson_code.engine.scene import Scene
-from lesson_code.engine.stepper import SOLVERS, EngineStepper, choose_code
+from lesson_code.engine.solver_choice import SolverChoice, solvers_for
+from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.formulas.validation import non_negative, one_number, positive
 
 OTHERS = {"pymunk": ("C", "pymunk's own"), "box2d": ("C++", "Box2D's own")}
@@ -35,6 +39,7 @@ def simulate(
     iterations: int | None = None,
     substeps: int | None = None,
     combine: str | Combination = "workbook",
+    effects: Mapping[str, bool] | None = None,
     compiled: bool | None = None,
     impacts: str = "simultaneous",
     restitution_law: str = "newton",
@@ -58,7 +63,9 @@ def simulate(
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
         "box2d": the same scene, stepped by Box2D, where that is installed.
-        "auto": the one that suits the scene; at present always "sequential".
+        "auto": the one that suits the scene: "exact" for discs that fly freely, "direct" for few
+        bodies, "substep" for heavy bodies on light ones, "sequential" for others. ``run.plan``
+        says which, and why.
     dt : float
         The time step, s, > 0. All steps have this length.
     iterations : int, optional
@@ -70,6 +77,11 @@ def simulate(
     combine : str or Combination
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
+    effects : mapping from str to bool, optional
+        What to simulate, for those who know better than the rules: True forces an effect on,
+        False leaves it out. One that the scene needs cannot be left out. The names: collisions,
+        broad_phase, outlines, manifolds, seams, continuous, restitution, friction, rotation,
+        gravity, damping, warm_starting, position_correction, sleeping, callbacks, impulse_record.
     compiled : bool, optional
         Whether our own stages run as machine code, which Numba makes of them; the results are the
         same to the last bit. None: if the run is large enough to repay it, and can be compiled.
@@ -81,7 +93,8 @@ def simulate(
         no energy where there is friction too. A choice that only "direct" offers.
     sample : None, "end" or array_like, shape (F,)
         Which states to record: those after every step (for "exact", after every collision) and
-        the last; only the first and the last; or those at given times, s.
+        the last; only the first and the last; or those at given times, s. Where "auto" chooses
+        the exact solver, None means those at every multiple of `dt`, as for all the others.
 
     Returns
     -------
@@ -91,8 +104,8 @@ def simulate(
     Raises
     ------
     ValueError
-        An argument is out of range, the bodies are heaped into one another without end, or the
-        scene is not one for the exact solver.
+        An argument is out of range, the bodies are heaped into one another without end, the
+        scene is not one for the exact solver, or it needs an effect that is to be left out.
     TypeError
         An argument is of another kind.
     FloatingPointError
@@ -123,35 +136,95 @@ def simulate(
     duration = one_number("duration", duration, non_negative)
     if compiled is not None and not isinstance(compiled, bool):
         raise TypeError(f"compiled must be True, False or None, got {compiled!r}")
-    chosen = "sequential" if solver == "auto" else solver
-    sweeps, parts = (1, 4) if chosen == "substep" else (10, 1)
-    sweeps = _count("iterations", sweeps if iterations is None else iterations)
     settings: dict[str, Any] = {
         "dt": one_number("dt", dt, positive),
-        "iterations": 1 if chosen in ("naive", "direct") else sweeps,
-        "substeps": _count("substeps", parts if substeps is None else substeps),
+        "iterations": None if iterations is None else _count("iterations", iterations),
+        "substeps": None if substeps is None else _count("substeps", substeps),
         "combine": combination(combine),
+        "effects": effects,
+        "compiled": compiled,
     }
-    settings |= _impact_rules(chosen, impacts, restitution_law)
-    reason = "asked for" if solver == chosen else "it solves every scene"
-    if chosen == "exact":
-        pair = settings["combine"]
-        exact = ExactSolver(scene, combine=pair, compiled=compiled, duration=duration)
-        return record_exact(exact, duration, sample, reason)
-    if chosen in OTHERS:
-        if compiled is not None:
-            raise ValueError(f"compiled must be None for {chosen}, got {compiled!r}")
-        plan = Plan(chosen, reason, *OTHERS[chosen])
-        return record(_other(chosen, scene, settings), scene, duration, sample, plan)
-    steps = duration / settings["dt"]
-    code = choose_code(scene, chosen, steps, settings["iterations"], compiled)
-    stepper = EngineStepper(scene, solver=chosen, compiled=code.compiled, **settings)
-    plan = Plan(chosen, reason, code.code, code.reason)
-    return record(stepper, scene, duration, sample, plan)
+    rules = _impact_rules(solver, impacts, restitution_law)
+    if solver != "auto":
+        return _simulate(
+            scene, duration, SolverChoice(solver, "asked for"), settings, rules, sample
+        )
+    if sample is None:
+        sample = step_times(duration, settings["dt"])
+    question = Question(scene, "auto", settings["dt"], duration, settings["combine"])
+    asked = {**settings, "impact_rules": rules}
+    choices = solvers_for(question, asked=asked, effects=effects, compiled=compiled)
+    return _first_that_can(choices, scene, duration, settings, rules, sample)
+
+
+def _first_that_can(
+    choices: Iterable[SolverChoice],
+    scene: Scene,
+    duration: float,
+    settings: dict[str, Any],
+    rules: dict[str, str],
+    sample: Sample,
+) -> Run:
+    """Return the run of the first solver that finds an end; the exact one alone may not."""
+    refused = ""
+    for choice in choices:
+        choice = choice._replace(reason=choice.reason + refused)
+        try:
+            return _simulate(scene, duration, choice, settings, rules, sample)
+        except RuntimeError:
+            if choice.solver != "exact":
+                raise
+            refused = "; the exact solver finds no end of the collisions"
+    raise AssertionError("the last choice, sequential, suits every scene")  # pragma: no cover
+
+
+def _simulate(
+    scene: Scene,
+    duration: float,
+    choice: SolverChoice,
+    settings: dict[str, Any],
+    rules: dict[str, str],
+    sample: Sample,
+) -> Run:
+    """Return a run by one solver."""
+    solver, reason = choice
+    if solver == "exact":
+        chosen = {name: settings[name] for name in ("combine", "effects", "compiled")}
+        return record_exact(
+            ExactSolver(scene, duration=duration, **chosen), duration, sample, reason
+        )
+    settings = _with_counts(solver, settings)
+    if solver in OTHERS:
+        other, plan = _other(solver, scene, settings), Plan(solver, reason, *OTHERS[solver])
+        return record(other, scene, duration, sample, plan)
+    if solver == "direct":
+        settings |= rules
+    stepper = EngineStepper(scene, solver=solver, duration=duration, **settings)
+    run = record(stepper, scene, duration, sample, stepper.plan(reason))
+    return replace(run, plan=stepper.plan(reason))  # as it was in the end
+
+
+def _with_counts(solver: str, settings: dict[str, Any]) -> dict[str, Any]:
+    """Return the settings, with the numbers of sweeps and sub-steps that a solver makes."""
+    sweeps, parts = (1, 4) if solver == "substep" else (10, 1)
+    if solver in ("naive", "direct"):
+        sweeps, settings = 1, {**settings, "iterations": None}
+    return {
+        **settings,
+        "iterations": settings["iterations"] or sweeps,
+        "substeps": settings["substeps"] or parts,
+    }
 
 
 def _other(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
-    """Return another engine at work on a scene; it is loaded only when asked for."""
+    """Return another engine at work on a scene; it is loaded only when asked for.
+
+    It has one program for all scenes, and that is compiled.
+    """
+    settings = dict(settings)
+    for name in ("compiled", "effects"):
+        if (value := settings.pop(name)) is not None:
+            raise ValueError(f"{name} must be None for {solver}, got {value!r}")
     if solver == "pymunk":
         from lesson_code.reference.pymunk_reference import PymunkStepper
 
@@ -162,7 +235,10 @@ def _other(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
 
 
 def _impact_rules(solver: str, impacts: str, restitution_law: str) -> dict[str, str]:
-    """Return what the direct solver is to be told of impacts, or refuse what a solver has not."""
+    """Return what the direct solver is to be told of impacts, or refuse what a solver has not.
+
+    Nothing where that is the default.
+    """
     chosen = {"impacts": impacts, "restitution_law": restitution_law}
     for name, value in chosen.items():
         first, *_ = IMPACT_CHOICES[name]
@@ -170,9 +246,10 @@ def _impact_rules(solver: str, impacts: str, restitution_law: str) -> dict[str, 
             raise ValueError(
                 f"{name} must be one of {', '.join(IMPACT_CHOICES[name])}, got {value!r}"
             )
-        if solver != "direct" and value != first:
+        if solver not in ("direct", "auto") and value != first:
             raise ValueError(f"{name} must be {first!r} unless solver is 'direct', got {value!r}")
-    return chosen if solver == "direct" else {}
+    defaults = {name: first for name, (first, *_) in IMPACT_CHOICES.items()}
+    return {} if chosen == defaults else chosen
 
 
 def _count(name: str, value: int) -> int:

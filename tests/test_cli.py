@@ -81,6 +81,7 @@ def test_help_lists_every_command() -> None:
         ["measure", "hard-cases"],
         ["measure", "speed"],
         ["measure", "accuracy"],
+        ["measure", "effects"],
     ],
 )
 def test_every_command_has_help(command: list[str]) -> None:
@@ -220,7 +221,7 @@ def test_grade_ends_with_0_for_full_marks_only(folder: str, code: int) -> None:
     result = workbook("grade", str(path), "--json", "--seed", "1")
     report = json.loads(result.stdout)
     assert result.exit_code == code
-    assert report["version"] == 1
+    assert report["version"] == 2
     assert report["points"] == (report["full_points"] if folder == "solutions" else 0)
 
 
@@ -464,6 +465,47 @@ def test_measure_accuracy_with_options_out_of_range_ends_with_2(
 ) -> None:
     """The error names the option, or the scenes that there are."""
     result = workbook("measure", "accuracy", *options)
+    assert result.exit_code == NOT_DONE
+    assert words in " ".join(result.stderr.split())
+
+
+def test_measure_effects_prints_one_json_object_and_draws(tmp_path: Path) -> None:
+    """The rows of an effect, ours and pymunk's; the figure goes into the file."""
+    figure = tmp_path / "figure.png"
+    options = ["--quick", "--only", "damping", "--repeats", "1", "--plot", str(figure)]
+    result = workbook("measure", "effects", "--json", *options)
+    assert result.exit_code == ALL_IS_WELL
+    report = json.loads(result.stdout)
+    assert (report["version"], report["command"]) == (1, "measure effects")
+    rows = [(row["effect"], row["code"], row["calls_left_out"]) for row in report["costs"]]
+    assert rows == [("damping", "plain Python", 0.0), ("damping", "pymunk", None)]
+    assert figure.read_bytes().startswith(b"\x89PNG")
+
+
+def test_measure_effects_prints_tables() -> None:
+    """Ours, pymunk's, and what is wanted."""
+    options = ["--quick", "--only", "gravity", "--only", "billiards", "--repeats", "1"]
+    result = workbook("measure", "effects", *options)
+    assert result.exit_code == ALL_IS_WELL
+    for words in ("plain Python: what an effect costs", "pymunk: the same", "planned and run, s"):
+        assert words in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--repeats", "0"], "Invalid value for '--repeats'"),
+        (["--only", "magic"], "only must name some of collisions"),
+        (["--quick", "--store"], "--store wants all effects, measured in full"),
+        (["--only", "gravity", "--store"], "--store wants all effects, measured in full"),
+        (["--plot", "figure.txt"], "--plot must end in .png, .svg or .pdf"),
+    ],
+)
+def test_measure_effects_with_options_out_of_range_ends_with_2(
+    options: list[str], words: str
+) -> None:
+    """The error names the option, or the effects that there are."""
+    result = workbook("measure", "effects", *options)
     assert result.exit_code == NOT_DONE
     assert words in " ".join(result.stderr.split())
 

@@ -6,30 +6,26 @@ could not do what was asked. Wings are imported by the subcommand that needs the
 
 from __future__ import annotations
 
-import json
 import os
 import signal
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
 
+from lesson_code.cli.grading import grading
 from lesson_code.cli.measuring import measure
 from lesson_code.cli.playing import play
 from lesson_code.cli.shared import (
     AsJson,
     cell_progress,
+    cell_watcher,
     clear_errors,
     console,
     errors,
     print_json,
     say_error,
 )
-
-if TYPE_CHECKING:
-    from rich.progress import Progress
-
-    from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
+from lesson_code.cli.watching import watching
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -39,6 +35,8 @@ app = typer.Typer(
 )
 app.add_typer(play, name="play")
 app.add_typer(measure, name="measure")
+app.add_typer(grading)
+app.add_typer(watching)
 
 
 def main() -> None:
@@ -106,7 +104,7 @@ def _check_notebooks(as_json: bool) -> None:
     root = find_root()
     paths = [p for f in ("notebooks", "solutions") for p in sorted((root / f).glob("*.ipynb"))]
     with cell_progress() as progress:
-        results = run_notebooks(paths, watcher=_watcher(progress))
+        results = run_notebooks(paths, watcher=cell_watcher(progress))
     failed = [result for result in results if not result.passed]
     if as_json:
         print_json(
@@ -128,9 +126,10 @@ def _check_notebooks(as_json: bool) -> None:
 def _check_exercises(as_json: bool) -> None:
     """Put the exercises to the test, with a line for what is being checked."""
     from lesson_code.grading.self_check import faults
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.notebook_tools.root import find_root, require_instructors
 
     root = find_root()
+    require_instructors(root)
     with errors.status("exercises") as status:
         found = list(faults(root, told=status.update))
     if as_json:
@@ -140,88 +139,6 @@ def _check_exercises(as_json: bool) -> None:
             say_error(fault)
         console.print(f"exercises: {len(found)} faults")
     raise typer.Exit(1 if found else 0)
-
-
-@app.command()
-def grade(
-    submission: Annotated[Path, typer.Argument(help="A notebook or a .py file.")],
-    exercise: Annotated[
-        str | None, typer.Option(help="Which exercise, if the file does not tell.")
-    ] = None,
-    seed: Annotated[int | None, typer.Option(help="Draw the same inputs again.")] = None,
-    nbval: Annotated[
-        bool, typer.Option("--nbval", help="Grade under nbval, without isolation.")
-    ] = False,
-    as_json: AsJson = False,
-) -> None:
-    """Grade one submission; its code runs in a process of its own, with limits."""
-    from lesson_code.grading import report
-
-    with clear_errors():
-        if nbval:
-            _grade_under_nbval(submission, exercise, as_json)
-        graded = report.grade(submission, exercise=exercise, seed=seed)
-        if as_json:
-            print_json(graded.as_dict())
-        else:
-            report.print_report(graded, console)
-    raise typer.Exit(0 if graded.is_full else 1)
-
-
-def _grade_under_nbval(path: Path, exercise: str | None, as_json: bool) -> None:
-    """Grade by nbval alone: a task passes with full marks, or it does not."""
-    from lesson_code.grading.nbval_grading import grade_under_nbval
-    from lesson_code.notebook_tools.root import find_root
-
-    submission, chosen = _submission_and_exercise(path, exercise)
-    errors.print("nbval runs the submission's code in a kernel without any isolation.")
-    with cell_progress() as progress:
-        outcomes = grade_under_nbval(submission, chosen, find_root(), _watcher(progress))
-    passed = all(outcome.passed for outcome in outcomes)
-    if as_json:
-        print_json(
-            {
-                "version": 1,
-                "command": "grade --nbval",
-                "submission": str(path),
-                "exercise": chosen.name,
-                "isolation": "none",
-                "tasks": [vars(outcome) for outcome in outcomes],
-            }
-        )
-    else:
-        for outcome in outcomes:
-            verdict = "full marks" if outcome.passed else "not full marks"
-            console.print(f"{outcome.task} {outcome.function}: {verdict}", highlight=False)
-    raise typer.Exit(0 if passed else 1)
-
-
-@app.command()
-def merge(
-    submission: Annotated[Path, typer.Argument(help="A notebook or a .py file.")],
-    output: Annotated[Path, typer.Option("-o", "--output", help="The notebook to write.")],
-    exercise: Annotated[
-        str | None, typer.Option(help="Which exercise, if the file does not tell.")
-    ] = None,
-) -> None:
-    """Lay a submission into the solution notebook, to be graded by pytest --nbval-lax."""
-    from lesson_code.grading.nbval_grading import merge as merged
-    from lesson_code.notebook_tools.root import find_root
-
-    with clear_errors():
-        read, chosen = _submission_and_exercise(submission, exercise)
-        text = json.dumps(merged(read, chosen, find_root()), indent=1)
-        output.write_text(text + "\n", encoding="utf-8")
-    console.print(f"Wrote {output}. Now run: pytest --nbval-lax {output}", soft_wrap=True)
-
-
-def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:
-    """Return a submission and the exercise it answers."""
-    from lesson_code.grading.exercises import exercise_by_name, exercise_of
-    from lesson_code.grading.submission import read_submission
-
-    submission = read_submission(path)
-    return submission, exercise_by_name(name) if name else exercise_of(submission)
 
 
 @app.command()
@@ -251,11 +168,12 @@ def regenerate(
     """Make every notebook and student copy anew from its source (for those who carry it on)."""
     from lesson_code.grading.exercises import EXERCISES
     from lesson_code.notebook_tools.regenerate import derived_files, drifted
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.notebook_tools.root import find_root, require_instructors
 
     tasks = {exercise.name: exercise.task_ids for exercise in EXERCISES}
     with clear_errors():
         root = find_root()
+        require_instructors(root)
         if only_check:
             lines = drifted(root, tasks)
             for line in lines:
@@ -268,19 +186,3 @@ def regenerate(
         for file in wanted:
             file.write()
             console.print(f"{file.path.relative_to(root)}", soft_wrap=True, highlight=False)
-
-
-def _watcher(progress: Progress) -> Watcher:
-    """Return a watcher that moves one bar for each notebook."""
-    from lesson_code.notebook_tools.nbval_run import Watcher
-
-    bars: dict[str, Any] = {}
-
-    def collected(counts: dict[str, int]) -> None:
-        for notebook, cells in counts.items():
-            bars[notebook] = progress.add_task(notebook, total=cells)
-
-    def finished(result: CellResult) -> None:
-        progress.advance(bars[result.notebook])
-
-    return Watcher(collected, finished)

@@ -82,6 +82,49 @@ def measure_cases(
     raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
 
 
+@measure.command("isolation")
+def measure_isolation(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="RUNG", help="Only this rung.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run hostile submissions on every rung of isolation, and show what each stops."""
+    from lesson_code.grading.measuring.hostile_set import run_hostile_set
+    from lesson_code.notebook_tools.root import find_root
+
+    with clear_errors(), share_bar() as told:
+        measured = run_hostile_set(find_root(), only or (), told)
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        Console(width=max(console.width, TABLE_WIDTH)).print(measured.as_table())
+    raise typer.Exit(0 if measured.full_holds else 1)
+
+
+@measure.command("grading")
+def measure_grading(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="RUNG", help="Only this rung.")
+    ] = None,
+    workers: Workers = None,
+    batches: Annotated[int, typer.Option(min=1, help="How often each takes its turn.")] = 5,
+    as_json: AsJson = False,
+) -> None:
+    """Measure submissions graded a second, by rung of isolation, beside nbgrader."""
+    from lesson_code.grading.measuring import throughput
+    from lesson_code.notebook_tools.root import find_root
+
+    with clear_errors(), share_bar() as told:
+        measured = throughput.measure_grading(
+            find_root(), only, workers=workers, batches=batches, told=told
+        )
+    if as_json:
+        print_json(measured.as_dict())
+    else:
+        Console(width=max(console.width, TABLE_WIDTH)).print(measured.as_table())
+
+
 @measure.command("speed")
 def measure_speed(
     only: Annotated[
@@ -154,8 +197,7 @@ def measure_accuracy(
     with clear_errors():
         if store and quick:
             raise ValueError("--store wants a full measurement, not a quick one")
-        if plot is not None and plot.suffix not in (".png", ".svg", ".pdf"):
-            raise ValueError(f"--plot must end in .png, .svg or .pdf, got {plot.name!r}")
+        _check_figure(plot)
         result = work_precision.measure_accuracy(
             only or (),
             quick=quick,
@@ -176,3 +218,57 @@ def measure_accuracy(
     else:
         for table in as_tables(result):
             console.print(table)
+
+
+@measure.command("effects")
+def measure_effects(
+    only: Annotated[
+        list[str] | None,
+        typer.Option("--only", metavar="NAME", help="Only this effect; can be repeated."),
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="In plain Python and pymunk alone: a minute or two.")
+    ] = False,
+    repeats: Annotated[
+        int | None, typer.Option(min=1, help="Batches of each run in each scene.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw a figure too: .png, .svg or .pdf.")
+    ] = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Put the result where notebook 10 finds it.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Measure what an effect costs where it is needed, and what it saves to leave it out."""
+    from lesson_code.evidence import effect_costs
+    from lesson_code.evidence.effect_costs.tables import as_tables
+
+    with clear_errors():
+        if store and (quick or only):
+            raise ValueError(
+                "--store wants all effects, measured in full: leave out --quick, --only"
+            )
+        _check_figure(plot)
+        with share_bar() as told:
+            result = effect_costs.measure_effects(
+                only or (), quick=quick, repeats=repeats, told=told
+            )
+        if store:
+            effect_costs.store(result)
+        if plot is not None:
+            from lesson_code.view.effect_plots import all_effects
+
+            all_effects(result).savefig(plot)
+    if as_json:
+        print_json(result.as_dict())
+        return
+    wide = Console(width=max(console.width, TABLE_WIDTH))
+    for table in as_tables(result):
+        wide.print(table)
+
+
+def _check_figure(path: Path | None) -> None:
+    """Refuse a figure that Matplotlib is not to write."""
+    if path is not None and path.suffix not in (".png", ".svg", ".pdf"):
+        raise ValueError(f"--plot must end in .png, .svg or .pdf, got {path.name!r}")

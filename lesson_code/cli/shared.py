@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
@@ -17,6 +17,9 @@ from rich.progress import (
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
+
+if TYPE_CHECKING:
+    from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
 
 console = Console()
 errors = Console(stderr=True)
@@ -45,6 +48,22 @@ def cell_progress() -> Progress:
         TimeElapsedColumn(),
         console=errors,
     )
+
+
+def cell_watcher(progress: Progress) -> Watcher:
+    """Return a watcher of a run under nbval that moves one bar for each notebook."""
+    from lesson_code.notebook_tools.nbval_run import Watcher
+
+    bars: dict[str, Any] = {}
+
+    def collected(counts: dict[str, int]) -> None:
+        for notebook, cells in counts.items():
+            bars[notebook] = progress.add_task(notebook, total=cells)
+
+    def finished(result: CellResult) -> None:
+        progress.advance(bars[result.notebook])
+
+    return Watcher(collected, finished)
 
 
 @contextmanager

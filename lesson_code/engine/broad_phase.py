@@ -31,6 +31,7 @@ from lesson_code.engine.constants import (
     SLOT_RATIO,
     STEPS_AHEAD,
 )
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PairRow, State, World
 from lesson_code.formulas.arithmetic import clamp
 
@@ -53,8 +54,21 @@ class Grid(Protocol):
     row_stride: int
 
 
-def box_of(world: World, body: BodyRow) -> Sides:
+def box_of(world: World, body: BodyRow, effects: Effects = EVERY_EFFECT) -> Sides:
     """Return the sides of the box around a body: left, low, right, high."""
+    left, right, low, high = 0.0, 0.0, 0.0, 0.0
+    if effects.outlines:
+        left, right, low, high = sides_of_outline(world, body)
+    return (
+        body.x + left - body.radius,
+        body.y + low - body.radius,
+        body.x + right + body.radius,
+        body.y + high + body.radius,
+    )
+
+
+def sides_of_outline(world: World, body: BodyRow) -> Sides:
+    """Return how far the corners of a body lie from its centre: left, right, low, high."""
     left, right, low, high = 0.0, 0.0, 0.0, 0.0
     for k in range(body.corner_count):
         corner = world.corners[body.first_corner + k]
@@ -66,19 +80,14 @@ def box_of(world: World, body: BodyRow) -> Sides:
             low = corner.y
         if k == 0 or corner.y > high:
             high = corner.y
-    return (
-        body.x + left - body.radius,
-        body.y + low - body.radius,
-        body.x + right + body.radius,
-        body.y + high + body.radius,
-    )
+    return left, right, low, high
 
 
-def bound(world: World) -> None:
+def bound(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Draw a box around every body, with a margin to move in for those that can be pushed."""
     way = longest_way(world)
     for body in world.bodies:
-        left, low, right, high = box_of(world, body)
+        left, low, right, high = box_of(world, body, effects)
         margin = 0.0
         if body.inv_m > 0.0:
             margin = clamp(STEPS_AHEAD * way, LEAST_MARGIN * body.extent, MOST_MARGIN * body.extent)
@@ -95,10 +104,12 @@ def longest_way(world: World) -> float:
     return math.sqrt(most) * world.state.dt
 
 
-def has_left_box(world: World) -> bool:
+def has_left_box(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     """Return whether any body is not in the box any more that was drawn around it."""
     for body in world.bodies:
-        left, low, right, high = box_of(world, body)
+        if effects.sleeping and body.is_asleep:
+            continue
+        left, low, right, high = box_of(world, body, effects)
         if left < body.min_x or right > body.max_x or low < body.min_y or high > body.max_y:
             return True
     return False

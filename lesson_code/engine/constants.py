@@ -123,3 +123,33 @@ At 4 a dense gas with e = 1 loses 4 % of its energy in 10 s, at 10 still 0.06 %.
 
 IMPACT_ROUNDING = 1e-12
 """m/s: what rounding leaves of a velocity is no impact. Slower is a millimetre in 30 years."""
+
+SPEED_DOUBT = 1.5
+"""Times the greatest speed that the energy of a scene allows: a margin for what rounding may add,
+and sweeps that have not agreed. Faster than half its width a step, and a body has to be watched.
+"""
+
+STILL = 1e-9
+"""Of the speed that gravity gives in a step: a body that is slower is still.
+
+What is at rest has that much left of what gravity gives and contacts take back, and less with every
+step. Larger, and bodies that creep would be stopped: 1e-9 of it is 0.16 nanometres a second at 60
+steps a second, half a micrometre in an hour. Without gravity what is still does not move at all.
+"""
+
+QUIET_TIME = 1.0
+"""s: so long an island has to be still before it sleeps; a pile falls no sooner than that."""
+
+STEPS_A_LOOK = 8
+"""Steps from one search for islands that may sleep to the next."""
+
+MOST_FOR_DIRECT = 40
+"""Bodies that can be pushed: up to here the direct solver suits any scene. Its time grows with the
+cube of the contacts that hang together, that of a sweep with their number.
+"""
+
+HEAVY_ON_LIGHT = 10.0
+"""Times the smallest mass: with a heavier body in the scene sweeps carry a load too slowly."""
+
+TOUCHING = 1e-6
+"""Of the radius: discs that are nearer than this at the start touch, and are struck together."""

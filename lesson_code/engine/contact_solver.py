@@ -19,6 +19,9 @@ gave too much, as long as the total still pushes (jn >= 0) and friction stays wi
 The push that undoes an overlap has velocities of its own (split impulse). They move the bodies
 once and are forgotten, so that no overlap ever turns into speed.
 
+What a scene does not call for is left out once for all contacts, before the loop over them: where
+nothing rubs the normal impulse is all there is, and where nothing turns it is a central one.
+
 References
 ----------
 Catto, Iterative Dynamics with Temporal Coherence (2005); Catto, Fast and Simple Physics using
@@ -26,6 +29,9 @@ Sequential Impulses (2006), for the split impulse too.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
 
 from lesson_code.engine.constants import (
     FEWEST_FOR_STREAMS,
@@ -35,11 +41,20 @@ from lesson_code.engine.constants import (
     STREAMS,
 )
 from lesson_code.engine.contact_frame import (
+    apply_central_impulse,
+    apply_central_push,
     apply_impulses,
+    apply_normal_impulse,
     apply_push,
+    bring_to_total,
+    central_push_velocity,
+    central_velocity,
     missing_push,
+    missing_velocity,
     normal_velocity,
+    set_central_frame,
     set_frame,
+    set_normal_frame,
     tangent_velocity,
     velocity_at,
 )
@@ -52,20 +67,50 @@ from lesson_code.formulas.validation import equation
 normal_impulse = equation(contact.normal_impulse)
 friction_impulse = equation(contact.friction_impulse)
 
+Visit: TypeAlias = Callable[[ContactRow, BodyRow, BodyRow], None]
+"""Does something to a contact and its two bodies."""
+
+VisitTwo: TypeAlias = Callable[[ContactRow, ContactRow, BodyRow, BodyRow], None]
+"""The same to the two contacts of a manifold."""
+
+Velocity: TypeAlias = Callable[[ContactRow, BodyRow, BodyRow], float]
+"""Returns a relative velocity at a contact, m/s."""
+
 
 def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Compute what stays the same during the sweeps, at the velocities before gravity acts."""
+    if effects.friction:
+        prepare_contacts(world, effects, set_frame)
+    elif effects.rotation:
+        prepare_contacts(world, effects, set_normal_frame)
+    else:
+        prepare_contacts(world, effects, set_central_frame)
+    if effects.restitution:
+        set_bounces(world, normal_velocity if effects.rotation else central_velocity)
+
+
+def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None:
+    """Compute the effective masses, and the overlaps to undo."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
-        set_frame(c, a, b)
-        # Also where they part already: else a third body that presses them together adds energy.
-        c.target_vn = -c.restitution * normal_velocity(c, a, b)
+        set_contact(c, a, b)
+        c.target_vn = 0.0
         c.push_speed = push_speed_of(c, a, b, world.state.dt)
         if effects.manifolds:
             c.is_block = False
             if k > 0 and world.contacts[k - 1].a == c.a and world.contacts[k - 1].b == c.b:
                 couple(world.contacts[k - 1], c, a, b)
+
+
+def set_bounces(world: World, velocity: Velocity) -> None:
+    """Compute the normal velocities to reach.
+
+    Also where the bodies part already: else a third body that presses them together adds energy.
+    """
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        c.target_vn = -c.restitution * velocity(c, world.bodies[c.a], world.bodies[c.b])
 
 
 def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
@@ -77,19 +122,27 @@ def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Give each contact the impulse that it needed in the last step."""
-    recall(world)
-    give_again(world)
+    recall(world, effects)
+    give_again(world, effects)
 
 
-def give_again(world: World) -> None:
-    """Apply the impulse that each contact needed in the step before, for a step as long as this."""
+def give_again(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Apply the impulse that each contact needed in the step before, for a step as long as this.
+
+    A force is remembered, as an impulse a step.
+    """
     longer = longer_than_before(world)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
-        c.normal_impulse *= longer  # a force is remembered, as an impulse a step
-        c.tangent_impulse *= longer
-        apply_impulses(c, a, b, c.normal_impulse, c.tangent_impulse)
+        c.normal_impulse *= longer
+        if effects.friction:
+            c.tangent_impulse *= longer
+            apply_impulses(c, a, b, c.normal_impulse, c.tangent_impulse)
+        elif effects.rotation:
+            apply_normal_impulse(c, a, b, c.normal_impulse)
+        else:
+            apply_central_impulse(c, a, b, c.normal_impulse)
 
 
 def longer_than_before(world: World) -> float:
@@ -97,7 +150,7 @@ def longer_than_before(world: World) -> float:
     return world.state.dt / world.state.dt_before if world.state.dt_before > 0.0 else 1.0
 
 
-def recall(world: World) -> None:
+def recall(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Find each contact's impulses of the last step; contacts and memory are sorted alike."""
     count, first = world.state.memory_count, 0
     for k in range(world.state.contact_count):
@@ -108,7 +161,8 @@ def recall(world: World) -> None:
         while n < count and world.memory[n].a == c.a and world.memory[n].b == c.b:
             if world.memory[n].feature == c.feature:
                 c.normal_impulse = world.memory[n].normal_impulse
-                c.tangent_impulse = world.memory[n].tangent_impulse
+                if effects.friction:
+                    c.tangent_impulse = world.memory[n].tangent_impulse
             n += 1
 
 
@@ -119,6 +173,16 @@ def comes_before(old: MemoryRow, c: ContactRow) -> bool:
 
 def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep over all contacts."""
+    if effects.friction:
+        sweep(world, effects, solve_contact, solve_manifold)
+    elif effects.rotation:
+        sweep(world, effects, solve_normal, solve_normals)
+    else:
+        sweep(world, effects, solve_central, solve_normals)
+
+
+def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> None:
+    """Visit all contacts; the two points of a manifold together."""
     count = world.state.contact_count
     stride = stride_of_visits(count)
     for first in range(stride):
@@ -126,9 +190,9 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
             c = world.contacts[k]
             a, b = world.bodies[c.a], world.bodies[c.b]
             if effects.manifolds and c.is_block:
-                solve_manifold(c, world.contacts[k + 1], a, b)
+                visit_two(c, world.contacts[k + 1], a, b)
             elif not (effects.manifolds and is_second_of_block(world, k)):
-                solve_contact(c, a, b)
+                visit(c, a, b)
 
 
 def stride_of_visits(count: int) -> int:
@@ -146,6 +210,20 @@ def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     more_t = jt - c.tangent_impulse
     apply_impulses(c, a, b, more_n, more_t)
     c.normal_impulse, c.tangent_impulse = jn, jt
+
+
+def solve_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Bring the normal velocity to its target: all there is to do where nothing rubs."""
+    missing = missing_velocity(c, a, b)
+    bring_to_total(c, a, b, normal_impulse(missing, c.normal_mass, 0.0, c.normal_impulse))
+
+
+def solve_central(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Do the same to bodies that do not turn."""
+    missing = central_velocity(c, a, b) - c.target_vn
+    total = normal_impulse(missing, c.normal_mass, 0.0, c.normal_impulse)
+    apply_central_impulse(c, a, b, total - c.normal_impulse)
+    c.normal_impulse = total
 
 
 def solve_manifold(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -169,25 +247,23 @@ def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     for k in range(world.state.contact_count):
         found = found or world.contacts[k].push_speed > 0.0
     if found:
-        for k in range(world.state.contact_count):
-            c = world.contacts[k]
-            vn = normal_velocity(c, world.bodies[c.a], world.bodies[c.b])
-            c.push_speed -= max(vn, 0.0)
+        spare_parting(world, normal_velocity if effects.rotation else central_velocity)
     return found
+
+
+def spare_parting(world: World, velocity: Velocity) -> None:
+    """Take from what is to be undone what the velocities will undo."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        c.push_speed -= max(velocity(c, world.bodies[c.a], world.bodies[c.b]), 0.0)
 
 
 def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep of pushes over all contacts."""
-    count = world.state.contact_count
-    stride = stride_of_visits(count)
-    for first in range(stride):
-        for k in range(first, count, stride):
-            c = world.contacts[k]
-            a, b = world.bodies[c.a], world.bodies[c.b]
-            if effects.manifolds and c.is_block:
-                solve_pushes(c, world.contacts[k + 1], a, b)
-            elif not (effects.manifolds and is_second_of_block(world, k)):
-                solve_push(c, a, b)
+    if effects.rotation:
+        sweep(world, effects, solve_push, solve_pushes)
+    else:
+        sweep(world, effects, solve_central_push, solve_pushes)
 
 
 def is_second_of_block(world: World, k: int) -> bool:
@@ -202,11 +278,21 @@ def solve_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     c.push_impulse = total
 
 
+def solve_central_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Do the same to bodies that do not turn."""
+    missing = central_push_velocity(c, a, b) - c.push_speed
+    total = normal_impulse(missing, c.normal_mass, 0.0, c.push_impulse)
+    apply_central_push(c, a, b, total - c.push_impulse)
+    c.push_impulse = total
+
+
 def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember the impulses of this step for the next."""
     for k in range(world.state.contact_count):
         c, m = world.contacts[k], world.memory[k]
         m.a, m.b, m.feature = c.a, c.b, c.feature
-        m.normal_impulse, m.tangent_impulse = c.normal_impulse, c.tangent_impulse
+        m.normal_impulse = c.normal_impulse
+        if effects.friction:
+            m.tangent_impulse = c.tangent_impulse
     world.state.memory_count = world.state.contact_count
     world.state.dt_before = world.state.dt

@@ -19,7 +19,8 @@ from lesson_code.engine.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.narrow_phase import touch
 from lesson_code.engine.rows import BodyRow, World
-from lesson_code.engine.world import Pipeline, seek_pairs, step
+from lesson_code.engine.sleep import everything_sleeps
+from lesson_code.engine.world import Pipeline, rest, seek_pairs, step
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
 
@@ -45,6 +46,8 @@ def advance(world: World, pipeline: Pipeline) -> bool:
 
 def rigid_part(world: World, pipeline: Pipeline) -> bool:
     """Make a step, or the part of it until a fast body has hit something; return if it is made."""
+    if pipeline.effects.sleeping and everything_sleeps(world):
+        return rest(world, pipeline)
     if not world.state.has_moved and not choose_part(world, pipeline):
         return False
     return step(world, pipeline)
@@ -57,7 +60,7 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     """
     state = world.state
     state.dt = state.left
-    if pipeline.is_continuous and mark_fast(world, state.left):
+    if pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
         if not pipeline.splits_steps:
             state.has_fast = True
             return False
@@ -72,12 +75,12 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     return True
 
 
-def mark_fast(world: World, duration: float) -> bool:
+def mark_fast(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
     """Mark the bodies that could pass through another one unseen; return whether there are any."""
     found = False
     for body in world.bodies:
         body.waits = False
-        way = way_of(body, duration)
+        way = way_of(body, duration, effects)
         if not math.isfinite(way):
             return False  # the move will say that it cannot be made
         body.is_fast = way > 0.5 * min(body.thickness, world.state.thinnest)
@@ -85,11 +88,17 @@ def mark_fast(world: World, duration: float) -> bool:
     return found
 
 
-def way_of(body: BodyRow, duration: float) -> float:
+def way_of(body: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> float:
     """Return how far a point of a body may move at the most, m."""
     speed = math.sqrt(body.vx * body.vx + body.vy * body.vy)
-    turning = abs(body.w) * body.reach if body.corner_count > 0 else 0.0
-    return (speed + turning) * duration
+    return (speed + rim_speed(body, effects)) * duration
+
+
+def rim_speed(body: BodyRow, effects: Effects) -> float:
+    """Return how fast a body's farthest corner turns about its centre, m/s; a circle has none."""
+    if not (effects.outlines and effects.rotation) or body.corner_count == 0:
+        return 0.0
+    return abs(body.w) * body.reach
 
 
 def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
@@ -98,7 +107,7 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
     Pairs that overlap already are left to the solver: they are contacts. When the table of pairs is
     too small, that is noted, and the answer means nothing.
     """
-    bound_way(world, duration)
+    bound_way(world, duration, pipeline.effects)
     has_room = seek_pairs(world, pipeline.broad_phase)
     world.state.has_pairs = False  # these are not the pairs of the step
     if not has_room:
@@ -109,17 +118,16 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
         if a.is_fast or b.is_fast:
             after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
-                earliest = min(earliest, after + time_into(a, b))
+                earliest = min(earliest, after + time_into(a, b, pipeline.effects))
     return earliest
 
 
-def bound_way(world: World, duration: float) -> None:
+def bound_way(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> None:
     """Put a box around every body and all of its way."""
-    bound(world)
+    bound(world, effects)
     for body in world.bodies:
         x, y = body.vx * duration, body.vy * duration
-        turning = abs(body.w) * body.reach * duration if body.corner_count > 0 else 0.0
-        margin = min(turning, 2.0 * body.reach)
+        margin = min(rim_speed(body, effects) * duration, 2.0 * body.reach)
         body.min_x += min(x, 0.0) - margin
         body.max_x += max(x, 0.0) + margin
         body.min_y += min(y, 0.0) - margin
@@ -133,7 +141,7 @@ def pair_impact_time(
     touch(world, a, b, effects)
     if world.manifold.count > 0:
         return math.inf
-    if effects.turning and (is_turning(a) or is_turning(b)):
+    if effects.outlines and effects.rotation and (is_turning(a) or is_turning(b)):
         return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
     if effects.manifolds:
         return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
@@ -150,12 +158,11 @@ def depth_into(a: BodyRow, b: BodyRow) -> float:
     return IMPACT_DEPTH * SLOP * min(a.extent, b.extent)
 
 
-def time_into(a: BodyRow, b: BodyRow) -> float:
+def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
     """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
     vx, vy = b.vx - a.vx, b.vy - a.vy
-    turning_a = abs(a.w) * a.reach if a.corner_count > 0 else 0.0
-    turning_b = abs(b.w) * b.reach if b.corner_count > 0 else 0.0
-    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning_a + turning_b)
+    turning = rim_speed(a, effects) + rim_speed(b, effects)
+    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning)
 
 
 def let_fast_wait(world: World) -> None:

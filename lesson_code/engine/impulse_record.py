@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from lesson_code.engine.contact_motion import contact_point
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import World
 
 STEPS_KEPT = 32
@@ -12,13 +13,14 @@ STEPS_KEPT = 32
 def has_room_for_record(world: World) -> bool:
     """Return whether the impulses of all contacts of this step fit into the table."""
     state = world.state
-    if state.impulse_count + state.contact_count <= len(world.impulses):
+    wanted = state.contact_count + state.resting_count
+    if state.impulse_count + wanted <= len(world.impulses):
         return True
-    state.impulses_wanted = STEPS_KEPT * state.contact_count
+    state.impulses_wanted = STEPS_KEPT * wanted
     return False
 
 
-def record_impulses(world: World) -> None:
+def record_impulses(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Write down the contacts that have received an impulse."""
     state = world.state
     for k in range(state.contact_count):
@@ -28,6 +30,23 @@ def record_impulses(world: World) -> None:
             row = world.impulses[state.impulse_count]
             row.time, row.a, row.b = state.time, c.a, c.b
             row.x, row.y, row.nx, row.ny = x, y, c.nx, c.ny
-            row.normal_impulse, row.tangent_impulse = c.normal_impulse, c.tangent_impulse
+            row.normal_impulse = c.normal_impulse
+            row.tangent_impulse = c.tangent_impulse if effects.friction else 0.0
             row.penetration = c.penetration
+            state.impulse_count += 1
+
+
+def record_resting(world: World) -> None:
+    """Write down what the contacts of sleeping islands carry, as if their step had been made."""
+    state = world.state
+    for k in range(state.resting_count):
+        rest = world.resting[k]
+        if rest.normal_impulse != 0.0:
+            row = world.impulses[state.impulse_count]
+            longer = state.dt / rest.dt
+            row.time, row.a, row.b = state.time, rest.a, rest.b
+            row.x, row.y, row.nx, row.ny = rest.x, rest.y, rest.nx, rest.ny
+            row.normal_impulse = rest.normal_impulse * longer
+            row.tangent_impulse = rest.tangent_impulse * longer
+            row.penetration = rest.penetration
             state.impulse_count += 1

@@ -69,7 +69,7 @@ def island_of(world: World, contacts: list[ContactRow]) -> Island:
     w = np.array([(body.inv_m, body.inv_m, body.inv_i) for body in bodies])
     of_a = np.array([place[c.a] for c in contacts] * 2)
     of_b = np.array([place[c.b] for c in contacts] * 2)
-    on_a, on_b = _directions(contacts)
+    on_a, on_b = _directions(contacts, world.bodies)
     compliance = _compliance(of_a, of_b, on_a, on_b, w)
     friction = np.array([c.friction for c in contacts])
     return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, compliance, friction)
@@ -125,15 +125,23 @@ def _leader_of(leader: list[int], body: int) -> int:
     return body
 
 
-def _directions(contacts: Sequence[ContactRow]) -> tuple[Floats, Floats]:
-    """Return the rows of G in the columns of body a, and of body b."""
+def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> tuple[Floats, Floats]:
+    """Return the rows of G in the columns of body a, and of body b.
+
+    The normal of a disc goes through its centre: it has no lever arm, not even a rounding error.
+    """
     nx, ny, ax, ay, bx, by = np.array(
         [(c.nx, c.ny, c.ax, c.ay, c.bx, c.by) for c in contacts], dtype=float
     ).T
     dx, dy = np.concatenate((nx, -ny)), np.concatenate((ny, nx))
     ax, ay, bx, by = np.tile((ax, ay, bx, by), 2)
-    on_a = np.column_stack((-dx, -dy, -cross((ax, ay), (dx, dy))))
-    return on_a, np.column_stack((dx, dy, cross((bx, by), (dx, dy))))
+    ra_x_d, rb_x_d = cross((ax, ay), (dx, dy)), cross((bx, by), (dx, dy))
+    for k, c in enumerate(contacts):
+        if bodies[c.a].corner_count == 0:
+            ra_x_d[k] = 0.0
+        if bodies[c.b].corner_count == 0:
+            rb_x_d[k] = 0.0
+    return np.column_stack((-dx, -dy, -ra_x_d)), np.column_stack((dx, dy, rb_x_d))
 
 
 def _compliance(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Floats) -> Floats:

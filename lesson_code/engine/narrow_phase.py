@@ -6,6 +6,7 @@ from lesson_code.engine.combination import combined
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, World
 from lesson_code.engine.seams import drop_seams
+from lesson_code.engine.sleep import is_idle, wake
 from lesson_code.geometry.circle_contact import collide_circles
 from lesson_code.geometry.manifold import collide_rows, collide_with_circle
 from lesson_code.geometry.rows import ManifoldRow
@@ -16,11 +17,27 @@ def find_contacts(world: World, effects: Effects = EVERY_EFFECT) -> bool:
 
     Returns whether the table had room for them.
     """
+    if effects.sleeping and world.state.asleep_count > 0:
+        wake_touched(world, effects)
     if not find_overlaps(world, effects):
         return False
     if effects.seams:
         drop_seams(world)
     return True
+
+
+def wake_touched(world: World, effects: Effects) -> None:
+    """Wake every island that something touches which does not sleep."""
+    for k in range(world.state.pair_count):
+        a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
+        if a.is_asleep and not is_idle(b):
+            touch(world, a, b, effects)
+            if world.manifold.count > 0:
+                wake(world, a.island)
+        elif b.is_asleep and not is_idle(a):
+            touch(world, a, b, effects)
+            if world.manifold.count > 0:
+                wake(world, b.island)
 
 
 def find_overlaps(world: World, effects: Effects) -> bool:
@@ -31,18 +48,22 @@ def find_overlaps(world: World, effects: Effects) -> bool:
     for k in range(state.pair_count):
         pair = world.pairs[k]
         a, b = world.bodies[pair.a], world.bodies[pair.b]
+        if effects.sleeping and is_idle(a) and is_idle(b):
+            continue
         touch(world, a, b, effects)
         if m.count == 0:
             continue
         if count + m.count > len(world.contacts):
             state.contacts_wanted = count + m.count
             return False
-        restitution = combined(state.restitution_rule, a.restitution, b.restitution)
-        friction = combined(state.friction_rule, a.friction, b.friction)
         for point in range(m.count):
             contact = world.contacts[count]
             contact.a, contact.b = pair.a, pair.b
-            contact.restitution, contact.friction = restitution, friction
+            if effects.restitution:
+                rule = state.restitution_rule
+                contact.restitution = combined(rule, a.restitution, b.restitution)
+            if effects.friction:
+                contact.friction = combined(state.friction_rule, a.friction, b.friction)
             write_point(contact, m, point)
             if effects.seams and (a.inv_m == 0.0 or b.inv_m == 0.0):
                 world.static_contacts[state.static_count].index = count

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeAlias
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,7 +13,7 @@ from lesson_code.engine.combination import Combination
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.room import make_room
-from lesson_code.engine.rows import World
+from lesson_code.engine.rows import ContactRow, World
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.world import BroadPhase, seek_pairs, turn_with_angle
@@ -30,14 +33,30 @@ def deepest_overlaps(
         for n, body in enumerate(world.bodies):
             body.x, body.y = positions[frame, n].tolist()
             body.angle = float(angles[frame, n])
-        while (depth := measure_overlaps(world, broad_phase, EVERY_OVERLAP)) < 0.0:
+        while (depth := measure_overlaps(world, broad_phase, EVERY_OVERLAP, in_metres)) < 0.0:
             world = make_room(world)
         depths[frame] = depth
     return depths
 
 
-def measure_overlaps(world: World, broad_phase: BroadPhase, effects: Effects) -> float:
-    """Return the depth of the deepest overlap, m, 0 without one; -1 when a table was too small."""
+Measure: TypeAlias = Callable[[World, ContactRow], float]
+"""Returns how deep a contact is, in some unit."""
+
+
+def in_metres(world: World, c: ContactRow) -> float:  # noqa: ARG001
+    """Return the depth of a contact, m."""
+    return c.penetration
+
+
+def in_widths(world: World, c: ContactRow) -> float:
+    """Return the depth of a contact as a share of the smaller body's width."""
+    return c.penetration / min(world.bodies[c.a].extent, world.bodies[c.b].extent)
+
+
+def measure_overlaps(
+    world: World, broad_phase: BroadPhase, effects: Effects, depth: Measure
+) -> float:
+    """Return the depth of the deepest overlap, 0 without one; -1 when a table was too small."""
     for body in world.bodies:
         turn_with_angle(world, body)
     bound(world)
@@ -47,5 +66,5 @@ def measure_overlaps(world: World, broad_phase: BroadPhase, effects: Effects) ->
         return -1.0
     deepest = 0.0
     for k in range(world.state.contact_count):
-        deepest = max(deepest, world.contacts[k].penetration)
+        deepest = max(deepest, depth(world, world.contacts[k]))
     return deepest

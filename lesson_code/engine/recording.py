@@ -61,10 +61,7 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan
     All steps have the same length. A state between two steps is that of the earlier one, moved
     on at its velocity: what the solver's next step does, but for a push out of an overlap.
     """
-    if not duration / stepper.dt <= MOST_STEPS:
-        raise ValueError(
-            f"duration must be at most {MOST_STEPS:g} dt, got {duration} s with dt {stepper.dt} s"
-        )
+    _require_few_steps(duration, stepper.dt)
     moments = _moments(duration, stepper.dt, sample)
     frames = np.zeros((len(moments), len(scene.bodies), STATE_NUMBERS))
     done = 0
@@ -112,13 +109,34 @@ def _moment(time: float, dt: float) -> Moment:
 
 def _times(duration: float, dt: float, sample: Sample) -> Iterator[float]:
     """Yield the times at which the state is wanted, s."""
-    if sample is None:
-        steps = whole_parts(duration, dt)
-        yield from (min(step * dt, duration) for step in range(steps + 1))
-        if not math.isclose(steps * dt, duration, rel_tol=1e-9, abs_tol=1e-9 * dt):
-            yield duration
-    else:
-        yield from given_times(duration, sample)
+    yield from step_times(duration, dt) if sample is None else given_times(duration, sample)
+
+
+def step_times(duration: float, dt: float) -> list[float]:
+    """Return the times of all steps, from 0 on, and the end of a run, s.
+
+    Raises
+    ------
+    ValueError
+        There are more than anybody can want.
+
+    >>> step_times(0.25, 0.1)
+    [0.0, 0.1, 0.2, 0.25]
+    """
+    _require_few_steps(duration, dt)
+    steps = whole_parts(duration, dt)
+    times = [min(step * dt, duration) for step in range(steps + 1)]
+    if not math.isclose(steps * dt, duration, rel_tol=1e-9, abs_tol=1e-9 * dt):
+        times.append(duration)
+    return times
+
+
+def _require_few_steps(duration: float, dt: float) -> None:
+    """Refuse a run of more steps than anybody can want."""
+    if not duration / dt <= MOST_STEPS:
+        raise ValueError(
+            f"duration must be at most {MOST_STEPS:g} dt, got {duration} s with dt {dt} s"
+        )
 
 
 def given_times(duration: float, sample: Any) -> list[float]:

@@ -12,10 +12,22 @@ import numpy as np
 
 from lesson_code.engine.broad_phase import most_pairs
 from lesson_code.engine.compiled.arrays import lengthened
-from lesson_code.engine.rows import ContactRow, ImpulseRow, IndexRow, MemoryRow, PairRow, World
+from lesson_code.engine.rows import (
+    ContactRow,
+    ImpulseRow,
+    IndexRow,
+    MemoryRow,
+    PairRow,
+    RestingRow,
+    World,
+)
 
-SPARE = 1.5
-"""Times the rows that are wanted: how many there are then, so that a table seldom grows."""
+SPARE, LARGE_SPARE = 1.5, 1.1
+"""Times the rows that are wanted: how many there are then, so that a table seldom grows; in a large
+table, whose rows change less in proportion, and cost more memory, the second."""
+
+LARGE = 10_000
+"""Rows from which on a table is large."""
 
 FEWEST_ROWS = 16
 """Rows that a table grows to at least."""
@@ -37,6 +49,7 @@ def make_room(world: World) -> World:
         contacts=longer(world.contacts, state.contacts_wanted, ContactRow),
         static_contacts=longer(world.static_contacts, state.contacts_wanted, IndexRow),
         memory=longer(world.memory, state.contacts_wanted, MemoryRow),
+        resting=longer(world.resting, state.contacts_wanted, RestingRow),
         impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow),
     )
     state.pairs_wanted = state.contacts_wanted = state.impulses_wanted = 0
@@ -54,7 +67,9 @@ def refuse_heap(bodies: int, pairs: int) -> None:
 
 def rows_for(wanted: int) -> int:
     """Return how many rows a table gets when so many are wanted."""
-    return max(FEWEST_ROWS, int(SPARE * wanted)) if wanted > 0 else 0
+    if wanted == 0:
+        return 0
+    return max(FEWEST_ROWS, int((SPARE if wanted < LARGE else LARGE_SPARE) * wanted))
 
 
 def longer(table: Any, wanted: int, row: type) -> Any:

@@ -55,6 +55,10 @@ class BodyRow:
     is_large: bool = False  # whether its box is too large for the grid
     is_fast: bool = False  # whether it may pass through another body within this step
     waits: bool = False  # whether it stays where it is for what is left of this step
+    quiet: float = 0.0  # s, for how long it has been still
+    island: int = 0  # the first body of the island that it belongs to (sleep.py)
+    is_restless: bool = False  # of an island's first body: whether one of its bodies is not still
+    is_asleep: bool = False
 
 
 @dataclass(slots=True)
@@ -144,6 +148,24 @@ class MemoryRow:
 
 
 @dataclass(slots=True)
+class RestingRow:
+    """A contact of an island that sleeps: what it is woken up with, and its record meanwhile."""
+
+    a: int = 0
+    b: int = 0
+    feature: int = 0
+    island: int = 0
+    dt: float = 0.0  # s, of the step in which the impulses were given
+    x: float = 0.0  # m, midway between the two surfaces
+    y: float = 0.0
+    nx: float = 0.0
+    ny: float = 0.0
+    normal_impulse: float = 0.0
+    tangent_impulse: float = 0.0
+    penetration: float = 0.0
+
+
+@dataclass(slots=True)
 class ImpulseRow:
     """The impulse of one contact point in one step, written down for the record."""
 
@@ -193,6 +215,7 @@ class State:
     static_count: int = 0
     memory_count: int = 0
     impulse_count: int = 0
+    resting_count: int = 0
 
     pairs_wanted: int = 0  # rows that a table was too small for; 0: it was not
     contacts_wanted: int = 0
@@ -201,6 +224,9 @@ class State:
 
     substeps: int = 1  # motions in a step for one contact finding; during them dt is that of one
     omega: float = 0.0  # rad/s, natural frequency of soft contacts
+    free_count: int = 0  # bodies that can be pushed
+    asleep_count: int = 0  # those of them that sleep
+    has_moving_static: bool = False  # whether a body that nothing can push moves
     softened: int = 0  # islands so far that had no exact answer (the direct solver alone counts)
 
 
@@ -219,5 +245,6 @@ class World(NamedTuple):
     contacts: list[ContactRow]
     static_contacts: list[IndexRow]  # those of them with a body that nothing can push
     memory: list[MemoryRow]
+    resting: list[RestingRow]  # the contacts of islands that sleep
     impulses: list[ImpulseRow]  # the record, until somebody takes it away
     manifold: ManifoldRow  # scratch for the narrow phase

@@ -91,7 +91,7 @@ class Run:
     def __repr__(self) -> str:
         """Return what the run holds, in a line: the arrays would fill pages."""
         bodies, states, impulses = len(self.scene.bodies), len(self.times), len(self.contacts)
-        return f"<Run: bodies {bodies}, states {states}, impulses {impulses}; {self.plan}>"
+        return f"<Run: bodies {bodies}, states {states}, impulses {impulses}; {self.plan.headline}>"
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take over what has come from another process, or from a file."""

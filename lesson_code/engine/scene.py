@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import KW_ONLY, dataclass, field
-from typing import TypeAlias
+from dataclasses import KW_ONLY, dataclass, field, replace
+from typing import Any, TypeAlias
 
 from lesson_code.engine.callbacks import Callbacks
 from lesson_code.formulas import validation
@@ -192,6 +192,32 @@ class Scene:
         object.__setattr__(self, "gravity", _pair("gravity", gravity))
         object.__setattr__(self, "damping", one_number("damping", damping, non_negative))
         object.__setattr__(self, "callbacks", callbacks)
+
+
+def scene_at(scene: Scene, states: Any, gravity: XY | None = None) -> Scene:
+    """Return a scene with its bodies as they are by now.
+
+    Parameters
+    ----------
+    scene : Scene
+        As it was at the start.
+    states : array, shape (N, 6)
+        x, y, angle, vx, vy, w of every body.
+    gravity : (float, float), optional
+        m/s^2; the scene's own unless given.
+
+    Examples
+    --------
+    >>> scene = Scene([Body(Circle(1), mass=1.0)])
+    >>> scene_at(scene, [[1, 2, 0, 3, 4, 0]]).bodies[0].position
+    (1.0, 2.0)
+    """
+    bodies = [
+        replace(body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w)
+        for body, (x, y, angle, vx, vy, w) in zip(scene.bodies, states, strict=True)
+    ]
+    chosen = scene.gravity if gravity is None else gravity
+    return Scene(bodies, chosen, scene.damping, scene.callbacks)
 
 
 def _mass(value: float | None) -> float | None:

@@ -35,20 +35,24 @@ def soft_part(world: World, pipeline: Pipeline) -> bool:
     part = state.dt
     state.dt = part / state.substeps
     for _ in range(state.substeps):
-        accelerate(world)  # 5
-        solver.warm_start(world, effects)  # 6
-        for _ in range(state.iterations):
-            solver.solve(world, effects)  # 7
-        move(world)  # 8
+        if effects.gravity or effects.damping:
+            accelerate(world, effects)  # 5
+        if effects.collisions:
+            solver.warm_start(world, effects)  # 6
+            for _ in range(state.iterations):
+                solver.solve(world, effects)  # 7
+        move(world, effects)  # 8
         if state.lost_body >= 0:
             return False
-        for _ in range(state.iterations):
-            solver.correct(world, effects)  # 9
-    solver.store(world, effects)  # 10
-    if pipeline.listener is not None:
-        pipeline.listener.after_impulses(world)  # 11
-    if pipeline.keeps_impulses:
-        record_impulses(world)
+        if effects.collisions:
+            for _ in range(state.iterations):
+                solver.correct(world, effects)  # 9
+    if effects.collisions:
+        solver.store(world, effects)  # 10
+        if pipeline.listener is not None:
+            pipeline.listener.after_impulses(world)  # 11
+        if pipeline.keeps_impulses:
+            record_impulses(world, effects)
     state.dt = part
     state.is_prepared = False
     return True
@@ -57,15 +61,17 @@ def soft_part(world: World, pipeline: Pipeline) -> bool:
 def prepare_part(world: World, pipeline: Pipeline) -> bool:
     """Find the contacts, and let impacts pass; return whether the tables had room for that."""
     state = world.state
+    effects = pipeline.effects
     state.dt = state.whole / state.substeps
-    if not find_pairs(world, pipeline.broad_phase):  # 1
-        return False
-    if not find_contacts(world, pipeline.effects):  # 2
-        return False
-    if pipeline.keeps_impulses and not has_room_for_record(world):
-        return False
-    if pipeline.listener is not None:
-        pipeline.listener.before_impulses(world)
-    pipeline.solver.prepare(world, pipeline.effects)  # 3
+    if effects.collisions:
+        if not find_pairs(world, pipeline.broad_phase, effects):  # 1
+            return False
+        if not find_contacts(world, effects):  # 2
+            return False
+        if pipeline.keeps_impulses and not has_room_for_record(world):
+            return False
+        if pipeline.listener is not None:
+            pipeline.listener.before_impulses(world)
+        pipeline.solver.prepare(world, effects)  # 3
     state.is_prepared = True
     return True

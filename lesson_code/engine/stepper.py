@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -20,12 +23,13 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.direct_solver import direct_solver
-from lesson_code.engine.effects import effects_of
+from lesson_code.engine.effect_rules import EffectChoice, Question, choose_effects, flags_of
+from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.scene import Scene, scene_at
 from lesson_code.engine.soft_step import soft_part
-from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.tables import BROAD_PHASES, world_of
 from lesson_code.engine.touches import TouchListener
 from lesson_code.engine.world import ContactSolver, Pipeline
 
@@ -63,17 +67,27 @@ STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]
 """The fields of a body's row that are its state."""
 
 
-def pipeline_for(scene: Scene, solver: str, keep_impulses: bool) -> Pipeline:
-    """Return the stages that a scene is run by."""
+def pipeline_for(scene: Scene, solver: str, choices: tuple[EffectChoice, ...]) -> Pipeline:
+    """Return the stages that a scene is run by: those of the effects that are used.
+
+    A step is split at the impacts of fast bodies only once the first one is met.
+    """
+    used = {choice.name for choice in choices if choice.used}
     return Pipeline(
         make_part=soft_part if solver == "substep" else rigid_part,
-        broad_phase=BROAD_PHASES[broad_phase_for(scene)],
+        broad_phase=BROAD_PHASES["uniform_grid" if "broad_phase" in used else "all_pairs"],
         solver=SOLVERS[solver],
-        listener=TouchListener(scene.callbacks) if scene.callbacks.wanted else None,
-        effects=effects_of(scene),
-        is_continuous=solver != "naive",
-        keeps_impulses=keep_impulses,
+        listener=TouchListener(scene.callbacks) if "callbacks" in used else None,
+        effects=flags_of(choices),
+        is_continuous="continuous" in used,
+        splits_steps=False,
+        keeps_impulses="impulse_record" in used,
     )
+
+
+def source_of(pipeline: Pipeline) -> str:
+    """Return the program that the stages of a run make."""
+    return link(advance, pipeline=pipeline)
 
 
 BODY_SECONDS, VISIT_SECONDS = 8e-6, 4e-6
@@ -84,7 +98,12 @@ CONTACTS_PER_BODY = 2
 
 
 def choose_code(
-    scene: Scene, solver: str, steps: float, iterations: int, asked: bool | None
+    scene: Scene,
+    solver: str,
+    steps: float,
+    iterations: int,
+    asked: bool | None,
+    program: Callable[[], str] | None = None,
 ) -> Choice:
     """Return whether to compile a run, from what has been asked for or from the work there is."""
     visits = CONTACTS_PER_BODY * iterations if any(scene.gravity) else 0
@@ -92,8 +111,9 @@ def choose_code(
     never = "callbacks are Python functions" if scene.callbacks.wanted else ""
     if solver == "direct":
         never = "the direct solver works on arrays of its own"
-    pipeline = pipeline_for(scene, solver, keep_impulses=True)
-    program = partial(link, advance, pipeline=pipeline._replace(splits_steps=False))
+    if program is None:
+        pipeline = pipeline_for(scene, solver, choose_effects(Question(scene, solver)))
+        program = partial(source_of, pipeline)
     return choose(asked, seconds, program, never)
 
 
@@ -118,8 +138,13 @@ class EngineStepper:
         How the direct solver treats impacts; the others know only the rules that are the default.
     keep_impulses : bool
         Whether every impulse is written down.
-    compiled : bool
-        Whether the stages run as compiled code. They do the same to the last bit.
+    compiled : bool or None
+        Whether the stages run as compiled code. They do the same to the last bit. None: if the run
+        is large enough to repay it.
+    effects : mapping, optional
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_rules`.
+    duration : float
+        s, how long the run will be; ``math.inf``: nobody knows yet.
 
     Attributes
     ----------
@@ -127,6 +152,16 @@ class EngineStepper:
         The tables: lists of rows, or, when compiled, arrays of records.
     pipeline : Pipeline
         The stages.
+    effects : tuple of EffectChoice
+        What they reckon with, and why.
+    choice : Choice
+        Whether they are compiled, and why.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An effect does not exist, the solver lacks it, or the scene needs what is to be left out;
+        or the run cannot be compiled as was asked.
     """
 
     def __init__(
@@ -141,20 +176,43 @@ class EngineStepper:
         impacts: str = "simultaneous",
         restitution_law: str = "newton",
         keep_impulses: bool = True,
-        compiled: bool = False,
+        compiled: bool | None = False,
+        effects: Mapping[str, bool] | None = None,
+        duration: float = math.inf,
     ) -> None:
         self.dt = dt
         self._steps_a_step = 1 if solver == "substep" else substeps
-        self.pipeline = pipeline_for(scene, solver, keep_impulses)
+        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine)
+        self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
+        self._changes: list[str] = []
+        self.effects = choose_effects(self._question, self._asked)
+        self.pipeline = pipeline_for(scene, solver, self.effects)
         if solver == "direct":
             rules = direct_solver(impacts, restitution_law)
             self.pipeline = self.pipeline._replace(solver=rules)
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
-        self._compiled = compiled
+        self._rows = self.world
         self._events: list[NDArray[np.float64]] = []
-        if compiled:
-            self._compile(splits_steps=False)
+        steps = 0.0 if math.isinf(duration) else self._steps_a_step * duration / dt
+        program = partial(source_of, self.pipeline)
+        self.choice = choose_code(scene, solver, steps, iterations, compiled, program)
+        self._compiled = self.choice.compiled
+        if self._compiled:
+            self._compile()
+
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run so far, with the reason for the choice of this solver."""
+        pipeline = self.pipeline._replace(listener=None)
+        return Plan(
+            self._question.solver,
+            reason,
+            self.choice.code,
+            self.choice.reason,
+            self.effects,
+            tuple(self._changes),
+            partial(source_of, pipeline),
+        )
 
     def advance(self, steps: int) -> None:
         """Advance by so many steps of dt.
@@ -166,17 +224,51 @@ class EngineStepper:
         ValueError
             The bodies overlap in so many pairs that no memory would hold them.
         """
+        listener = self.pipeline.listener
+        if not isinstance(listener, TouchListener):
+            self._advance(steps)
+            return
+        for _ in range(steps):
+            self._advance(1)
+            if (gravity := listener.new_gravity()) is not None:
+                self.set_gravity(gravity)
+
+    def set_gravity(self, gravity: tuple[float, float]) -> None:
+        """Let another gravity act from now on, m/s^2, and plan anew what the scene calls for."""
+        state = self.world.state
+        state.gravity_x, state.gravity_y = gravity
+        before = {choice.name for choice in self.effects if choice.used}
+        scene = scene_at(self._question.scene, self.states(), gravity)
+        self._question = replace(self._question, scene=scene)
+        self.effects = choose_effects(self._question, self._asked)
+        stages = pipeline_for(scene, self._question.solver, self.effects)
+        self.pipeline = stages._replace(
+            solver=self.pipeline.solver,
+            listener=self.pipeline.listener,
+            splits_steps=self.pipeline.splits_steps,
+        )
+        if self._compiled:
+            self._compile()
+        after = {choice.name for choice in self.effects if choice.used}
+        self._changes.append(_change(state.time, gravity, after - before, before - after))
+
+    def _advance(self, steps: int) -> None:
+        """Make so many steps of dt with the stages as they are."""
         self.world.state.steps_left = steps * self._steps_a_step
         while not self._run():
             self._clear_the_way()
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        if self._compiled:
-            bodies: Any = self.world.bodies
-            return np.column_stack([bodies[name] for name in STATE_FIELDS])
-        rows = [[getattr(body, name) for name in STATE_FIELDS] for body in self.world.bodies]
-        return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+        columns = [self._column(name) for name in STATE_FIELDS]
+        return np.array(columns, dtype=float).T.reshape(-1, STATE_NUMBERS)
+
+    def _column(self, name: str) -> Any:
+        """Return a field of all bodies; what a program does not name it has not changed."""
+        bodies: Any = self.world.bodies
+        if self._compiled and name in bodies.dtype.names:
+            return bodies[name]
+        return [getattr(body, name) for body in self._rows.bodies]
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""
@@ -196,20 +288,21 @@ class EngineStepper:
             raise FloatingPointError(f"body {state.lost_body} has left the range of floating point")
         if state.has_fast:
             state.has_fast = False
-            self._compile(splits_steps=True)
+            self.pipeline = self.pipeline._replace(splits_steps=True)
+            if self._compiled:
+                self._compile()
         self._take_impulses()
         self.world = make_room(self.world)
 
-    def _compile(self, *, splits_steps: bool) -> None:
-        """Compile the stages, with or without those that split a step at an impact.
+    def _compile(self) -> None:
+        """Compile the stages.
 
-        These are half of all the source, and few scenes need them: they are added when the first
-        fast body is met.
+        Those that split a step at an impact are half of all the source, and few scenes need them:
+        they are added when the first fast body is met.
         """
-        self.pipeline = self.pipeline._replace(splits_steps=splits_steps)
-        source = link(advance, pipeline=self.pipeline)
+        source = source_of(self.pipeline)
         self._program = compiled_function(source, "advance")
-        self.world = as_arrays(self.world, source)
+        self.world = as_arrays(self.world, source, self._rows)
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""
@@ -217,3 +310,11 @@ class EngineStepper:
         if state.impulse_count > 0:
             self._events.append(as_numbers(self.world.impulses[: state.impulse_count]))
             state.impulse_count = 0
+
+
+def _change(time: float, gravity: tuple[float, float], more: set[str], fewer: set[str]) -> str:
+    """Return what has changed in a run, in words."""
+    parts = [f"from {time:g} s on g = ({gravity[0]:g}, {gravity[1]:g}) m/s^2"]
+    parts += [f"{name} is used" for name in sorted(more)]
+    parts += [f"{name} is left out" for name in sorted(fewer)]
+    return "; ".join(parts)

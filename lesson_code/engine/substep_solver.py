@@ -84,7 +84,7 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
             c.target_vn -= clamp(gain_from_gravity(world, c, a, b), -c.target_vn, c.target_vn)
         c.slack_vn = min(c.target_vn, 0.0)
     solve_impacts(world, effects)
-    begin_totals(world)
+    begin_totals(world, effects)
     push_deep(world, effects)
 
 
@@ -141,7 +141,7 @@ def is_off_target(world: World, most: float) -> bool:
     return False
 
 
-def begin_totals(world: World) -> None:
+def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Put the impulses of impacts into the totals, and recall those of the last sub-step.
 
     The first warm start will count what is recalled, though it was given in the last step.
@@ -150,7 +150,7 @@ def begin_totals(world: World) -> None:
         c = world.contacts[k]
         c.normal_total, c.tangent_total = c.normal_impulse, c.tangent_impulse
         c.normal_impulse, c.tangent_impulse = 0.0, 0.0
-    recall(world)
+    recall(world, effects)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         c.normal_total -= c.normal_impulse
@@ -187,7 +187,7 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         c.normal_total += c.normal_impulse
         c.tangent_total += c.tangent_impulse
-    give_again(world)
+    give_again(world, effects)
     world.state.dt_before = world.state.dt
     for k in range(world.state.contact_count):
         soften(world, world.contacts[k])
@@ -224,7 +224,8 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
                 solve_soft_normals(c, world.contacts[k + 1], a, b)
             elif not (effects.manifolds and is_second_of_block(world, k)):
                 solve_soft_normal(c, a, b)
-            solve_friction(c, a, b)
+            if effects.friction:
+                solve_friction(c, a, b)
 
 
 def solve_soft_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

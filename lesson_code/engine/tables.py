@@ -21,6 +21,7 @@ from lesson_code.engine.constants import (
 )
 from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, State, World
 from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.sleep import is_static_and_moves
 from lesson_code.engine.world import BroadPhase, turn_with_angle
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
 from lesson_code.geometry.shapes import Segment
@@ -34,9 +35,18 @@ BROAD_PHASES: dict[str, BroadPhase] = {
 
 
 def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> World:
-    """Return the tables of a scene, its bodies where they begin."""
+    """Return the tables of a scene, its bodies where they begin.
+
+    Raises
+    ------
+    FloatingPointError
+        A mass is so small that its inverse is no number.
+    """
     corners: list[Corner] = []
     bodies = [_row(body, corners) for body in scene.bodies]
+    for number, row in enumerate(bodies):
+        if not math.isfinite(row.inv_m + row.inv_i):
+            raise FloatingPointError(f"body {number} has left the range of floating point")
     slots = slots_for(len(bodies))
     state = State(
         whole=dt,
@@ -51,6 +61,8 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         slot_count=slots,
         row_stride=row_stride_for(slots),
         thinnest=min((row.thickness for row in bodies), default=math.inf),
+        free_count=sum(row.inv_m > 0.0 for row in bodies),
+        has_moving_static=any(is_static_and_moves(row) for row in bodies),
     )
     world = World(
         state=state,
@@ -65,6 +77,7 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         contacts=[],
         static_contacts=[],
         memory=[],
+        resting=[],
         impulses=[],
         manifold=ManifoldRow(),
     )

@@ -9,9 +9,10 @@ from typing import TypeAlias
 from lesson_code.engine.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.rows import ContactRow, World
-from lesson_code.formulas.validation import non_negative, one_number
+from lesson_code.formulas.validation import non_negative, one_number, one_vector
 
 Pair: TypeAlias = tuple[int, int]
+XY: TypeAlias = tuple[float, float]
 
 
 class TouchListener:
@@ -19,8 +20,14 @@ class TouchListener:
 
     def __init__(self, callbacks: Callbacks) -> None:
         self._callbacks = callbacks
+        self._gravity: XY | None = None
         self._touching: dict[Pair, Touch] = {}
         self._parted: list[Touch] = []
+
+    def new_gravity(self) -> XY | None:
+        """Return the gravity that a callback has set since this was last asked; None: none has."""
+        gravity, self._gravity = self._gravity, None
+        return gravity
 
     def before_impulses(self, world: World) -> None:
         """Call `begin` and `pre_solve`, and do to the contacts what they have set.
@@ -28,7 +35,8 @@ class TouchListener:
         Raises
         ------
         ValueError
-            A callback has set a coefficient that is negative or not finite.
+            A callback has set a coefficient that is negative or not finite, or a gravity that is
+            no vector.
         """
         before, self._touching = self._touching, {}
         kept: list[ContactRow] = []
@@ -37,8 +45,8 @@ class TouchListener:
             touch = _touch(world, contacts, time=world.state.time)
             self._touching[pair] = touch
             if pair not in before:
-                _call(self._callbacks.begin, touch)
-            _call(self._callbacks.pre_solve, touch)
+                self._call(self._callbacks.begin, touch)
+            self._call(self._callbacks.pre_solve, touch)
             restitution = one_number("restitution", touch.restitution, non_negative)
             friction = one_number("friction", touch.friction, non_negative)
             for contact in contacts:
@@ -55,9 +63,17 @@ class TouchListener:
             touch.time = world.state.time
             touch.normal_impulse = sum(contact.normal_impulse for contact in contacts)
             touch.tangent_impulse = sum(contact.tangent_impulse for contact in contacts)
-            _call(self._callbacks.post_solve, touch)
+            self._call(self._callbacks.post_solve, touch)
         for touch in self._parted:
-            _call(self._callbacks.separate, touch)
+            self._call(self._callbacks.separate, touch)
+
+    def _call(self, callback: Callback | None, touch: Touch) -> None:
+        """Call a callback, if there is one, and see whether it has changed gravity."""
+        if callback is not None:
+            callback(touch)
+        if touch.gravity is not None:
+            x, y = one_vector("gravity", touch.gravity)
+            self._gravity, touch.gravity = (float(x), float(y)), None
 
 
 def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:
@@ -83,9 +99,3 @@ def _touch(world: World, contacts: list[ContactRow], time: float) -> Touch:
         restitution=first.restitution,
         friction=first.friction,
     )
-
-
-def _call(callback: Callback | None, touch: Touch) -> None:
-    """Call a callback, if there is one."""
-    if callback is not None:
-        callback(touch)

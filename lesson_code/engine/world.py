@@ -3,7 +3,7 @@
     detection         1 move the bodies      2 broad phase      3 narrow phase
     resolution        4 prepare              5 accelerate       6 warm start
                       7 impulses             8 correction       9 store
-    post-processing  10 callbacks
+    post-processing  10 callbacks         11 sleep
 
 Positions come first: at the end of a step the velocities belong to the contacts at the positions
 that the bodies have there. The bounce is computed from the velocity before gravity has acted in
@@ -18,9 +18,14 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 from lesson_code.engine.broad_phase import bound, has_left_box
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
-from lesson_code.engine.impulse_record import has_room_for_record, record_impulses
+from lesson_code.engine.impulse_record import (
+    has_room_for_record,
+    record_impulses,
+    record_resting,
+)
 from lesson_code.engine.narrow_phase import find_contacts
 from lesson_code.engine.rows import BodyRow, World
+from lesson_code.engine.sleep import has_room_for_sleep, let_sleep
 from lesson_code.geometry.rows import turn
 
 Stage: TypeAlias = Callable[[World, Effects], None]
@@ -72,56 +77,99 @@ def step(world: World, pipeline: Pipeline) -> bool:
     """
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if not state.has_moved:
-        move(world)  # 1
+        move(world, effects)  # 1
         state.has_moved = True
     if state.lost_body >= 0:
         return False
-    if not find_pairs(world, pipeline.broad_phase):  # 2
-        return False
-    if not find_contacts(world, effects):  # 3
-        return False
-    if pipeline.keeps_impulses and not has_room_for_record(world):
-        return False
-    if pipeline.listener is not None:
-        pipeline.listener.before_impulses(world)
-    solver.prepare(world, effects)  # 4
-    accelerate(world)  # 5
-    solver.warm_start(world, effects)  # 6
-    for _ in range(state.iterations):
-        solver.solve(world, effects)  # 7
-    if solver.has_overlap_to_undo(world, effects):
-        for _ in range(state.iterations):
-            solver.correct(world, effects)  # 8
-    solver.store(world, effects)  # 9
-    if pipeline.listener is not None:
-        pipeline.listener.after_impulses(world)  # 10
-    if pipeline.keeps_impulses:
-        record_impulses(world)
+    if effects.collisions:
+        if not find_pairs(world, pipeline.broad_phase, effects):  # 2
+            return False
+        if not find_contacts(world, effects):  # 3
+            return False
+        if effects.sleeping and not has_room_for_sleep(world):
+            return False
+        if pipeline.keeps_impulses and not has_room_for_record(world):
+            return False
+        if pipeline.listener is not None:
+            pipeline.listener.before_impulses(world)
+        solver.prepare(world, effects)  # 4
+    if effects.gravity or effects.damping:
+        accelerate(world, effects)  # 5
+    if effects.collisions:
+        resolve(world, pipeline)
+        if pipeline.listener is not None:
+            pipeline.listener.after_impulses(world)  # 10
+        if pipeline.keeps_impulses:
+            record_impulses(world, effects)
+        if effects.sleeping:
+            if pipeline.keeps_impulses:
+                record_resting(world)
+            let_sleep(world)  # 11
     state.has_moved = False
     return True
 
 
-def move(world: World) -> None:
+def rest(world: World, pipeline: Pipeline) -> bool:
+    """Let a step pass in which everything sleeps, and return whether it has.
+
+    It has not when the record was full.
+    """
+    state = world.state
+    state.dt = state.left
+    state.time = (state.steps_done + 1) * state.whole
+    state.contact_count = 0
+    if pipeline.keeps_impulses:
+        if not has_room_for_record(world):
+            return False
+        record_resting(world)
+    return True
+
+
+def resolve(world: World, pipeline: Pipeline) -> None:
+    """Find the impulses of all contacts, and the pushes out of overlaps."""
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
+    if effects.warm_starting:
+        solver.warm_start(world, effects)  # 6
+    for _ in range(state.iterations):
+        solver.solve(world, effects)  # 7
+    if effects.position_correction and solver.has_overlap_to_undo(world, effects):
+        for _ in range(state.iterations):
+            solver.correct(world, effects)  # 8
+    if effects.warm_starting:
+        solver.store(world, effects)  # 9
+
+
+def move(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Move every body by its velocity and by the push out of an overlap, which is then spent.
 
     A body that leaves the range of floating point is noted as lost.
     """
     dt = world.state.dt
     for number, body in enumerate(world.bodies):
-        if body.waits:
+        if body.waits or (effects.sleeping and body.is_asleep):
             continue
         body.x += (body.vx + body.push_vx) * dt
         body.y += (body.vy + body.push_vy) * dt
-        spin = body.w + body.push_w
-        body.angle += spin * dt
-        if not math.isfinite(body.x + body.y + body.angle):
+        if not math.isfinite(body.x + body.y):
             world.state.lost_body = number
             return
-        if spin != 0.0 and body.corner_count > 0:
-            turn_with_angle(world, body)
+        if effects.rotation and not turn_on(world, body, dt):
+            world.state.lost_body = number
+            return
         body.push_vx = 0.0
         body.push_vy = 0.0
-        body.push_w = 0.0
+
+
+def turn_on(world: World, body: BodyRow, dt: float) -> bool:
+    """Turn a body by its angular velocity; return whether its angle is still a number."""
+    spin = body.w + body.push_w
+    body.angle += spin * dt
+    body.push_w = 0.0
+    if not math.isfinite(body.angle):
+        return False
+    if spin != 0.0 and body.corner_count > 0:
+        turn_with_angle(world, body)
+    return True
 
 
 def turn_with_angle(world: World, body: BodyRow) -> None:
@@ -131,15 +179,15 @@ def turn_with_angle(world: World, body: BodyRow) -> None:
     turn(world.corners, body)
 
 
-def find_pairs(world: World, broad_phase: BroadPhase) -> bool:
+def find_pairs(world: World, broad_phase: BroadPhase, effects: Effects = EVERY_EFFECT) -> bool:
     """Find the candidate pairs, and return whether the table had room for them.
 
     The pairs of an earlier step serve as long as every body is in the box that was drawn then.
     """
     state = world.state
-    if state.has_pairs and not has_left_box(world):
+    if state.has_pairs and not has_left_box(world, effects):
         return True
-    bound(world)
+    bound(world, effects)
     return seek_pairs(world, broad_phase)
 
 
@@ -155,12 +203,28 @@ def seek_pairs(world: World, broad_phase: BroadPhase) -> bool:
     return state.has_pairs
 
 
-def accelerate(world: World) -> None:
-    """Let gravity and damping act on the velocities."""
-    state = world.state
-    remaining = math.exp(-state.damping * state.dt)
+def accelerate(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Let damping and gravity act on the velocities."""
+    if effects.damping:
+        damp(world, effects)
+    if effects.gravity:
+        fall(world, effects)
+
+
+def damp(world: World, effects: Effects) -> None:
+    """Let the velocities of all bodies that can be pushed die away."""
+    remaining = math.exp(-world.state.damping * world.state.dt)
     for body in world.bodies:
-        if body.inv_m > 0.0:
-            body.vx = body.vx * remaining + state.gravity_x * state.dt
-            body.vy = body.vy * remaining + state.gravity_y * state.dt
-            body.w = body.w * remaining
+        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
+            body.vx *= remaining
+            body.vy *= remaining
+            body.w *= remaining
+
+
+def fall(world: World, effects: Effects) -> None:
+    """Let gravity act on all bodies that can be pushed."""
+    state = world.state
+    for body in world.bodies:
+        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
+            body.vx += state.gravity_x * state.dt
+            body.vy += state.gravity_y * state.dt

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Body, Material, Scene
+from lesson_code.engine.scene import Body, Material, Scene, scene_at
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.reference.closed_forms import ball_in_box
 
@@ -195,30 +195,9 @@ def turned_back(run: Run) -> Scene:
     >>> turned_back(run).bodies[2].velocity[0]
     1.0
     """
-    last = zip(
-        run.scene.bodies,
-        run.positions[-1],
-        run.angles[-1],
-        run.velocities[-1],
-        run.angular_velocities[-1],
-        strict=True,
-    )
-    return Scene(
-        [
-            Body(
-                body.shape,
-                position=position,
-                angle=angle,
-                velocity=-velocity,
-                angular_velocity=-w,
-                mass=body.mass,
-                inertia=body.inertia,
-                material=body.material,
-            )
-            for body, position, angle, velocity, w in last
-        ],
-        gravity=run.scene.gravity,
-    )
+    back = -run.velocities[-1], -run.angular_velocities[-1]
+    states = np.column_stack([run.positions[-1], run.angles[-1], *back])
+    return scene_at(run.scene, states.tolist())
 
 
 def error_after_return(run: Run, back: Run) -> float:

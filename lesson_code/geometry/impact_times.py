@@ -33,10 +33,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from lesson_code.geometry.circle_contact import is_on_line
+from lesson_code.geometry.nearest_feature import (
+    is_approaching,
+    is_corner_hit,
+    is_nearest,
+    nearest_feature,
+    path_point,
+)
 from lesson_code.geometry.parabola import parabola_impact_time
-from lesson_code.geometry.rows import Corner, PlacedBody, following
-from lesson_code.geometry.sat import TIE
+from lesson_code.geometry.rows import Corner, PlacedBody
+from lesson_code.geometry.straight_impact_times import (
+    straight_face_time,
+    straight_impact_time,
+    straight_outline_impact_time,
+)
 
 
 def line_impact_time(gap: float, v: float, a: float) -> float:
@@ -70,6 +80,8 @@ def line_impact_time(gap: float, v: float, a: float) -> float:
     >>> line_impact_time(0.0, -5.0, -10.0)
     0.0
     """
+    if a == 0.0:
+        return straight_face_time(gap, v)
     if gap <= 0.0 and (v < 0.0 or (v == 0.0 and a < 0.0)):
         return 0.0
     if v >= 0.0 and a >= 0.0:
@@ -122,32 +134,6 @@ def circle_impact_time(
     return parabola_impact_time(dx, dy, vx, vy, ax, ay, reach, -1.0)
 
 
-def straight_impact_time(dx: float, dy: float, vx: float, vy: float, reach: float) -> float:
-    """Return when two circles without relative acceleration touch and come nearer.
-
-    t = c / (-b + sqrt(b^2 - v^2 c)),   b = d . v,   c = d^2 - reach^2
-
-    This form of the root adds two positive numbers. Both differences of squares are taken as
-    products, c = (abs(d) - reach) (abs(d) + reach) and, with d x v = abs(v) times the distance at
-    which the centres would pass, b^2 - v^2 c = (reach abs(v))^2 - (d x v)^2 likewise.
-
-    >>> straight_impact_time(4.0, 0.0, -2.0, 0.0, 1.0)
-    1.5
-    """
-    b = dx * vx + dy * vy
-    if b >= 0.0:
-        return math.inf
-    distance = math.sqrt(dx * dx + dy * dy)
-    if distance <= reach:
-        return 0.0
-    passing = abs(dx * vy - dy * vx)
-    touching = reach * math.sqrt(vx * vx + vy * vy)
-    if passing >= touching:
-        return math.inf
-    root = math.sqrt((touching - passing) * (touching + passing))
-    return (distance - reach) * (distance + reach) / (root - b)
-
-
 def circle_outline_impact_time(
     corners: Sequence[Corner],
     body: PlacedBody,
@@ -196,13 +182,12 @@ def circle_outline_impact_time(
     >>> circle_outline_impact_time(corners, floor, 9.375, 2.5, 0.0, -1.0, 0.0, 0.0, 0.625)
     (2.0, -1)
     """
+    if ax == 0.0 and ay == 0.0:
+        return straight_outline_impact_time(corners, body, dx, dy, vx, vy, radius)
     reach = radius + body.radius
     distance, feature = nearest_feature(corners, body, dx, dy)
-    if distance <= reach:
-        if is_approaching(corners, feature, dx, dy, vx, vy, ax, ay):
-            return 0.0, feature
-        if ax == 0.0 and ay == 0.0:
-            return math.inf, feature
+    if distance <= reach and is_approaching(corners, feature, dx, dy, vx, vy, ax, ay):
+        return 0.0, feature
     time, soonest = first_face_time(corners, body, dx, dy, vx, vy, ax, ay, reach)
     if soonest < time:  # else no corner can be hit before
         time = min(time, first_corner_time(corners, body, dx, dy, vx, vy, ax, ay, reach))
@@ -269,103 +254,3 @@ def first_corner_time(
             if t < time and is_corner_hit(corners, body, c, dx, dy, vx, vy, ax, ay, t):
                 time = t
     return time
-
-
-def is_corner_hit(
-    corners: Sequence[Corner],
-    body: PlacedBody,
-    c: Corner,
-    dx: float,
-    dy: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-    t: float,
-) -> bool:
-    """Return whether a corner is the nearest part of the outline at a time > 0."""
-    px, py = path_point(dx, dy, vx, vy, ax, ay, t)
-    distance = math.sqrt((px - c.x) * (px - c.x) + (py - c.y) * (py - c.y))
-    return t > 0.0 and is_nearest(corners, body, distance, c, px, py)
-
-
-def path_point(
-    dx: float, dy: float, vx: float, vy: float, ax: float, ay: float, t: float
-) -> tuple[float, float]:
-    """Return the centre's place at a time: d + v t + a t^2 / 2."""
-    return dx + t * (vx + 0.5 * t * ax), dy + t * (vy + 0.5 * t * ay)
-
-
-def nearest_feature(
-    corners: Sequence[Corner], body: PlacedBody, px: float, py: float
-) -> tuple[float, int]:
-    """Return the distance from a point to an outline, without its rounding, and to which part.
-
-    The distance is negative inside a polygon, and the part is then the nearest face. Features are
-    numbered as in :func:`circle_outline_impact_time`, and chosen as the narrow phase chooses.
-    """
-    height, edge = -math.inf, -1
-    for k in range(body.first_corner, body.first_corner + body.corner_count):
-        c = corners[k]
-        along = (px - c.x) * c.nx + (py - c.y) * c.ny
-        if along > height:
-            height, edge = along, k
-    next_edge = following(body, edge)
-    face, end = corners[edge], corners[next_edge]
-    if body.corner_count == 2 and is_on_line(px, py, face, end):
-        height, edge, next_edge = 0.0, body.first_corner, body.first_corner + 1
-        face, end = corners[edge], corners[next_edge]
-    from_start = (px - face.x) * -face.ny + (py - face.y) * face.nx
-    from_end = (px - end.x) * -face.ny + (py - end.y) * face.nx
-    inside = height <= 0.0 and body.corner_count > 2
-    if inside or from_start >= 0.0 >= from_end:
-        return height, edge
-    k = edge if from_start < 0.0 else next_edge
-    c = corners[k]
-    away_x, away_y = px - c.x, py - c.y
-    distance = math.sqrt(away_x * away_x + away_y * away_y)
-    lengths = abs(px) + abs(py) + abs(face.x) + abs(face.y) + abs(c.x) + abs(c.y)
-    if distance <= TIE * lengths:  # at the corner, from where no direction leads
-        return height, edge
-    return distance, -1 - k
-
-
-def is_nearest(
-    corners: Sequence[Corner], body: PlacedBody, distance: float, c: Corner, px: float, py: float
-) -> bool:
-    """Return whether a face or corner this far from a point is the nearest part, but for rounding.
-
-    Where a face ends and the circle about its corner begins, both are: neither must be missed.
-    """
-    nearest, _ = nearest_feature(corners, body, px, py)
-    lengths = abs(px) + abs(py) + abs(c.x) + abs(c.y)
-    return abs(nearest - distance) <= TIE * lengths
-
-
-def is_approaching(
-    corners: Sequence[Corner],
-    feature: int,
-    px: float,
-    py: float,
-    vx: float,
-    vy: float,
-    ax: float,
-    ay: float,
-) -> bool:
-    """Return whether a point comes nearer to a face or corner: the first derivative that is not 0.
-
-    Of a face's height these are v . n and a . n; of half the squared distance to a corner,
-    r . v, then v . v + r . a, then v . a, with r from the corner to the point.
-    """
-    if feature >= 0:
-        c = corners[feature]
-        speed = vx * c.nx + vy * c.ny
-        return speed < 0.0 or (speed == 0.0 and ax * c.nx + ay * c.ny < 0.0)
-    c = corners[-1 - feature]
-    rx, ry = px - c.x, py - c.y
-    rate = rx * vx + ry * vy
-    if rate == 0.0:
-        rate = vx * vx + vy * vy + rx * ax + ry * ay
-    if rate == 0.0:
-        rate = vx * ax + vy * ay
-    return rate < 0.0

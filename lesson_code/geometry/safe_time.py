@@ -34,7 +34,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
-from lesson_code.geometry.impact_times import line_impact_time, straight_impact_time
+from lesson_code.geometry.impact_times import line_impact_time
 from lesson_code.geometry.rows import Corner
 from lesson_code.geometry.separation import (
     Moment,
@@ -44,6 +44,7 @@ from lesson_code.geometry.separation import (
     seen_from_b,
     seen_turned,
 )
+from lesson_code.geometry.straight_impact_times import straight_impact_time
 
 
 class Axis(NamedTuple):

@@ -45,15 +45,7 @@ def check_task(task_id: str, function: Callable[..., Any], *, seed: int | None =
 
 
 def lines_of(verdict: Verdict) -> list[str]:
-    """Return what there is to say about an answer, the marks first."""
-    if verdict.is_full:
-        return [verdict.line]
-    failed = [criterion for criterion in verdict.criteria if criterion.message]
-    if {criterion.message for criterion in failed} == {"not written yet"}:
-        return [f"{verdict.line} (not written yet)"]
-    lines = [verdict.line]
-    lines += [f"  right: {c.name}" for c in verdict.criteria if not c.message]
-    lines += [f"  {criterion.name}: {criterion.message}" for criterion in failed]
-    if verdict.recognised is not None:
-        lines.append(f"  hint: {verdict.recognised.hint}")
-    return [*lines, f"  (inputs drawn with seed {verdict.seed})"]
+    """Return what there is to say about an answer, with the seed that repeats it."""
+    if len(verdict.lines) == 1:
+        return verdict.lines
+    return [*verdict.lines, f"  (inputs drawn with seed {verdict.seed})"]

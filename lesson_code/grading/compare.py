@@ -40,7 +40,8 @@ def written(value: Any, digits: int = 6) -> str:
     "(1, (0.3, None, 'left'))"
     """
     if isinstance(value, list | tuple):
-        return f"({', '.join(written(item, digits) for item in value)})"
+        items = ", ".join(written(item, digits) for item in value)
+        return f"({items},)" if len(value) == 1 else f"({items})"
     return f"{value:.{digits}g}" if isinstance(value, float) else repr(value)
 
 

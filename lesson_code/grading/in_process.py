@@ -21,8 +21,8 @@ from typing import Any, cast
 
 import numpy as np
 
-from lesson_code.grading import child
-from lesson_code.grading.outcome import Outcome, outcome_of
+from lesson_code.grading.isolation.inside import answers
+from lesson_code.grading.isolation.outcome import Outcome, outcome_of
 from lesson_code.grading.task import Arguments
 
 
@@ -32,7 +32,7 @@ def call_here(
     """Call a function in this process, as a notebook does with its reader's own code."""
     try:
         with kept_apart(), silence(), time_limit(seconds):
-            reply = child.call(function, list(arguments), functions)
+            reply = answers.call(function, list(arguments), functions)
     except TimeLimitError:
         return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
     return outcome_of(reply)

@@ -17,6 +17,7 @@ from typing import Any
 from lesson_code.grading.exercises import Exercise
 from lesson_code.grading.submission import Submission, SubmissionError
 from lesson_code.notebook_tools.nbval_run import Watcher, run_notebooks
+from lesson_code.notebook_tools.root import require_instructors
 
 CHECK_CALL = re.compile(r"""check_task\(\s*["']([\w.]+)["']""")
 
@@ -59,9 +60,12 @@ def merge(submission: Submission, exercise: Exercise, root: Path) -> dict[str, A
     ------
     SubmissionError
         The exercise is a program, and has no notebook.
+    ValueError
+        The workbook is a student's copy, without solutions.
     """
     if exercise.suffix != ".ipynb":
         raise SubmissionError(f"{exercise.name} is a program: grade it without nbval")
+    require_instructors(root)
     notebook = json.loads(exercise.solution(root).read_text(encoding="utf-8"))
     cells = [
         cell

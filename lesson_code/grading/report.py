@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import secrets
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from rich.console import Console, Group
@@ -12,13 +10,12 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from lesson_code.grading.check_task import LARGEST_SEED
-from lesson_code.grading.exercises import Exercise, exercise_by_name, exercise_of
-from lesson_code.grading.isolation import Limits, StudentProcess, isolation_in_force
-from lesson_code.grading.submission import Submission, read_submission
-from lesson_code.grading.verdict import CriterionVerdict, Verdict, judge
+from lesson_code.grading.exercises import Exercise
+from lesson_code.grading.isolation import InForce
+from lesson_code.grading.submission import Submission
+from lesson_code.grading.verdict import CriterionVerdict, Verdict
 
-VERSION = 1
+VERSION = 2
 """Version of the form that :meth:`Report.as_dict` writes; it grows when a key changes."""
 
 
@@ -31,7 +28,7 @@ class Report:
     verdicts: tuple[Verdict, ...]
     notes: tuple[str, ...]
     seed: int
-    isolation: str
+    isolation: InForce
 
     @property
     def points(self) -> int:
@@ -51,46 +48,12 @@ class Report:
             "submission": str(self.submission.path),
             "exercise": self.exercise.name,
             "seed": self.seed,
-            "isolation": self.isolation,
+            "isolation": self.isolation.as_dict(),
             "points": self.points,
             "full_points": self.exercise.points,
             "tasks": [_task_as_dict(verdict) for verdict in self.verdicts],
             "notes": list(self.notes),
         }
-
-
-def grade(
-    path: Path,
-    *,
-    exercise: str | None = None,
-    seed: int | None = None,
-    limits: Limits | None = None,
-) -> Report:
-    """Grade a submission in a process of its own.
-
-    Parameters
-    ----------
-    path : Path
-        A notebook or a .py file.
-    exercise : str, optional
-        Name or number of the exercise, where the submission itself does not tell.
-    seed : int, optional
-        Draws the inputs; by default they differ from run to run.
-    limits : Limits, optional
-        What the student's code may use.
-
-    Raises
-    ------
-    ValueError
-        The file cannot be graded (SubmissionError), or no such exercise.
-    """
-    submission = read_submission(path)
-    chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
-    drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
-    with StudentProcess(submission.units, limits) as student:
-        verdicts = tuple(judge(task, student.call, drawn) for task in chosen.tasks)
-        notes = (*submission.unreadable, *student.load_errors)
-    return Report(submission, chosen, verdicts, notes, drawn, isolation_in_force())
 
 
 def print_report(report: Report, console: Console) -> None:
@@ -122,14 +85,18 @@ def _names(criteria: tuple[CriterionVerdict, ...], *, full: bool) -> str:
 
 
 def _to_mend(verdict: Verdict) -> Group:
-    """Return what was asked, what is wrong in the answer, each thing once, and the hint."""
-    asked = Text(verdict.task.objective, style="italic")
-    lines: list[Any] = [Text(verdict.line), Padding(asked, (0, 0, 0, 2))]
-    messages = dict.fromkeys(c.message for c in verdict.criteria if c.message)
-    lines += [Padding(Text(message), (0, 0, 0, 2)) for message in messages]
-    if verdict.recognised is not None:
-        lines.append(Padding(Text(f"hint: {verdict.recognised.hint}", style="bold"), (0, 0, 0, 2)))
+    """Return what was asked, and what there is to say about the answer."""
+    first, *rest = verdict.lines
+    lines: list[Any] = [Text(first), _indented(verdict.task.objective, "italic")]
+    for line in rest:
+        is_hint = line.startswith("  hint: ")
+        lines.append(_indented(line.strip(), "bold" if is_hint else ""))
     return Group(*lines)
+
+
+def _indented(text: str, style: str) -> Padding:
+    """Return a line below the one that names the task."""
+    return Padding(Text(text, style=style), (0, 0, 0, 2))
 
 
 def _task_as_dict(verdict: Verdict) -> dict[str, Any]:

@@ -18,8 +18,8 @@ from types import ModuleType
 
 from lesson_code.grading import alternatives, wrong_models
 from lesson_code.grading.exercises import EXERCISES, Exercise
+from lesson_code.grading.grader import grade
 from lesson_code.grading.in_process import call_here
-from lesson_code.grading.report import grade
 from lesson_code.grading.submission import read_submission
 from lesson_code.grading.task import Alternative, KnownAnswer, Task, WrongModel, marked
 from lesson_code.grading.verdict import Verdict, judge
@@ -59,14 +59,14 @@ def _student_copy_faults(exercise: Exercise, root: Path) -> Iterator[str]:
     for verdict in report.verdicts:
         if any(criterion.message != "not written yet" for criterion in verdict.criteria):
             yield f"{path.name}: the stub of task {verdict.task.title} is no stub"
-    for stub, _ in _answers(path, exercise):
+    for stub, _ in answers_in(path, exercise):
         yield from _body_faults(path.name, stub)
     yield from _leaks(exercise, root)
     if path.suffix == ".ipynb":
         yield from _notebook_faults(path)
 
 
-def _answers(path: Path, exercise: Exercise) -> Iterator[tuple[ast.FunctionDef, str]]:
+def answers_in(path: Path, exercise: Exercise) -> Iterator[tuple[ast.FunctionDef, str]]:
     """Yield the definition of each function to write, and the code it stands in."""
     for unit in read_submission(path).units:
         for statement in unit.statements:
@@ -77,14 +77,14 @@ def _answers(path: Path, exercise: Exercise) -> Iterator[tuple[ast.FunctionDef, 
 def _leaks(exercise: Exercise, root: Path) -> Iterator[str]:
     """Yield which formulas of the solution stand in a student copy, be it in a comment."""
     path = exercise.student_copy(root)
-    copy = _squeezed(_all_text(path))
-    for answer, source in _answers(exercise.solution(root), exercise):
-        for formula in _formulas(answer, source):
-            if _squeezed(formula) in copy:
+    copy = squeezed(_all_text(path))
+    for answer, source in answers_in(exercise.solution(root), exercise):
+        for formula in formulas_in(answer, source):
+            if squeezed(formula) in copy:
                 yield f"{path.name}: holds what the solution of {answer.name} has: {formula}"
 
 
-def _formulas(answer: ast.FunctionDef, source: str) -> Iterator[str]:
+def formulas_in(answer: ast.FunctionDef, source: str) -> Iterator[str]:
     """Yield the statements of a function that compute something."""
     for statement in ast.walk(answer):
         if isinstance(statement, ast.Assign | ast.AugAssign | ast.Return) and any(
@@ -101,7 +101,7 @@ def _all_text(path: Path) -> str:
     return "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"])
 
 
-def _squeezed(text: str) -> str:
+def squeezed(text: str) -> str:
     """Return a text without its white space."""
     return "".join(text.split())
 

@@ -11,9 +11,11 @@ import ast
 import json
 import re
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from lesson_code.grading.isolation.outcome import one_line
 
 LARGEST_FILE = 20_000_000
 """Bytes. A notebook with every figure in it stays under 2 MB."""
@@ -28,6 +30,12 @@ MAGIC = re.compile(
     r"^([ \t]*)(?:(?:\w[\w, ]*=[ \t]*)?[%!].*|\?.*|[\w.]+\?{1,2}[ \t]*)$", re.MULTILINE
 )
 """Lines that a notebook understands and Python does not: %magic, !command, x = !command, name?."""
+
+DEFINITION = re.compile(r"^[ \t]*def[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
+"""Where a function begins in code that cannot be read."""
+
+LONGEST_LINE = 80
+"""Characters of a line with an error in it that are shown."""
 
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 """What reading code may end in."""
@@ -70,12 +78,16 @@ class Unit:
 
 @dataclass(frozen=True)
 class Submission:
-    """What was handed in: its name, its units, and what could not be read of it."""
+    """What was handed in: its name, its units, and what could not be read of it.
+
+    `lost` says why a function could not be read, by its name.
+    """
 
     path: Path
     units: tuple[Unit, ...]
     unreadable: tuple[str, ...]
     exercise: str | None
+    lost: dict[str, str] = field(default_factory=dict)
 
     @property
     def functions(self) -> tuple[str, ...]:
@@ -109,7 +121,13 @@ def read_submission(path: Path) -> Submission:
     unreadable = tuple(part for part in parts if isinstance(part, str))
     if not units and not unreadable:
         raise SubmissionError(f"{path}: holds no code to grade")
-    return Submission(path, units, unreadable, exercise)
+    lost = {
+        function: part
+        for part, (_, source) in zip(parts, sources, strict=True)
+        if isinstance(part, str)
+        for function in DEFINITION.findall(source)
+    }
+    return Submission(path, units, unreadable, exercise, lost)
 
 
 def _text_of(path: Path) -> str:
@@ -195,7 +213,9 @@ def _without_magics(source: str) -> str:
 def _unreadable(name: str, error: Exception) -> str:
     """Return in a line where the syntax is wrong."""
     if isinstance(error, SyntaxError):
-        return f"{name}, line {error.lineno}: {error.msg}"
+        line = (error.text or "").strip()
+        shown = f", in: {one_line(line[:LONGEST_LINE])}" if line else ""
+        return f"{name}, line {error.lineno}: {error.msg}{shown}"
     return f"{name}: cannot be read ({error or type(error).__name__})"
 
 

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import copy
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from random import Random
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.grading.child import arguments_from, plain
-from lesson_code.grading.compare import agrees, told_apart, written
-from lesson_code.grading.outcome import Outcome
+from lesson_code.grading.compare import agrees
+from lesson_code.grading.feedback import NOT_WRITTEN, hidden_message, message
+from lesson_code.grading.isolation.inside.answers import arguments_from, plain
+from lesson_code.grading.isolation.outcome import Outcome
 from lesson_code.grading.task import Arguments, Criterion, Part, Task, WrongModel
 
 Call: TypeAlias = Callable[[str, Arguments], Outcome]
@@ -39,12 +40,13 @@ class Trial:
 
 @dataclass(frozen=True)
 class CriterionVerdict:
-    """The marks for one criterion, and a message if they are not full."""
+    """The marks for one criterion, and if they are not full a message and its reason in short."""
 
     name: str
     points: int
     full_points: int
     message: str = ""
+    reason: str = ""
 
 
 @dataclass(frozen=True)
@@ -71,8 +73,44 @@ class Verdict:
         """The line a check cell prints."""
         return f"{self.task.title}: {self.points}/{self.task.points} points"
 
+    @property
+    def lines(self) -> list[str]:
+        """What to tell the student: the marks, what is right, what is not and why, the hint.
 
-def judge(task: Task, call: Call, seed: int) -> Verdict:
+        Of failures for the same reason, or behind which the same wrong model was recognised, one
+        is told, and the others are named.
+        """
+        if self.is_full:
+            return [self.line]
+        failed = [criterion for criterion in self.criteria if criterion.message]
+        messages = {criterion.message for criterion in failed}
+        if messages == {NOT_WRITTEN}:
+            return [f"{self.line} ({NOT_WRITTEN})"]
+        if len(messages) == 1 and len(failed) == len(self.criteria) > 1:  # nothing was called
+            return [self.line, *(f"  {message}" for message in messages)]
+        lines = [self.line]
+        lines += [f"  right: {each.name}" for each in self.criteria if not each.message]
+        for first, *others in _by_reason(failed, self.recognised):
+            lines.append(f"  {first.name}: {first.message}")
+            if others:
+                lines.append(f"  for the same reason: {'; '.join(each.name for each in others)}")
+        if self.recognised is not None:
+            lines.append(f"  hint: {self.recognised.hint}")
+        return lines
+
+
+def _by_reason(
+    failed: list[CriterionVerdict], recognised: WrongModel | None
+) -> list[list[CriterionVerdict]]:
+    """Return failures in groups of the same reason, in the order of the first of each."""
+    groups: dict[str, list[CriterionVerdict]] = {}
+    for criterion in failed:
+        key = "recognised" if recognised else criterion.reason or criterion.name
+        groups.setdefault(key, []).append(criterion)
+    return list(groups.values())
+
+
+def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Verdict:
     """Return the marks for a task.
 
     Parameters
@@ -83,11 +121,13 @@ def judge(task: Task, call: Call, seed: int) -> Verdict:
         Calls the student's function.
     seed : int
         Draws the inputs; the same seed draws the same ones again.
+    hide_inputs : bool
+        Let no message name an input, a value or an error's words.
     """
     tried = [(criterion, _try(task, criterion, call, seed)) for criterion in task.criteria]
     return Verdict(
         task,
-        tuple(_mark(task, criterion, some) for criterion, some in tried),
+        tuple(_mark(task, criterion, some, hide_inputs) for criterion, some in tried),
         _recognised(task, tried),
         seed,
     )
@@ -95,56 +135,46 @@ def judge(task: Task, call: Call, seed: int) -> Verdict:
 
 def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]:
     """Make the calls of one criterion; after one that hangs, crashes or is not there, no more."""
-    stream = Random(zlib.crc32(f"{seed} {task.id} {criterion.name}".encode()))  # noqa: S311
     trials: list[Trial] = []
-    for arguments in criterion.cases(stream):
-        expected = plain(task.expected(*arguments_from(arguments)))
-        outcome = call(task.function, copy.deepcopy(arguments))
+    for arguments, expected in drawn(task, criterion, seed):
+        outcome = call(task.function, arguments)
         trials.append(Trial(arguments, expected, outcome))
         if outcome.kind not in ("returned", "raised"):
             break
     return trials
 
 
-def _mark(task: Task, criterion: Criterion, trials: list[Trial]) -> CriterionVerdict:
+@lru_cache(maxsize=1000)
+def drawn(task: Task, criterion: Criterion, seed: int) -> tuple[tuple[Arguments, Any], ...]:
+    """Return the arguments that a seed draws, and what is expected of each: once for a class."""
+    return tuple(
+        (arguments, plain(task.expected(*arguments_from(arguments))))
+        for arguments in criterion.cases(stream_of(task, criterion, seed))
+    )
+
+
+def stream_of(task: Task, criterion: Criterion, seed: int) -> Random:
+    """Return the random stream that a seed draws the inputs of a criterion from."""
+    return Random(zlib.crc32(f"{seed} {task.id} {criterion.name}".encode()))  # noqa: S311
+
+
+def _mark(task: Task, criterion: Criterion, trials: list[Trial], hidden: bool) -> CriterionVerdict:
     """Return the marks for one criterion: all of its points or none."""
     failed = next((trial for trial in trials if not trial.agrees(criterion.part)), None)
     if failed is None:
         return CriterionVerdict(criterion.name, criterion.points, criterion.points)
-    return CriterionVerdict(criterion.name, 0, criterion.points, _message(task, criterion, failed))
+    said, reason = _message(task, criterion, failed, hidden)
+    return CriterionVerdict(criterion.name, 0, criterion.points, said, reason)
 
 
-def _message(task: Task, criterion: Criterion, trial: Trial) -> str:
-    """Return what was called, what came, and what was expected and why."""
-    outcome = trial.outcome
-    if outcome.kind == "not written":
-        return "not written yet"
-    if outcome.kind == "missing":
-        return outcome.text
-    called = f"Called {task.function}{written(trial.arguments)}."
-    if outcome.kind == "raised":
-        return f"{called} It stopped with {outcome.text}."
-    if outcome.kind == "unusable":
-        return f"{called} It {outcome.text}."
-    if outcome.kind != "returned":
-        return f"{called} {outcome.text[:1].upper()}{outcome.text[1:]}."
-    got, expected = outcome.value, trial.expected
-    if criterion.part is not None:
+def _message(task: Task, criterion: Criterion, trial: Trial, hidden: bool) -> tuple[str, str]:
+    """Return what to say of a trial that failed, in the part that its criterion looks at."""
+    if hidden:
+        return hidden_message(trial.outcome)
+    got, expected = trial.outcome.value, trial.expected
+    if criterion.part is not None and trial.outcome.kind == "returned":
         got, expected = _part(criterion.part, got), plain(criterion.part(expected))
-    got_written, expected_written = told_apart(got, expected)
-    says = f"{called} It returned {got_written}; expected {expected_written}."
-    return f"{says} {_why(task, trial)}".rstrip()
-
-
-def _why(task: Task, trial: Trial) -> str:
-    """Return why a trial's answer is wrong, if the task can say it of an answer of this form."""
-    if task.explain is None:
-        return ""
-    try:
-        with np.errstate(all="ignore"):
-            return task.explain(trial.arguments, trial.outcome.value)
-    except (TypeError, ValueError, IndexError):
-        return ""
+    return message(task, trial.arguments, trial.outcome, got, expected)
 
 
 def _part(part: Part, answer: Any) -> Any:

@@ -77,6 +77,32 @@ def _student_copy(root: Path, solution: Path, name: str, tasks: TaskNumbers) -> 
     return Derived(root / "exercises" / name, solution, tasks[solution.stem])
 
 
+def fresh_student_copy(root: Path, name: str, tasks: Mapping[str, str]) -> str:
+    """Return the text of a student copy, made from the solution and without running anything.
+
+    Parameters
+    ----------
+    root : Path
+        The instructor's workbook.
+    name : str
+        The exercise, such as "01_one_dimension".
+    tasks : mapping of str to str
+        For each function to write, the number of its task.
+
+    Raises
+    ------
+    FileNotFoundError
+        The workbook has no solution of this name.
+    """
+    import nbformat
+
+    program = root / "solutions" / f"{name}.py"
+    if program.exists():
+        return student_program(program.read_text(encoding="utf-8"), tasks)
+    solution: Any = nbformat.read(program.with_suffix(".ipynb"), as_version=4)  # type: ignore[no-untyped-call]
+    return text_of(student_notebook(solution, tasks))
+
+
 def drifted(root: Path, tasks: TaskNumbers) -> list[str]:
     """Return in a line each what is not as its source says, without running anything.
 

@@ -27,3 +27,15 @@ def find_root(start: Path | None = None) -> Path:
     raise WorkbookNotFoundError(
         f"no workbook in {here} or above it: go to the folder that holds {FIRST_NOTEBOOK}"
     )
+
+
+def require_instructors(root: Path) -> None:
+    """Refuse what needs solutions or sources where there are none.
+
+    Raises
+    ------
+    ValueError
+        The workbook is a student's copy.
+    """
+    if not any((root / folder).is_dir() for folder in ("solutions", "notebooks/source")):
+        raise ValueError(f"{root}: is a student's copy; this needs the instructor's")

@@ -16,6 +16,8 @@ from importlib import resources
 from itertools import combinations
 from typing import Any, TypeAlias
 
+from lesson_code.quiz.sealing import open_question
+
 Table: TypeAlias = Mapping[str, Any]
 """A table of a TOML file, not yet checked."""
 
@@ -196,7 +198,7 @@ def chapter_numbers() -> tuple[str, ...]:
     """Return the numbers of the chapters that have a quiz, in order.
 
     >>> chapter_numbers()
-    ('00', '01', '02', '03', '04', '05', '06', '07', '08', '09')
+    ('00', '01', '02', '03', '04', '05', '06', '07', '08', '09', '10', '11')
     """
     files = resources.files("lesson_code.quiz").joinpath("questions").iterdir()
     names = sorted(file.name for file in files)
@@ -256,7 +258,7 @@ def read_chapter(number: str, toml: str) -> Chapter:
         raise ValueError(f"{where}: the file must be TOML, got: {error}") from None
     _require_keys(where, table, {"title", "question"})
     questions = [
-        _read_question(f"{where}, question number {place}", entry)
+        _read_question(f"{where}, question number {place}", open_question(dict(entry)))
         for place, entry in enumerate(_tables(where, table, "question"), start=1)
     ]
     return Chapter(number, _text(where, table, "title"), tuple(questions))

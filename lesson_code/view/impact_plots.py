@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Rectangle
 
 from lesson_code.formulas.arithmetic import dot
-from lesson_code.geometry.impact_times import straight_impact_time
+from lesson_code.geometry.straight_impact_times import straight_impact_time
 from lesson_code.view import plots, style
 from lesson_code.view.plots import Point
 

@@ -270,7 +270,7 @@ check("the same contacts a step later, by name", moved.features, flat.features)
 landing = scenes.box_landing_flat(width=2, height=1, speed=1, restitution=0)
 pin = Body(Circle(0.1), position=(0.95, -0.1))
 on_pin = Scene([pin, landing.bodies[1]])
-two, one = (simulate(scene, 1.5) for scene in (landing, on_pin))
+two, one = (simulate(scene, 1.5, solver="sequential") for scene in (landing, on_pin))
 inertia = (2**2 + 1**2) / 12
 jn = 1 / (1 + 0.95**2 / inertia)  # (1 + e) v m_eff, with the lever arm 0.95 m
 flat_end = [*two.velocities[-1, 1], two.angles[-1, 1]]
@@ -309,7 +309,7 @@ naive = simulate(scene, 0.5, solver="naive")
 print("centre to centre:", naive.velocities[-1, 1].round(3), "m/s")
 print("angular velocity:", naive.angular_velocities[-1, 0])
 animate(
-    {"along the normal": simulate(scene, 0.5), "centre to centre": naive},
+    {"along the normal": simulate(scene, 0.5, solver="sequential"), "centre to centre": naive},
     "A ball falls on the right part of a plank. Along the normal: the plank whirls away, the ball "
     "stays on its vertical line. Centre to centre: the ball goes off to the right, and the plank "
     "moves to the left without turning.",
@@ -328,7 +328,7 @@ animate(
 # %%
 wall = Scene([replace(plank, mass=None, inertia=None), scene.bodies[1]])
 for name, with_plank in (("the plank is free", scene), ("the plank is a wall", wall)):
-    run = simulate(with_plank, 0.5, sample="end")
+    run = simulate(with_plank, 0.5, sample="end", solver="sequential")
     momentum = 1.0 * run.velocities[:, :, 1].sum(axis=1)  # 1 kg each
     print(f"{name:19}: momentum {momentum[0]:+.2f} -> {momentum[1]:+.2f} kg m/s")
 
@@ -467,7 +467,7 @@ check("and so are we", max(errors), 0, tolerance=1e-9)
 
 # %%
 stack = scenes.box_stack(10)
-ours = simulate(stack, 8.0)
+ours = simulate(stack, 8.0, solver="sequential")
 pymunks = simulate(stack, 8.0, solver="pymunk")
 check("no box moves sideways", ours.positions[-1, 1:, 0], 0, tolerance=1e-12)
 fig, ax = style.figure(width=7, height=3)
@@ -511,7 +511,7 @@ falling = [
 ]
 
 # %%
-pile = simulate(Scene(static + falling, gravity=(0, -10)), 4.0)
+pile = simulate(Scene(static + falling, gravity=(0, -10)), 4.0, solver="sequential")
 check("in the end all are still, m/s", pile.velocities[-1], 0, tolerance=1e-3)
 
 # %% tags=["nbval-ignore-output"]

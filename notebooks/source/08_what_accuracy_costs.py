@@ -132,7 +132,9 @@ ball, wall = Circle(0.5), Body(Segment((0, -1), (0, 1)), material=exact_scenes.E
 def late(gap, dt):
     """Return by how much a ball is wrong after one bounce that is due after `gap` metres."""
     coming = {"position": (-0.5 - gap, 0), "velocity": (1, 0), "material": exact_scenes.ELASTIC}
-    run = simulate(Scene([wall, Body(ball, mass=1.0, **coming)]), 1, dt=dt, sample="end")
+    run = simulate(
+        Scene([wall, Body(ball, mass=1.0, **coming)]), 1, dt=dt, sample="end", solver="sequential"
+    )
     return run.positions[-1, 1, 0] - (-0.5 - (1 - gap))
 
 
@@ -175,7 +177,7 @@ check("exact: too high by, m", run.positions[-1, 0, 1] + 5, 0, tolerance=1e-15)
 rolling = rolling_begins(3.0, 0.0, 1.0, 0.5, friction=0.2, gravity=10.0)
 right = rolling.distance + rolling.velocity * (1 - rolling.time)
 for rate in (30, 120, 480):
-    run = simulate(scenes.sliding_disc(3.0, 0.2), 1, dt=1 / rate, sample="end")
+    run = simulate(scenes.sliding_disc(3.0, 0.2), 1, dt=1 / rate, sample="end", solver="sequential")
     x, v = run.positions[-1, 1, 0], run.velocities[-1, 1, 0]
     print(f"{rate:3} steps a second: place wrong by {x - right:.4f} m")
     check("speed, m/s", v, rolling.velocity, tolerance=1e-12)

@@ -461,7 +461,8 @@ show_quiz("09")
 # longer than it can be computed. And real boxes of a tower are not rigid.
 #
 # **Do now:** the exercise [09 Hard cases](../exercises/09_hard_cases.ipynb): five tasks, twenty
-# points. **Next:** the programs. `workbook play billiards` is one; all you have learned is in it.
+# points. **Next:** [10 Only what the scene needs](10_only_what_the_scene_needs.ipynb): what may be
+# left out, and how one knows.
 #
 # **Sources.** Stronge, *Impact Mechanics* (2000): the energetic restitution. Kane and Levinson,
 # *Dynamics: Theory and Applications* (1985): impacts that gain energy. Champneys and Várkonyi, *The

@@ -77,14 +77,14 @@ def test_calls_of_one_bounce_come_once_each_and_in_order(
 ) -> None:
     """The discs overlap in the sixth step, and in the seventh no longer."""
     log: list[tuple[str, Touch]] = []
-    simulate(meeting(told(log)), duration, dt=DT)
+    simulate(meeting(told(log)), duration, dt=DT, solver="sequential")
     assert tuple(kind for kind, _ in log) == kinds
 
 
 def test_calls_of_a_resting_body_begin_once_and_go_on() -> None:
     """Ten steps on the floor: one beginning, ten times each of the others, no end."""
     log: list[tuple[str, Touch]] = []
-    simulate(resting(told(log)), 10 / 60)
+    simulate(resting(told(log)), 10 / 60, solver="sequential")
     counts = {kind: sum(k == kind for k, _ in log) for kind in KINDS}
     assert counts == {"begin": 1, "pre_solve": 10, "post_solve": 10, "separate": 0}
 
@@ -95,7 +95,7 @@ def test_calls_of_a_ball_that_bounces_twice_begin_twice() -> None:
     floor = Body(Segment((-5, 0), (5, 0)))
     ball = Body(Circle(0.5), mass=1, position=(0, 1), material=Material(restitution=1))
     scene = Scene([floor, ball], gravity=(0, -10), callbacks=told(log, "begin", "separate"))
-    simulate(scene, 1.5)
+    simulate(scene, 1.5, solver="sequential")
     assert [kind for kind, _ in log] == ["begin", "separate"] * 2
 
 
@@ -106,7 +106,7 @@ def test_calls_of_several_pairs_come_in_the_order_of_their_bodies() -> None:
     bodies = [
         Body(Circle(0.5), mass=1, position=p, velocity=(6 * (n == 1), 0)) for n, p in places.items()
     ]
-    simulate(Scene(bodies, callbacks=told(log)), 2e-2, dt=1e-2)
+    simulate(Scene(bodies, callbacks=told(log)), 2e-2, dt=1e-2, solver="sequential")
     before = [("begin", 0, 1), ("pre_solve", 0, 1), ("begin", 2, 3), ("pre_solve", 2, 3)]
     after = [("post_solve", 0, 1), ("post_solve", 2, 3)]
     last = [("pre_solve", 2, 3), ("post_solve", 2, 3), ("separate", 0, 1)]
@@ -116,7 +116,7 @@ def test_calls_of_several_pairs_come_in_the_order_of_their_bodies() -> None:
 def test_calls_of_sub_steps_come_in_each() -> None:
     """Every part of a step has its own contacts and its own time."""
     log: list[tuple[str, Touch]] = []
-    simulate(resting(told(log, "pre_solve")), 0.1, dt=0.1, substeps=4)
+    simulate(resting(told(log, "pre_solve")), 0.1, dt=0.1, substeps=4, solver="sequential")
     assert [touch.time for _, touch in log] == pytest.approx([0.025, 0.05, 0.075, 0.1])
 
 
@@ -126,7 +126,7 @@ def test_calls_of_sub_steps_come_in_each() -> None:
 def test_touch_worked_by_hand_is_told() -> None:
     """2 kg turned from -1 to 1 m/s has received 4 N s along (1, 0), between the two surfaces."""
     log: list[tuple[str, Touch]] = []
-    simulate(meeting(told(log)), 1.0, dt=DT)
+    simulate(meeting(told(log)), 1.0, dt=DT, solver="sequential")
     touches = dict(log)
     for touch in touches.values():
         assert (touch.body_a, touch.body_b, touch.normal) == (0, 1, (1.0, 0.0))
@@ -146,7 +146,7 @@ def test_touch_worked_by_hand_is_told() -> None:
 def test_touch_of_a_box_on_a_floor_has_two_points_and_carries_its_weight() -> None:
     """Its weight for a step, m g dt, summed over both corners: 2 kg at 10 m/s^2 for 1/60 s."""
     log: list[tuple[str, Touch]] = []
-    simulate(resting(told(log, "post_solve")), 0.5)
+    simulate(resting(told(log, "post_solve")), 0.5, solver="sequential")
     touch = log[-1][1]
     assert touch.normal_impulse == pytest.approx(2 * 10 / 60, rel=ROUNDING)
     assert touch.tangent_impulse == pytest.approx(0, abs=ROUNDING)
@@ -160,7 +160,9 @@ def test_penetration_of_two_points_is_that_of_the_deeper() -> None:
     scene = resting(told(log, "begin"))
     low = 0.5 * (math.cos(0.005) + math.sin(0.005))
     box = replace(scene.bodies[1], position=(0, low - 0.01 - math.sin(0.005)), angle=0.005)
-    simulate(Scene([scene.bodies[0], box], callbacks=scene.callbacks), 1e-3, dt=1e-3)
+    simulate(
+        Scene([scene.bodies[0], box], callbacks=scene.callbacks), 1e-3, dt=1e-3, solver="sequential"
+    )
     touch = log[0][1]
     assert len(touch.points) == 2
     assert touch.penetration == pytest.approx(0.01 + math.sin(0.005))
@@ -184,7 +186,9 @@ def test_impulse_that_is_told_is_the_change_of_momentum(seed: int, e: float, mu:
         for k, m in enumerate(masses)
     ]
     log: list[tuple[str, Touch]] = []
-    run = simulate(Scene(bodies, callbacks=told(log, "post_solve")), 1e-3, dt=1e-3)
+    run = simulate(
+        Scene(bodies, callbacks=told(log, "post_solve")), 1e-3, dt=1e-3, solver="sequential"
+    )
     touch = log[0][1]
     n = np.array(touch.normal)
     t = np.array([-n[1], n[0]])
@@ -196,7 +200,7 @@ def test_impulse_that_is_told_is_the_change_of_momentum(seed: int, e: float, mu:
 def test_impulses_that_are_told_are_those_of_the_run() -> None:
     """The callbacks and `run.contacts` are two views of the same steps."""
     log: list[tuple[str, Touch]] = []
-    run = simulate(resting(told(log, "post_solve"), speed=1), 1.0)
+    run = simulate(resting(told(log, "post_solve"), speed=1), 1.0, solver="sequential")
     times = np.array([touch.time for _, touch in log])
     for name in ("normal_impulse", "tangent_impulse"):
         recorded = [getattr(run.contacts, name)[run.contacts.time == t].sum() for t in times]
@@ -217,7 +221,10 @@ def same_bits(a: Run, b: Run) -> bool:
 def test_callbacks_that_only_listen_change_no_bit() -> None:
     """To look at a collision is not to take part in it."""
     log: list[tuple[str, Touch]] = []
-    assert same_bits(simulate(resting(told(log), 1), 1.0), simulate(resting(speed=1), 1.0))
+    assert same_bits(
+        simulate(resting(told(log), 1), 1.0, solver="sequential"),
+        simulate(resting(speed=1), 1.0, solver="sequential"),
+    )
     assert log
 
 
@@ -236,7 +243,7 @@ def test_touch_that_is_ignored_lets_the_bodies_pass() -> None:
         post_solve=lambda _: heard.append("post_solve"),
         separate=lambda _: heard.append("separate"),
     )
-    run = simulate(meeting(callbacks), 2.0, dt=DT)
+    run = simulate(meeting(callbacks), 2.0, dt=DT, solver="sequential")
     np.testing.assert_allclose(run.positions[-1, :, 0], [0.95, -0.95], rtol=ROUNDING)
     assert len(run.contacts) == 0
     assert heard == ["begin", "separate"]
@@ -249,7 +256,7 @@ def test_touch_ignored_at_first_is_resolved_later() -> None:
     def ignore_at_first(touch: Touch) -> None:
         touch.ignored = touch.time < 0.65
 
-    run = simulate(meeting(Callbacks(pre_solve=ignore_at_first)), 1.0, dt=DT)
+    run = simulate(meeting(Callbacks(pre_solve=ignore_at_first)), 1.0, dt=DT, solver="sequential")
     assert run.contacts.time.tolist() == pytest.approx([0.7])
     np.testing.assert_allclose(run.velocities[-1, :, 0], [-1, 1], rtol=ROUNDING)
 
@@ -265,8 +272,10 @@ def test_touch_of_one_pair_ignored_leaves_the_others() -> None:
     scene = Scene([*floors, ball], gravity=(0, -10), callbacks=Callbacks(begin=ignore))
     passing = Scene(scene.bodies, gravity=(0, -10), callbacks=Callbacks(pre_solve=ignore))
     # `begin` ignores the first step alone: the ball, slow as it is, stays on the first floor.
-    assert simulate(scene, 3.0).positions[-1, 2, 1] > 0.4
-    assert simulate(passing, 3.0).positions[-1, 2, 1] == pytest.approx(-2.5, abs=0.02)
+    assert simulate(scene, 3.0, solver="sequential").positions[-1, 2, 1] > 0.4
+    assert simulate(passing, 3.0, solver="sequential").positions[-1, 2, 1] == pytest.approx(
+        -2.5, abs=0.02
+    )
 
 
 @pytest.mark.parametrize("kind", ["begin", "pre_solve"])
@@ -276,7 +285,7 @@ def test_restitution_that_is_set_acts_at_once(kind: str) -> None:
     def soften(touch: Touch) -> None:
         touch.restitution = 0.5
 
-    run = simulate(meeting(Callbacks(**{kind: soften}), e=0), 1.0, dt=DT)
+    run = simulate(meeting(Callbacks(**{kind: soften}), e=0), 1.0, dt=DT, solver="sequential")
     np.testing.assert_allclose(run.velocities[-1, :, 0], [-0.5, 0.5], rtol=ROUNDING)
 
 
@@ -287,7 +296,7 @@ def test_friction_that_is_set_acts_in_that_step_only() -> None:
         if touch.time < 0.105:
             touch.friction = 0.0
 
-    run = simulate(resting(Callbacks(pre_solve=oil), speed=2), 0.2)
+    run = simulate(resting(Callbacks(pre_solve=oil), speed=2), 0.2, solver="sequential")
     speeds = run.velocities[:, 1, 0]
     np.testing.assert_allclose(speeds[:7], 2, rtol=ROUNDING)
     np.testing.assert_allclose(-np.diff(speeds[6:]), 5 / 60, rtol=1e-9)
@@ -300,8 +309,8 @@ def test_coefficients_set_after_the_impulses_change_nothing(kind: str) -> None:
     def late(touch: Touch) -> None:
         touch.restitution, touch.ignored = 1.0, True
 
-    changed = simulate(resting(Callbacks(**{kind: late})), 0.5)
-    assert same_bits(changed, simulate(resting(), 0.5))
+    changed = simulate(resting(Callbacks(**{kind: late})), 0.5, solver="sequential")
+    assert same_bits(changed, simulate(resting(), 0.5, solver="sequential"))
 
 
 @pytest.mark.parametrize("wrong", [-0.5, math.nan, math.inf])
@@ -310,7 +319,7 @@ def test_coefficient_out_of_range_that_is_set_is_refused_by_name(name: str, wron
     """A negative friction would drive the box on, and nan would let it fall through."""
     callbacks = Callbacks(pre_solve=lambda touch: setattr(touch, name, wrong))
     with pytest.raises(ValueError, match=f"{name} must be >= 0 and finite, got {wrong}"):
-        simulate(resting(callbacks), 0.1)
+        simulate(resting(callbacks), 0.1, solver="sequential")
 
 
 def test_restitution_above_one_may_be_set() -> None:
@@ -319,7 +328,7 @@ def test_restitution_above_one_may_be_set() -> None:
     def bump(touch: Touch) -> None:
         touch.restitution = 1.5
 
-    run = simulate(meeting(Callbacks(begin=bump)), 1.0, dt=DT)
+    run = simulate(meeting(Callbacks(begin=bump)), 1.0, dt=DT, solver="sequential")
     np.testing.assert_allclose(run.velocities[-1, :, 0], [-1.5, 1.5], rtol=ROUNDING)
 
 
@@ -330,7 +339,7 @@ def test_error_in_a_callback_reaches_the_caller() -> None:
         raise RuntimeError("no sound card")
 
     with pytest.raises(RuntimeError, match="no sound card"):
-        simulate(meeting(Callbacks(begin=wrong)), 1.0)
+        simulate(meeting(Callbacks(begin=wrong)), 1.0, solver="sequential")
 
 
 # The callbacks themselves
@@ -350,7 +359,7 @@ def test_callback_that_counts_as_false_is_called_too(kind: str) -> None:
     log = Log()
     callbacks = Callbacks(**{kind: log})
     assert callbacks.wanted
-    simulate(meeting(callbacks), 1.0, dt=DT)
+    simulate(meeting(callbacks), 1.0, dt=DT, solver="sequential")
     assert log == pytest.approx([0.6])
 
 

@@ -79,7 +79,7 @@ def test_impact_of_two_discs_is_the_closed_form_at_the_moved_places(
         )
         for r, m, p, u, s in zip((ra, rb), (ma, mb), places, v, w, strict=True)
     ]
-    run = simulate(Scene(bodies), dt, dt=dt, iterations=iterations)
+    run = simulate(Scene(bodies), dt, dt=dt, iterations=iterations, solver="sequential")
     scale = 10 * ROUNDING * max(1, 1 / min(ra, rb))
     np.testing.assert_allclose(run.velocities[1], expected, atol=scale)
     np.testing.assert_allclose(run.angular_velocities[1], spins, atol=10 * scale / min(ra, rb))
@@ -102,7 +102,7 @@ def test_impact_head_on_worked_by_hand_is_found(a: Any, b: Any, e: float, after:
         Body(Circle(0.5), mass=m, position=(x, 0), velocity=(v, 0), material=Material(e))
         for x, (m, v) in ((0, a), (1, b))
     ]
-    run = simulate(Scene(bodies), 0.01, dt=0.01)
+    run = simulate(Scene(bodies), 0.01, dt=0.01, solver="sequential")
     np.testing.assert_allclose(run.velocities[-1, :, 0], after, atol=10 * ROUNDING)
 
 
@@ -112,7 +112,7 @@ def test_impact_of_bodies_that_part_is_none() -> None:
         Body(Circle(0.5), mass=1, position=(x, 0), velocity=(v, 3), angular_velocity=v)
         for x, v in ((0, -1.0), (0.9, 1.0))
     ]
-    run = simulate(Scene(bodies), 0.01, dt=0.01)
+    run = simulate(Scene(bodies), 0.01, dt=0.01, solver="sequential")
     np.testing.assert_array_equal(run.velocities[1], run.velocities[0])
     assert len(run.contacts) == 0
 
@@ -123,7 +123,7 @@ def test_impact_twice_in_the_overlap_happens_once() -> None:
         Body(Circle(0.5), mass=m, position=(x, 0), velocity=(v, 0), material=Material(0.2))
         for x, v, m in ((0, 2, 1), (0.95, -1, 3))
     ]
-    run = simulate(Scene(bodies), 0.02, dt=0.01)
+    run = simulate(Scene(bodies), 0.02, dt=0.01, solver="sequential")
     assert run.max_penetration[1] > run.max_penetration[2] > 0
     np.testing.assert_allclose(run.velocities[2], run.velocities[1], atol=10 * ROUNDING)
     assert run.contacts.time.tolist() == [0.01]
@@ -161,7 +161,9 @@ def test_impact_of_a_corner_is_the_closed_form(seed: int, e: float, mu: float) -
     struck = Struck(1 / mass, inverse_inertia, body.velocity, body.angular_velocity, arm)
     expected = impact_with_friction(still, struck, (0, 1), e, mu)
 
-    run = simulate(Scene([floor, body]), TINY_STEP, dt=TINY_STEP, iterations=1000)
+    run = simulate(
+        Scene([floor, body]), TINY_STEP, dt=TINY_STEP, iterations=1000, solver="sequential"
+    )
     np.testing.assert_allclose(run.velocities[1, 1], expected.velocities[1], atol=CONVERGED)
     spin = expected.angular_velocities[1]
     assert run.angular_velocities[1, 1] == pytest.approx(spin, abs=10 * CONVERGED)
@@ -181,7 +183,7 @@ def test_landing_flat_on_two_points_is_exact_in_one_sweep(
         Polygon.box(width, height), mass=2, position=(0.3, height / 2 - 1e-6), velocity=(0, -1),
         material=Material(e, 0),
     )  # fmt: skip
-    run = simulate(Scene([floor, box]), TINY_STEP, dt=TINY_STEP, iterations=1)
+    run = simulate(Scene([floor, box]), TINY_STEP, dt=TINY_STEP, iterations=1, solver="sequential")
     assert len(run.contacts) == 2
     assert run.velocities[1, 1, 1] == pytest.approx(e, abs=100 * ROUNDING)
     assert run.angular_velocities[1, 1] == pytest.approx(0, abs=100 * ROUNDING)
@@ -199,7 +201,9 @@ def test_resting_stack_of_discs_in_a_pipe_finds_its_forces_over_many_steps() -> 
     walls = [Body(shape, material=Material(friction=0)) for shape in pipe]
     floor = Body(Segment((-1, 0), (1, 0)))
     discs = [Body(Circle(0.5), mass=2, position=(0, 0.499 + 0.998 * k)) for k in range(5)]
-    run = simulate(Scene([*walls, floor, *discs], gravity=(0, -10)), 5.0, iterations=1)
+    run = simulate(
+        Scene([*walls, floor, *discs], gravity=(0, -10)), 5.0, iterations=1, solver="sequential"
+    )
     last = run.contacts.normal_impulse[run.contacts.time > 4.99]
     forces = sorted(last / (2 * 10 / 60))
     np.testing.assert_allclose(forces, [1, 2, 3, 4, 5], rtol=1e-6)
@@ -263,7 +267,7 @@ def test_overlap_beyond_the_slop_shrinks_by_the_same_share_in_each_step(
     mass_b: float | None,
 ) -> None:
     """(overlap - slop) is multiplied by 0.8, and no body gets a velocity from it, to the bit."""
-    run = simulate(overlapping(0.1, mass_b), 0.5)
+    run = simulate(overlapping(0.1, mass_b), 0.5, solver="sequential")
     slop = SLOP * 2.0
     steps = np.arange(30)
     expected = slop + (0.1 - slop) * (1 - PUSH_SHARE) ** steps
@@ -274,7 +278,7 @@ def test_overlap_beyond_the_slop_shrinks_by_the_same_share_in_each_step(
 
 def test_overlap_is_shared_in_inverse_proportion_to_the_masses() -> None:
     """3 kg and 1 kg: the lighter moves three times as far, and the centre of mass stays."""
-    run = simulate(overlapping(0.1), 1.0)
+    run = simulate(overlapping(0.1), 1.0, solver="sequential")
     ways = run.positions[-1, :, 0] - run.positions[0, :, 0]
     assert ways[1] / ways[0] == pytest.approx(-3, rel=1e-12)
 
@@ -282,9 +286,9 @@ def test_overlap_is_shared_in_inverse_proportion_to_the_masses() -> None:
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
 def test_overlap_within_the_slop_is_left_alone(size: float) -> None:
     """0.5 % of the width, be it a grain or a house: not a bit of the state changes."""
-    run = simulate(overlapping(0.99 * SLOP * 2 * size, size=size), 0.5)
+    run = simulate(overlapping(0.99 * SLOP * 2 * size, size=size), 0.5, solver="sequential")
     assert (run.positions == run.positions[0]).all()
-    moved = simulate(overlapping(1.5 * SLOP * 2 * size, size=size), 0.5)
+    moved = simulate(overlapping(1.5 * SLOP * 2 * size, size=size), 0.5, solver="sequential")
     assert (moved.positions[-1] != moved.positions[0]).any()
 
 
@@ -294,7 +298,7 @@ def test_overlap_of_bodies_that_part_by_themselves_is_not_pushed() -> None:
         Body(Circle(1), mass=1, position=(x, 0), velocity=(v, 0))
         for x, v in ((0, -1.0), (1.9, 1.0))
     ]
-    run = simulate(Scene(bodies), 0.1)
+    run = simulate(Scene(bodies), 0.1, solver="sequential")
     np.testing.assert_allclose(run.positions[:, 1, 0], 1.9 + run.times, atol=ROUNDING)
 
 
@@ -343,7 +347,9 @@ def test_overlap_of_coincident_discs_is_undone_along_x() -> None:
 
     They stop when they overlap by the slop and no more than a hundredth of it.
     """
-    run = simulate(Scene([Body(Circle(1), mass=1), Body(Circle(1), mass=1)]), 2.0)
+    run = simulate(
+        Scene([Body(Circle(1), mass=1), Body(Circle(1), mass=1)]), 2.0, solver="sequential"
+    )
     (left, right), slop = run.positions[-1], SLOP * 2.0
     assert (left[1], right[1], right[0]) == (0, 0, -left[0])
     assert slop <= 2.0 - (right[0] - left[0]) <= slop * (1 + LEAST_EXCESS)

@@ -56,7 +56,7 @@ def test_pymunks_ball_passes_through_a_thin_wall() -> None:
     """The same throw at 100 m/s: pymunk looks every 1.7 m."""
     scene = Scene([Body(Polygon.box(0.03, 4)), ball(0.1, position=(-1.2, 0), velocity=(100, 0))])
     assert simulate(scene, 0.1, solver="pymunk").positions[-1, 1, 0] > 0
-    assert simulate(scene, 0.1).positions[-1, 1, 0] < 0
+    assert simulate(scene, 0.1, solver="sequential").positions[-1, 1, 0] < 0
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
@@ -72,10 +72,10 @@ def test_ball_stays_in_its_room_with_its_energy(speed: float, solver: str) -> No
 def test_step_is_finished_after_the_impact() -> None:
     """The ball is back where a step without a stop at the wall would have brought it."""
     scene = Scene([*room(), ball(0.05, position=(0, 0.3), velocity=(40, 0))])
-    run = simulate(scene, 1 / 60)
+    run = simulate(scene, 1 / 60, solver="sequential")
     way = 40 / 60  # to 0.667 m: no impact in this step
     assert run.positions[-1, 4, 0] == pytest.approx(way)
-    run = simulate(scene, 2 / 60)
+    run = simulate(scene, 2 / 60, solver="sequential")
     back = 2 * 0.95 - 2 * way
     assert run.positions[-1, 4, 0] == pytest.approx(back, abs=2 * SLOP * 0.1)
 
@@ -107,7 +107,7 @@ def test_fast_ball_misses_no_moving_plate(speed: float, solver: str) -> None:
 def test_fast_wall_sweeps_up_a_slow_ball() -> None:
     """What matters is how fast the two approach, not which of them is fast."""
     wall = Body(Segment((0, -1), (0, 1)), velocity=(300, 0))
-    run = simulate(Scene([wall, ball(0.1, position=(7, 0))]), 0.1)
+    run = simulate(Scene([wall, ball(0.1, position=(7, 0))]), 0.1, solver="sequential")
     assert run.velocities[-1, 1, 0] == pytest.approx(600)
 
 
@@ -118,14 +118,14 @@ def test_slow_scene_is_never_split(monkeypatch: pytest.MonkeyPatch) -> None:
         raise AssertionError("an impact time was computed")
 
     monkeypatch.setattr(continuous, "time_to_impact", never)
-    run = simulate(Scene([*room(), ball(0.1, velocity=(5.9, 0))]), 1.0)
+    run = simulate(Scene([*room(), ball(0.1, velocity=(5.9, 0))]), 1.0, solver="sequential")
     assert len(run.contacts) > 0
 
 
 def test_fast_body_waits_after_many_impacts_in_one_step() -> None:
     """It loses time, but neither speed nor its place in the room."""
     scene = Scene([*room(), ball(0.05, velocity=(1e6, 0))])
-    run = simulate(scene, 1 / 60)
+    run = simulate(scene, 1 / 60, solver="sequential")
     assert len(run.contacts) == MOST_IMPACTS
     assert abs(run.velocities[-1, 4, 0]) == pytest.approx(1e6)
 
@@ -139,7 +139,7 @@ def impacts_of(run: Run) -> list[float]:
 def test_impact_is_written_down_at_its_own_time() -> None:
     """Not at the end of the step, but when it happened, up to the slop."""
     scene = Scene([*room(), ball(0.05, velocity=(100, 0))])
-    first = impacts_of(simulate(scene, 1 / 60))[0]
+    first = impacts_of(simulate(scene, 1 / 60, solver="sequential"))[0]
     assert first == pytest.approx(0.95 / 100, abs=SLOP * 0.1 / 100)
 
 

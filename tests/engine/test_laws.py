@@ -157,7 +157,7 @@ def test_angular_momentum_changes_by_overlap_times_tangent_impulse(
     """
     scene = crowd(seed, kind, e, mu)
     rate = 240  # so fast that no step is split at an impact
-    run = simulate(scene, duration=0.25, dt=1 / rate)
+    run = simulate(scene, duration=0.25, dt=1 / rate, solver="sequential")
     after = angular_momenta(
         scene, run.positions[1:], run.velocities[1:], run.angular_velocities[1:]
     )
@@ -251,7 +251,9 @@ def test_energy_of_a_parting_pair_pressed_together_is_kept_if_elastic() -> None:
         Body(Circle(0.5), mass=1, position=(x, 0), velocity=(v, 0), material=ball)
         for x, v in zip(places, speeds, strict=True)
     ]
-    run = simulate(Scene(bodies), duration=1e-3, dt=1e-3, iterations=SWEEPS["sequential"])
+    run = simulate(
+        Scene(bodies), duration=1e-3, dt=1e-3, iterations=SWEEPS["sequential"], solver="sequential"
+    )
     # 2 j1 - j2 = -(1 + 1) 1,  2 j2 - j1 = (1 + 1) 4:  j1 = 4/3, j2 = 14/3
     np.testing.assert_allclose(run.contacts.normal_impulse, [4 / 3, 14 / 3], rtol=1e-12)
     np.testing.assert_allclose(run.kinetic_energy, 5, rtol=1e-12)
@@ -267,7 +269,9 @@ def test_impulses_of_every_contact_lie_in_the_coulomb_cone(
     kind: str, seed: int, e: float, mu: float, iterations: int
 ) -> None:
     """Impulses push, and abs(jt) <= mu jn to the last bit, however few the sweeps were."""
-    hits = simulate(crowd(seed, kind, e, mu), duration=0.3, iterations=iterations).contacts
+    hits = simulate(
+        crowd(seed, kind, e, mu), duration=0.3, iterations=iterations, solver="sequential"
+    ).contacts
     assert (hits.normal_impulse > 0).all()
     assert (np.abs(hits.tangent_impulse) <= mu * hits.normal_impulse).all()
 

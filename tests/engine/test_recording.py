@@ -109,8 +109,8 @@ def test_state_between_two_steps_changes_nothing_that_follows() -> None:
     floor = Body(Segment((-5, 0), (5, 0)))
     ball = Body(Circle(0.5), mass=1, position=(0, 1), material=Material(0.9))
     scene = Scene([floor, ball], gravity=(0, -10))
-    plain = simulate(scene, 1.0, dt=1 / 64)
-    often = simulate(scene, 1.0, dt=1 / 64, sample=np.linspace(0, 1, 256 + 1))
+    plain = simulate(scene, 1.0, dt=1 / 64, solver="sequential")
+    often = simulate(scene, 1.0, dt=1 / 64, sample=np.linspace(0, 1, 256 + 1), solver="sequential")
     np.testing.assert_array_equal(often.positions[::4], plain.positions)
     np.testing.assert_array_equal(often.velocities[::4], plain.velocities)
 
@@ -244,4 +244,4 @@ def test_state_beyond_floating_point_is_refused_with_its_body_and_time() -> None
 def test_duration_of_more_steps_than_a_day_holds_is_refused() -> None:
     """A mistaken unit is named, instead of filling the memory."""
     with pytest.raises(ValueError, match=r"duration must be at most 1e\+09 dt, got 1e\+30 s"):
-        simulate(Scene(), 1e30)
+        simulate(Scene(), 1e30, solver="sequential")

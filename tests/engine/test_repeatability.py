@@ -71,13 +71,13 @@ import importlib.util, sys
 spec = importlib.util.spec_from_file_location("repeatability", sys.argv[1])
 module = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(module)
-print(module.fingerprint(module.simulate(module.heap(5), 2.0)))
+print(module.fingerprint(module.simulate(module.heap(5), 2.0, solver="sequential")))
 """
 
 
 def test_run_of_a_heap_in_a_fresh_process_has_the_same_bits() -> None:
     """Nothing hangs on hash seeds, addresses, or what ran before."""
-    first, again = (simulate(heap(5), 2.0) for _ in range(2))
+    first, again = (simulate(heap(5), 2.0, solver="sequential") for _ in range(2))
     command = [sys.executable, "-c", FRESH, __file__]
     fresh = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
     assert len(first.contacts) > 1000
@@ -89,7 +89,7 @@ def test_run_of_a_heap_in_a_fresh_process_has_the_same_bits() -> None:
 def test_run_continued_from_a_free_flight_has_the_same_bits(seed: int) -> None:
     """Where nothing overlaps the state is all there is: no clock, no memory of earlier steps."""
     scene = room(seed)
-    whole = simulate(scene, 2.0)
+    whole = simulate(scene, 2.0, solver="sequential")
     step = int(np.flatnonzero(whole.max_penetration[:61] == 0)[-1])
     bodies = [
         replace(
@@ -101,7 +101,7 @@ def test_run_continued_from_a_free_flight_has_the_same_bits(seed: int) -> None:
         )
         for n, body in enumerate(scene.bodies)
     ]
-    rest = simulate(Scene(bodies), 2.0)
+    rest = simulate(Scene(bodies), 2.0, solver="sequential")
     steps = len(whole.times) - step
     assert step < round(whole.contacts.time[-1] * 60)
     np.testing.assert_array_equal(rest.positions[:steps], whole.positions[step:])

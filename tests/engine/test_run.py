@@ -20,13 +20,13 @@ DERIVED = ("momentum", "angular_momentum", "kinetic_energy", "energy", "max_pene
 
 def at_once(*bodies: Body, gravity: Any = (0, 0)) -> Run:
     """Return a run without any time."""
-    return simulate(Scene(bodies, gravity=gravity), 0.0)
+    return simulate(Scene(bodies, gravity=gravity), 0.0, solver="sequential")
 
 
 def test_run_is_shown_in_one_line() -> None:
     """Nobody who looks at a run is shown its arrays."""
-    run = simulate(Scene([DISC]), 1.0)
-    plan = "solver: sequential (it solves every scene); plain Python (a small run)"
+    run = simulate(Scene([DISC]), 1.0, solver="sequential")
+    plan = "solver: sequential (asked for); plain Python (a small run)"
     assert repr(run) == f"<Run: bodies 1, states 61, impulses 0; {plan}>"
 
 
@@ -62,7 +62,7 @@ def test_energy_of_a_body_that_spins_but_never_turns_by_impulses_leaves_its_spin
 @pytest.mark.parametrize("name", DERIVED)
 def test_sums_over_nothing_that_can_be_pushed_are_zero(name: str, bodies: Any) -> None:
     """One zero for each frame."""
-    values = getattr(simulate(Scene(bodies), 0.1), name)
+    values = getattr(simulate(Scene(bodies), 0.1, solver="sequential"), name)
     assert values.shape == ((7, 2) if name == "momentum" else (7,))
     assert not values.any()
 
@@ -71,7 +71,7 @@ def test_sums_over_nothing_that_can_be_pushed_are_zero(name: str, bodies: Any) -
 @pytest.mark.parametrize("name", DERIVED)
 def test_sums_cannot_be_changed(name: str, bodies: Any) -> None:
     """They are computed once and kept; nobody may spoil them."""
-    values = getattr(simulate(Scene(bodies), 0.1), name)
+    values = getattr(simulate(Scene(bodies), 0.1, solver="sequential"), name)
     with pytest.raises(ValueError, match="read-only"):
         values[...] = 1
 
@@ -79,7 +79,7 @@ def test_sums_cannot_be_changed(name: str, bodies: Any) -> None:
 @pytest.mark.parametrize("name", DERIVED)
 def test_sums_of_no_frames_are_empty(name: str) -> None:
     """A run of which no state was asked for."""
-    values = getattr(simulate(Scene([DISC, BOX]), 0.1, sample=[]), name)
+    values = getattr(simulate(Scene([DISC, BOX]), 0.1, sample=[], solver="sequential"), name)
     assert values.shape == ((0, 2) if name == "momentum" else (0,))
 
 
@@ -92,8 +92,8 @@ def test_sums_are_computed_only_once() -> None:
 def test_number_of_impulses_is_the_length_of_the_events() -> None:
     """The discs meet at 1 m/s each, and the one step with an impulse has one point."""
     discs = [Body(Circle(0.5), mass=1, position=(x, 0), velocity=(-x, 0)) for x in (-1, 1)]
-    assert len(simulate(Scene(discs), 1.0).contacts) == 1
-    assert len(simulate(Scene(discs), 0.1).contacts) == 0
+    assert len(simulate(Scene(discs), 1.0, solver="sequential").contacts) == 1
+    assert len(simulate(Scene(discs), 0.1, solver="sequential").contacts) == 0
 
 
 def test_runs_are_equal_only_to_themselves() -> None:

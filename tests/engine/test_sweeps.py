@@ -39,8 +39,9 @@ dozen operations, each right to 1e-16 of numbers below 1e4."""
 components = st.floats(-10, 10)
 inverses = st.one_of(st.just(0.0), st.floats(0.1, 10))
 bodies = st.builds(
-    BodyRow, vx=components, vy=components, w=components, inv_m=st.floats(0.1, 10), inv_i=inverses
-)
+    BodyRow, vx=components, vy=components, w=components, inv_m=st.floats(0.1, 10), inv_i=inverses,
+    corner_count=st.just(4),
+)  # fmt: skip
 contacts = st.builds(
     ContactRow, nx=st.just(0.6), ny=st.just(-0.8), ax=components, ay=components,
     bx=components, by=components, target_vn=st.floats(0, 10), friction=st.floats(0, 2),

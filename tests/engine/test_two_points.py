@@ -79,7 +79,8 @@ def test_velocities_at_both_points_reach_their_targets_in_one_visit(
     ax: float, bx: float, apart: float, i: float, m: float
 ) -> None:
     """Two bodies fall onto each other along y, with two points side by side between them."""
-    a, b = BodyRow(inv_m=1.0, inv_i=1.0), BodyRow(inv_m=m, inv_i=i, vy=-1.0)
+    a = BodyRow(inv_m=1.0, inv_i=1.0, corner_count=4)
+    b = BodyRow(inv_m=m, inv_i=i, vy=-1.0, corner_count=4)
     c = ContactRow(ny=1.0, ax=ax, ay=1.0, bx=bx, by=-1.0, target_vn=0.5)
     d = ContactRow(ny=1.0, ax=ax + apart, ay=1.0, bx=bx + apart, by=-1.0, target_vn=0.5)
     set_frame(c, a, b)
@@ -97,7 +98,7 @@ def test_velocities_at_both_points_reach_their_targets_in_one_visit(
 
 def test_pushes_at_both_points_undo_what_each_overlaps() -> None:
     """A box overlaps more on its right: pushed at 1 and 3 m/s, 2 m apart, it turns at 1 rad/s."""
-    floor, box = BodyRow(), BodyRow(inv_m=1.0, inv_i=1.5)
+    floor, box = BodyRow(corner_count=2), BodyRow(inv_m=1.0, inv_i=1.5, corner_count=4)
     c = ContactRow(ny=1.0, bx=-1.0, by=-1.0, push_speed=1.0)
     d = ContactRow(ny=1.0, bx=1.0, by=-1.0, push_speed=3.0)
     for point in (c, d):
@@ -110,7 +111,7 @@ def test_pushes_at_both_points_undo_what_each_overlaps() -> None:
 
 def test_points_as_good_as_one_are_left_single() -> None:
     """At the same place the two equations are one, and how they share the load is open."""
-    a, b = BodyRow(), BodyRow(inv_m=1.0, inv_i=1.0)
+    a, b = BodyRow(corner_count=2), BodyRow(inv_m=1.0, inv_i=1.0, corner_count=4)
     for apart, is_block in ((0.0, False), (1e-6, False), (1e-2, True), (1.0, True)):
         c, d = ContactRow(ny=1.0, bx=0.5), ContactRow(ny=1.0, bx=0.5 + apart)
         for point in (c, d):

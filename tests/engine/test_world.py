@@ -124,7 +124,7 @@ def test_step_that_lacks_room_goes_on_where_it_stopped(
 def test_body_without_forces_moves_and_turns_evenly() -> None:
     """Position x0 + v t, angle a0 + w t, and the velocities stay to the bit."""
     scene = one_body(position=(1, 2), velocity=(3, -1), angle=0.5, angular_velocity=-2)
-    run = simulate(scene, 1.0)
+    run = simulate(scene, 1.0, solver="sequential")
     t = run.times[:, np.newaxis]
     np.testing.assert_allclose(run.positions[:, 0], (1, 2) + t * (3, -1), atol=ROUNDING)
     np.testing.assert_allclose(run.angles[:, 0], 0.5 - 2 * run.times, atol=ROUNDING)
@@ -176,7 +176,7 @@ def test_body_beyond_floating_point_is_noted_by_number(name: str, value: float) 
 
 def test_fall_without_contacts_is_that_of_the_steps() -> None:
     """Velocity g t exactly; the place lags by g t dt / 2, for the step moves first."""
-    run = simulate(Scene(one_body().bodies, gravity=(0, -10)), 1.0)
+    run = simulate(Scene(one_body().bodies, gravity=(0, -10)), 1.0, solver="sequential")
     t = run.times
     np.testing.assert_allclose(run.velocities[:, 0, 1], -10 * t, atol=10 * ROUNDING)
     np.testing.assert_allclose(run.positions[:, 0, 1], -5 * t * (t - 1 / 60), atol=10 * ROUNDING)
@@ -186,7 +186,7 @@ def test_fall_without_contacts_is_that_of_the_steps() -> None:
 def test_speed_with_damping_falls_exponentially_whatever_the_step(dt: float) -> None:
     """The law v0 exp(-c t), for the spin too, is kept exactly by each step."""
     scene = Scene(one_body(velocity=(3, 0), angular_velocity=2).bodies, damping=0.7)
-    run = simulate(scene, 2.0, dt=dt)
+    run = simulate(scene, 2.0, dt=dt, solver="sequential")
     remaining = np.exp(-0.7 * run.times)
     np.testing.assert_allclose(run.velocities[:, 0, 0], 3 * remaining, rtol=ROUNDING)
     np.testing.assert_allclose(run.angular_velocities[:, 0], 2 * remaining, rtol=ROUNDING)
@@ -195,7 +195,7 @@ def test_speed_with_damping_falls_exponentially_whatever_the_step(dt: float) -> 
 def test_static_bodies_know_no_gravity_and_no_damping() -> None:
     """A floor stays; a moving wall keeps its velocity."""
     wall = Body(Circle(1), position=(9, 9), velocity=(1, 0), angular_velocity=3)
-    run = simulate(Scene([FLOOR, wall], gravity=(0, -10), damping=5), 1.0)
+    run = simulate(Scene([FLOOR, wall], gravity=(0, -10), damping=5), 1.0, solver="sequential")
     assert not run.positions[:, 0].any()
     assert (run.velocities[:, 1] == (1, 0)).all()
     assert (run.angular_velocities[:, 1] == 3).all()
@@ -212,7 +212,7 @@ def test_ball_that_bounces_for_ever_keeps_its_energy() -> None:
     """
     ball = Body(Circle(0.5), mass=1, position=(0, 1.5), material=Material(1.0))
     scene = Scene([FLOOR, ball], gravity=(0, -10))
-    run = simulate(scene, 60.0, dt=1 / 240)
+    run = simulate(scene, 60.0, dt=1 / 240, solver="sequential")
     v, y = run.velocities[:, 1, 1], run.positions[:, 1, 1]
     kept = v * v / 2 + 10 * y + v * 10 / 240 / 2
     assert len(run.contacts) > 60
@@ -226,7 +226,7 @@ def test_ball_hit_by_a_moving_wall_leaves_at_twice_its_speed() -> None:
     """In the wall's frame the ball is turned round: 0 becomes 2 u."""
     bat = Body(Polygon.box(1, 4), velocity=(3, 0))
     ball = Body(Circle(0.5), mass=1, position=(1.5, 0), material=Material(1.0))
-    run = simulate(Scene([bat, ball]), 1.0)
+    run = simulate(Scene([bat, ball]), 1.0, solver="sequential")
     np.testing.assert_allclose(run.velocities[-1], [(3, 0), (6, 0)], rtol=ROUNDING)
 
 
@@ -235,7 +235,7 @@ def test_conveyor_belt_that_turns_drives_a_disc_by_friction() -> None:
     roller = Body(Circle(1), angular_velocity=4, material=Material(friction=0.5))
     disc = Body(Circle(0.5), mass=1, position=(0, 1.499), material=Material(friction=0.5))
     pipe = [Body(Segment((x, 0), (x, 9)), material=Material(friction=0)) for x in (-0.5, 0.5)]
-    run = simulate(Scene([roller, disc, *pipe], gravity=(0, -10)), 3.0)
+    run = simulate(Scene([roller, disc, *pipe], gravity=(0, -10)), 3.0, solver="sequential")
     assert run.angular_velocities[-1, 1] == pytest.approx(-8, rel=1e-6)
 
 
@@ -245,8 +245,8 @@ def test_run_in_sub_steps_is_the_run_in_short_steps() -> None:
         Circle(0.5), mass=1, position=(0, 1.5), velocity=(1, 0), material=Material(0.8, 0.3)
     )
     scene = Scene([FLOOR, ball], gravity=(0, -10))
-    parts = simulate(scene, 2.0, dt=1 / 32, substeps=4)
-    short = simulate(scene, 2.0, dt=1 / 128)
+    parts = simulate(scene, 2.0, dt=1 / 32, substeps=4, solver="sequential")
+    short = simulate(scene, 2.0, dt=1 / 128, solver="sequential")
     np.testing.assert_array_equal(parts.positions, short.positions[::4])
     np.testing.assert_array_equal(parts.velocities, short.velocities[::4])
     np.testing.assert_array_equal(parts.contacts.time, short.contacts.time)

@@ -56,7 +56,12 @@ def test_row_has_the_gaps_asked_for_whatever_the_order(gap: float, last_first: b
 @pytest.mark.parametrize("gap", [-1e-6, 1e-6])
 def test_row_leaves_one_by_one_or_all_at_once(gap: float, last_first: bool) -> None:
     """A millionth of a metre decides between the two closed forms; the order does not."""
-    run = simulate(disc_scenes.row_of_discs(5, gap, last_first=last_first), 1.0, iterations=100)
+    run = simulate(
+        disc_scenes.row_of_discs(5, gap, last_first=last_first),
+        1.0,
+        iterations=100,
+        solver="sequential",
+    )
     expected = cradle_one_by_one(5, 1.0) if gap > 0 else cradle_all_at_once(5, 1.0)
     order = -1 if last_first else 1
     assert run.velocities[-1, ::order, 0] == pytest.approx(expected, abs=CONVERGED)
@@ -148,7 +153,9 @@ def test_table_with_loss_never_gains_energy_and_ends_like_pymunks() -> None:
 
 def test_break_is_symmetric_with_enough_sweeps() -> None:
     """The cue ball stays on the middle line, and each row stays its own mirror image."""
-    run = simulate(disc_scenes.rack_break(0.95), 4.0, dt=1 / 240, iterations=30)
+    run = simulate(
+        disc_scenes.rack_break(0.95), 4.0, dt=1 / 240, iterations=30, solver="sequential"
+    )
     balls = run.positions[:, disc_scenes.CUSHIONS :]
     rows = [range(1), *(range(1 + k * (k + 1) // 2, 1 + (k + 1) * (k + 2) // 2) for k in range(5))]
     for row in rows:

@@ -73,7 +73,7 @@ def test_ball_in_a_box_is_where_the_closed_form_has_it() -> None:
     scene = exact_scenes.ball_in_a_box()
     exact = simulate(scene, 10, solver="exact", sample=times)
     assert exact_scenes.error_in_the_box(exact) == pytest.approx(np.zeros(21), abs=ROUNDING)
-    stepped = simulate(scene, 10, sample=times)
+    stepped = simulate(scene, 10, sample=times, solver="sequential")
     assert exact_scenes.error_in_the_box(stepped).max() > 0.1
 
 
@@ -90,7 +90,7 @@ def test_bouncing_to_rest_rests_when_it_should(restitution: float) -> None:
 def test_turned_back_is_the_same_scene_with_opposite_motion() -> None:
     """Shapes, masses, materials and gravity are kept; places are the last ones."""
     scene = exact_scenes.bouncing_to_rest(1.0)
-    run = simulate(scene, 0.7)
+    run = simulate(scene, 0.7, solver="sequential")
     back = exact_scenes.turned_back(run)
     assert back.gravity == scene.gravity
     for before, after, place, velocity in zip(

@@ -12,9 +12,10 @@ import pytest
 from rich.console import Console
 
 from lesson_code import Body, Circle, Scene, simulate
+from lesson_code.engine.scene import scene_at
 from lesson_code.evidence import speed_scenes
 from lesson_code.evidence.speed import few_bodies, measure, measure_speed, processes, quality
-from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for, scene_after
+from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for
 from lesson_code.evidence.speed.few_bodies import FewBodies
 from lesson_code.evidence.speed.limits import Limit, standing_limits
 from lesson_code.evidence.speed.measure import KEYS, chosen, parts
@@ -185,7 +186,7 @@ def test_growth_leaves_out_what_is_small() -> None:
 def test_gauge_measures_what_a_run_measures() -> None:
     """The same depth, in the same states, of discs and of polygons."""
     for speed_scene in (speed_scenes.gas(30), speed_scenes.pyramid(4)):
-        run = simulate(speed_scene.scene, 0.5, sample="end")
+        run = simulate(speed_scene.scene, 0.5, sample="end", solver="sequential")
         states = np.column_stack(
             [run.positions[-1], run.angles[-1], run.velocities[-1], run.angular_velocities[-1]]
         )
@@ -196,7 +197,7 @@ def test_gauge_measures_what_a_run_measures() -> None:
 def test_kinetic_energy_of_states_is_that_of_the_run() -> None:
     """Spin included; walls are at rest."""
     speed_scene = speed_scenes.bin_of_shapes(5)
-    run = simulate(speed_scene.scene, 0.5, sample="end")
+    run = simulate(speed_scene.scene, 0.5, sample="end", solver="sequential")
     states = np.column_stack(
         [run.positions[-1], run.angles[-1], run.velocities[-1], run.angular_velocities[-1]]
     )
@@ -237,7 +238,7 @@ def test_scene_after_steps_goes_on_as_the_engine_would() -> None:
     speed_scene = speed_scenes.gas(10)
     engine = builder("sequential", speed_scene)()
     engine.advance(5)
-    scene = scene_after(speed_scene.scene, engine.states())
+    scene = scene_at(speed_scene.scene, engine.states())
     assert quality.states_of(scene).tolist() == engine.states().tolist()
     assert [b.shape for b in scene.bodies] == [b.shape for b in speed_scene.scene.bodies]
 

@@ -66,7 +66,9 @@ def test_scene_has_as_many_bodies_as_its_size_says(
 @pytest.mark.parametrize("speed_scene", SMALL)
 def test_bodies_overlap_by_less_than_the_slop_at_the_start(speed_scene: SpeedScene) -> None:
     """Nothing is pushed apart: what is measured is the scene, not its repair."""
-    assert simulate(speed_scene.scene, 0.0).max_penetration[0] <= speed_scene.slop
+    assert (
+        simulate(speed_scene.scene, 0.0, solver="sequential").max_penetration[0] <= speed_scene.slop
+    )
 
 
 @pytest.mark.parametrize("speed_scene", SMALL)
@@ -128,7 +130,9 @@ def test_settled_disc_lies_in_the_gap_between_two_below_it() -> None:
 def test_built_scene_is_at_rest_after_its_warm_up(build: Callable[[int], SpeedScene]) -> None:
     """Nothing has fallen from its place by more than the slop for each body under it."""
     speed_scene = build(5)
-    run = simulate(speed_scene.scene, speed_scene.warm_up * speed_scene.dt, sample="end")
+    run = simulate(
+        speed_scene.scene, speed_scene.warm_up * speed_scene.dt, sample="end", solver="sequential"
+    )
     moved = run.positions[-1] - run.positions[0]
     assert np.abs(moved).max() <= 5 * speed_scene.slop
     assert np.abs(run.velocities[-1]).max() < 0.05
@@ -137,7 +141,9 @@ def test_built_scene_is_at_rest_after_its_warm_up(build: Callable[[int], SpeedSc
 def test_stack_still_stands_after_its_warm_up() -> None:
     """None of 20 boxes has moved aside; they have only sunk into each other."""
     speed_scene = speed_scenes.stack(20)
-    run = simulate(speed_scene.scene, speed_scene.warm_up * speed_scene.dt, sample="end")
+    run = simulate(
+        speed_scene.scene, speed_scene.warm_up * speed_scene.dt, sample="end", solver="sequential"
+    )
     moved = run.positions[-1] - run.positions[0]
     assert np.abs(moved[:, 0]).max() <= ROUNDING
     assert run.max_penetration[-1] < 0.02

@@ -13,15 +13,13 @@ from lesson_code.geometry import Circle, Polygon, Segment, collide
 from lesson_code.geometry.impact_times import (
     circle_impact_time,
     circle_outline_impact_time,
-    is_approaching,
     line_impact_time,
-    nearest_feature,
-    path_point,
-    straight_impact_time,
 )
 from lesson_code.geometry.manifold import collide_rows
+from lesson_code.geometry.nearest_feature import path_point
 from lesson_code.geometry.rows import Corner, ManifoldRow, Placed, place
 from lesson_code.geometry.shapes import Shape
+from lesson_code.geometry.straight_impact_times import straight_impact_time
 
 FEW_ROUNDINGS = 1e-14
 """Of times and lengths of size 1: some dozen operations, rounded to 1e-16 each."""
@@ -264,37 +262,6 @@ def test_outline_time_overlapping_feature_is_the_contacts(
     assert (m.nx, m.ny) == pytest.approx(normal, abs=FEW_ROUNDINGS)
     if abs(vx * m.nx + vy * m.ny) > FEW_ROUNDINGS:
         assert time == (0.0 if vx * m.nx + vy * m.ny < 0 else never)
-
-
-@given(shapes, *[st.floats(-4, 4)] * 3)
-def test_nearest_feature_lies_where_a_circle_of_that_size_touches(
-    shape: Shape, angle: float, px: float, py: float
-) -> None:
-    """A circle smaller than the distance does not overlap, a larger one does."""
-    corners, body = outline_rows(shape, angle)
-    distance, _ = nearest_feature(corners, body, px, py)
-    if distance > 1e-6:
-        for radius, overlaps in ((distance * (1 - 1e-9), False), (distance * (1 + 1e-9), True)):
-            m = ManifoldRow()
-            collide_rows(corners, body, Placed(px, py, radius=radius - body.radius), m)
-            assert (m.count > 0) == overlaps
-
-
-def test_approach_is_decided_by_the_first_derivative_that_is_not_zero() -> None:
-    """Past a corner: by speed; level with it: by v^2 + r . a; there too: by v . a."""
-    corners, _ = outline_rows(FLOOR)  # corner 0 at (9, 0)
-    at_corner = {"feature": -1, "px": 9.0, "py": 1.0, "vx": 2.0}
-    for vy, ax, ay, expected in [
-        (-1.0, 0.0, 0.0, True),
-        (1.0, 0.0, 0.0, False),
-        (0.0, 0.0, 0.0, False),
-        (0.0, 0.0, -5.0, True),
-        (0.0, 0.0, -3.0, False),
-        (0.0, -1.0, -4.0, True),
-        (0.0, 1.0, -4.0, False),
-    ]:
-        measured = is_approaching(corners, **at_corner, vy=vy, ax=ax, ay=ay)  # type: ignore[arg-type]
-        assert measured == expected
 
 
 def gaps(shape: Shape, angle: float, radius: float, places: np.ndarray) -> np.ndarray:

@@ -91,7 +91,7 @@ def test_agrees_integer_with_float() -> None:
         (None, "None"),
         ("left", "'left'"),
         ("a\n\x1b[2J\ud800", "'a\\n\\x1b[2J\\ud800'"),
-        ((1.0, (2.0,)), "(1, (2))"),
+        ((1.0, (2.0,)), "(1, (2,))"),
         ([], "()"),
     ],
 )

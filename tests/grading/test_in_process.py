@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from lesson_code.grading.in_process import call_here, kept_apart
-from lesson_code.grading.outcome import Outcome
+from lesson_code.grading.isolation.outcome import Outcome
 
 
 def here(function: Any, *arguments: Any, seconds: float = 3.0) -> Outcome:

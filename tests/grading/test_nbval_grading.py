@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
 import subprocess
 import sys
 import sysconfig
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from typer.testing import CliRunner
+from rich.console import Console
 
-from lesson_code.cli import app
 from lesson_code.grading.exercises import EXERCISES, Exercise, exercise_by_name, task_by_id
+from lesson_code.grading.grader import Grader, grade
 from lesson_code.grading.nbval_grading import CHECK_CALL, grade_under_nbval, merge
-from lesson_code.grading.report import grade
+from lesson_code.grading.report import print_report
 from lesson_code.grading.submission import SubmissionError, read_submission
 from lesson_code.grading.task import WrongModel, source_as_answer
 
@@ -27,6 +28,7 @@ from .conftest import Write
 FOLDER = Path(__file__).parent / "golden"
 TABLE: dict[str, dict[str, Any]] = tomllib.loads((FOLDER / "golden.toml").read_text())
 CHAPTERS = [exercise for exercise in EXERCISES if exercise.suffix == ".ipynb"]
+WHY_NOT_UNDER_NBVAL = ("kills", "hangs", "floods", "takes the memory", "has no wall", "has nothing")
 WORKBOOK = Path(sysconfig.get_path("scripts")) / "workbook"
 
 
@@ -35,6 +37,13 @@ def passed(path: Path, exercise: Exercise, root: Path) -> list[bool]:
     outcomes = grade_under_nbval(read_submission(path), exercise, root)
     assert [outcome.task for outcome in outcomes] == [task.id for task in exercise.tasks]
     return [outcome.passed for outcome in outcomes]
+
+
+@pytest.fixture(scope="module")
+def grader() -> Iterator[Grader]:
+    """Return one grader for all notebooks."""
+    with Grader() as grader:
+        yield grader
 
 
 def full(path: Path, exercise: Exercise) -> list[bool]:
@@ -89,7 +98,7 @@ def test_nbval_is_run_on_a_dozen_and_the_others_say_why_not() -> None:
     for name in set(TABLE) - run:
         reason = TABLE[name]["under_nbval"]
         like = reason.removeprefix("as ")
-        assert like in run or reason.startswith(("kills", "hangs", "floods", "takes the memory"))
+        assert like in run or reason.startswith(WHY_NOT_UNDER_NBVAL)
 
 
 def test_nbval_and_grade_give_a_right_student_notebook_full_marks(
@@ -114,14 +123,13 @@ def test_grade_gives_a_right_student_notebook_full_marks(
     ids=lambda model: f"{model.task} {model.name}",
 )
 def test_grade_of_student_notebook_with_wrong_model_shows_its_hint(
-    model: WrongModel, student_notebook: Callable[..., Path]
+    model: WrongModel, student_notebook: Callable[..., Path], grader: Grader
 ) -> None:
     """Handed in as by a student, a wrong model loses points, and its hint is printed."""
-    path = notebook_with(model, student_notebook)
-    ran = CliRunner().invoke(app, ["grade", str(path), "--seed", "7"])
-    shown = " ".join(ran.stdout.split())
+    printed = Console(file=io.StringIO())
+    print_report(grader.grade(notebook_with(model, student_notebook), seed=7), printed)
+    shown = " ".join(printed.file.getvalue().split())  # type: ignore[attr-defined]
     points = re.search(rf"{re.escape(task_by_id(model.task).title)}: (\d)/(\d) points", shown)
-    assert ran.exit_code == 1
     assert points is not None
     assert points[1] < points[2]
     assert f"hint: {model.hint}" in shown

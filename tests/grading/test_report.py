@@ -9,8 +9,8 @@ import pytest
 from rich.console import Console
 
 from lesson_code.grading.exercises import exercise_by_name
-from lesson_code.grading.isolation import isolation_in_force
-from lesson_code.grading.report import Report, grade, print_report
+from lesson_code.grading.grader import grade
+from lesson_code.grading.report import Report, print_report
 
 from .conftest import Write
 
@@ -42,12 +42,12 @@ def test_report_as_dict_is_one_json_object(report: Report) -> None:
         "version", "command", "submission", "exercise", "seed", "isolation", "points",
         "full_points", "tasks", "notes",
     ]  # fmt: skip
-    assert (value["version"], value["command"], value["seed"]) == (1, "grade", 1)
+    assert (value["version"], value["command"], value["seed"]) == (2, "grade", 1)
     assert value["submission"].endswith("answer.ipynb")
     assert value["exercise"] == "01_one_dimension"
-    assert value["isolation"] == isolation_in_force()
+    assert value["isolation"] == report.isolation.as_dict()
     assert (value["points"], value["full_points"]) == (4, 10)
-    assert value["notes"] == ["your cell 3, line 2: invalid syntax"]
+    assert value["notes"] == ["your cell 3, line 2: invalid syntax, in: x = 1 /"]
     assert [task["points"] for task in value["tasks"]] == [1, 3, 0]
     first = value["tasks"][0]
     assert list(first) == [
@@ -89,8 +89,8 @@ def test_report_table_shows_marks_hint_notes_seed_and_isolation(report: Report) 
         "Called elastic_1d(",
         "hint: Only equal masses exchange velocities.",
         "there is no function named elastic_impulse_1d",
-        "left out: your cell 3, line 2: invalid syntax",
-        f"seed 1, isolation: {isolation_in_force()}",
+        "left out: your cell 3, line 2: invalid syntax, in: x = 1 /",
+        f"seed 1, isolation: {report.isolation}",
     ):
         assert part in text
 

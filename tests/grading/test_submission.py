@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from lesson_code.grading import submission as submission_module
-from lesson_code.grading.report import grade
+from lesson_code.grading.grader import grade
 from lesson_code.grading.submission import Submission, SubmissionError, read_submission
 
 from .conftest import Write
@@ -183,7 +183,7 @@ def test_read_syntax_error_in_one_cell_leaves_the_others(write: Write) -> None:
     """A cell that is no Python is named with its line, and the other cells are graded."""
     path = write("answer.ipynb", ELASTIC, "x = 1\ny = (\n", INELASTIC)
     read = read_submission(path)
-    assert read.unreadable == ("your cell 2, line 2: '(' was never closed",)
+    assert read.unreadable == ("your cell 2, line 2: '(' was never closed, in: y = (",)
     assert points(path) == [4, 3, 0]
 
 
@@ -191,7 +191,7 @@ def test_read_syntax_error_in_a_program_is_named(write: Write) -> None:
     """A program that is no Python earns nothing, and the report says where it ends."""
     report = grade(write("answer.py", f"{ELASTIC}\ndef f(:\n"), exercise="01", seed=1)
     assert report.points == 0
-    assert report.notes == ("your answer.py, line 5: invalid syntax",)
+    assert report.notes == ("your answer.py, line 5: invalid syntax, in: def f(:",)
 
 
 @pytest.mark.parametrize(

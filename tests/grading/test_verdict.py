@@ -13,7 +13,7 @@ import pytest
 
 from lesson_code.grading.exercises import EXERCISES, task_by_id
 from lesson_code.grading.in_process import call_here
-from lesson_code.grading.outcome import Outcome
+from lesson_code.grading.isolation.outcome import Outcome
 from lesson_code.grading.task import Arguments, Criterion, Task, WrongModel
 from lesson_code.grading.verdict import Verdict, judge
 
@@ -272,4 +272,4 @@ def test_message_without_a_reason_where_the_reason_cannot_be_said() -> None:
     task = made_up(explain=explain)
     for answer in (None, "text", [None], 5.0, []):
         message = judged(task, lambda _, answer=answer: answer).criteria[0].message
-        assert message.endswith(".")
+        assert message.endswith((".", "?"))

@@ -205,6 +205,19 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             F(9, 10) * 3**2,
         ],
     ),
+    "10-pair": (
+        math.sqrt(0.9 * 0.4),
+        [F(9, 10), F(9, 10) * F(4, 10), (F(9, 10) + F(4, 10)) / 2, F(4, 10), F(0)],
+    ),
+    "10-bound": (
+        math.sqrt(8 * 3**2 / 0.5),
+        [F(3), math.sqrt(8 * 3**2 / 2), math.sqrt(8 * 3**2 / 2 / 0.5), F(8 * 3) / F(1, 2)],
+    ),
+    "11-step": (
+        5 - (2 + 3) * F(1, 10),
+        [5 - (3 + 4) * F(1, 10), 5 - 2 * F(2, 10) - 5 * F(2, 10) ** 2, 5 - 4 * F(1, 10), F(5, 10)],
+    ),
+    "11-pairs": (F(20 * 19, 2), [F(20 * 20), F(20 * 19), F(20 * 20, 2), F(20)]),
 }
 
 
@@ -271,6 +284,9 @@ def test_equal_masses_only_the_exchange_keeps_momentum_and_energy_and_changes_so
         ("07-at-the-instant", "Nothing, or something only if rounding"),
         ("09-cradle", "two equations for five unknowns"),
         ("09-energy", "more energy after the impact"),
+        ("10-side", "call for an effect that turns out not to be needed"),
+        ("10-island", "floors do not join islands"),
+        ("11-gate", "only who moves into the wall is turned round"),
     ],
 )
 def test_right_option_says(key: str, right: str) -> None:

@@ -103,7 +103,13 @@ def test_disc_rolls_or_slips_down_an_incline(share: float, solver: str) -> None:
 def test_tall_box_tips_at_the_closed_forms_angle(offset: float, falls: bool) -> None:
     """atan(1/2) = 26.565 degrees for a box twice as tall as wide, found within 0.02 degrees."""
     angle = tipping_angle(1.0, 2.0) + math.radians(offset)
-    run = simulate(scenes.box_on_incline(angle, 2.0, 1.0, 2.0), 8.0, iterations=50, sample="end")
+    run = simulate(
+        scenes.box_on_incline(angle, 2.0, 1.0, 2.0),
+        8.0,
+        iterations=50,
+        sample="end",
+        solver="sequential",
+    )
     assert bool(run.angles[-1, 1] - angle > 0.5) is falls
 
 
@@ -144,7 +150,7 @@ def test_naive_solver_pushes_the_ball_off_the_plank_sideways() -> None:
 def test_box_that_lands_flat_leaves_flat(width: float, height: float) -> None:
     """Both corners are solved together: exact after one sweep, where pymunk's 10 leave a turn."""
     scene = scenes.box_landing_flat(width, height, 1.0, 0.5)
-    ours = simulate(scene, 1 / 60, iterations=1, sample="end")
+    ours = simulate(scene, 1 / 60, iterations=1, sample="end", solver="sequential")
     expected = flat_landing(width, height, 1.0, 0.5)
     assert ours.velocities[-1, 1, 1] == pytest.approx(expected[0], abs=ROUNDING)
     assert ours.angular_velocities[-1, 1] == pytest.approx(expected[1], abs=ROUNDING)
@@ -165,7 +171,7 @@ def test_stack_of_ten_boxes_stands_for_a_minute_without_drift() -> None:
 
     Sinks into the one below, that is; by a hundredth of the slop more where it began deeper.
     """
-    run = simulate(scenes.box_stack(10), 60.0, sample="end")
+    run = simulate(scenes.box_stack(10), 60.0, sample="end", solver="sequential")
     moved = run.positions[-1, 1:] - run.positions[0, 1:]
     assert np.abs(moved[:, 0]).max() <= ROUNDING
     sunk = -np.diff(moved[:, 1], prepend=0.0)
@@ -178,14 +184,14 @@ def test_stack_of_ten_boxes_stands_for_a_minute_without_drift() -> None:
 
 def test_contacts_of_a_stack_carry_what_is_above_them() -> None:
     """Under box n of ten: the weight of ten less n boxes."""
-    run = simulate(scenes.box_stack(10), 10.0)
+    run = simulate(scenes.box_stack(10), 10.0, solver="sequential")
     carried = [forces(run, body).sum() for body in range(1, 11)]
     assert carried == pytest.approx(stack_forces(np.ones(10), scenes.GRAVITY), rel=1e-9)
 
 
 def test_pyramid_of_ten_rows_stays_still() -> None:
     """55 boxes settle within 10 s, and then none moves by a nanometre in 5 s more."""
-    run = simulate(scenes.box_pyramid(10), 15.0, sample=np.array([10.0, 15.0]))
+    run = simulate(scenes.box_pyramid(10), 15.0, sample=np.array([10.0, 15.0]), solver="sequential")
     assert np.abs(run.positions[1] - run.positions[0]).max() <= 1e-9
     assert np.abs(run.velocities[1]).max() <= 1e-9
 
@@ -199,7 +205,7 @@ def test_jitter_of_a_disturbed_stack_dies_away() -> None:
         for n, box in enumerate(boxes)
     ]
     scene = Scene([ground, *shifted], gravity=stack.gravity)
-    run = simulate(scene, 20.0, sample=np.arange(0.0, 21.0))
+    run = simulate(scene, 20.0, sample=np.arange(0.0, 21.0), solver="sequential")
     speeds = np.abs(run.velocities[:, 1:]).max(axis=(1, 2))
     assert speeds[1] > 1e-3 > 1e-4 > speeds[10]
     assert speeds[20] < speeds[10] / 100

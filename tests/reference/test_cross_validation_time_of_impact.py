@@ -31,8 +31,8 @@ from lesson_code.geometry.impact_times import (
     circle_impact_time,
     circle_outline_impact_time,
     line_impact_time,
-    nearest_feature,
 )
+from lesson_code.geometry.nearest_feature import nearest_feature
 from lesson_code.geometry.rows import Corner, place
 from lesson_code.geometry.separation import Moment, separation_rows
 

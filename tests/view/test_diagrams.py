@@ -88,6 +88,26 @@ def test_unknown_step_is_refused_by_name(ax: Axes) -> None:
     assert not ax.patches
 
 
+def test_unknown_step_with_functions_is_refused_by_name(ax: Axes) -> None:
+    """The same for functions that are written below a step."""
+    with pytest.raises(ValueError, match=r"functions must hold .*got 'fast phase'"):
+        diagrams.pipeline(ax, functions={"fast phase": "sweep"})
+    assert not ax.patches
+
+
+def test_functions_stand_below_the_names_of_their_steps(
+    assert_texts_are_clear: Callable[[Figure], None],
+) -> None:
+    """Each in the box of its step, at the size asked for, two lines of them too."""
+    figure, ax = style.figure(width=9, height=4)
+    written = {step: f"of_{step.split()[0]}\nand_another" for step in ALL_STEPS}
+    where = places(diagrams.pipeline(ax, functions=written))
+    for step, text in written.items():
+        assert where[text][0] == where[step][0]
+        assert 0 < where[step][1] - where[text][1] < diagrams.HIGH
+    assert_texts_are_clear(figure)
+
+
 @pytest.mark.parametrize("size", [(9, 2.6), (9, 2.9), (10.5, 3.4)])
 def test_no_word_of_the_pipeline_is_cut_or_written_over_another(
     assert_texts_are_clear: Callable[[Figure], None], size: tuple[float, float]

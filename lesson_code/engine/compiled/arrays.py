@@ -24,7 +24,7 @@ UNIT = 32
 """Bytes: rows of more than this are made a multiple of it, so that few lie across a border."""
 
 
-def as_arrays(tables: Tables, source: str) -> Tables:
+def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables:
     """Return a named tuple of tables, each list of rows as an array and each row as a record.
 
     Rows keep only the fields that a program names: it pays for no other. A table without rows has
@@ -36,6 +36,9 @@ def as_arrays(tables: Tables, source: str) -> Tables:
         Lists of rows and single rows; or what this function has returned for another program.
     source : str
         The program.
+    rows : named tuple, optional
+        The tables as lists, where `tables` are arrays for an earlier program: what that did not
+        name it has not changed.
 
     Examples
     --------
@@ -48,10 +51,12 @@ def as_arrays(tables: Tables, source: str) -> Tables:
     used = frozenset(re.findall(r"\.(\w+)", source))
     return type(tables)(
         *[
-            _array(table, kind, used)
+            _array(table, kind, used, first)
             if isinstance(table, (list, np.ndarray))
             else _record(table, kind)
-            for table, kind in zip(tables, row_kinds(type(tables)).values(), strict=True)
+            for table, first, kind in zip(
+                tables, rows or tables, row_kinds(type(tables)).values(), strict=True
+            )
         ]
     )
 
@@ -106,16 +111,19 @@ def dtype_of(row: Any, used: frozenset[str] | None = None) -> np.dtype[Any]:
     )
 
 
-def _array(rows: Any, kind: Any, used: frozenset[str] | None) -> NDArray[Any]:
-    """Return rows, or the rows of an array, as an array of records."""
+def _array(rows: Any, kind: Any, used: frozenset[str] | None, first: Any = ()) -> NDArray[Any]:
+    """Return rows, or the rows of an array, as an array of records; fields it has not from others.
+
+    A table that has grown since then holds nothing but what each step writes anew.
+    """
     array = _zeros(len(rows), dtype_of(kind, used))
-    names = array.dtype.names or ()
-    if isinstance(rows, np.ndarray):
-        for name in set(names) & set(rows.dtype.names or ()):
-            array[name] = rows[name]
-    else:
-        for name in names:
+    for name in array.dtype.names or ():
+        if not isinstance(rows, np.ndarray):
             array[name] = [getattr(row, name) for row in rows]
+        elif name in (rows.dtype.names or ()):
+            array[name] = rows[name]
+        elif isinstance(first, list) and len(first) == len(rows):
+            array[name] = [getattr(row, name) for row in first]
     return array
 
 

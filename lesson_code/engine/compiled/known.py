@@ -18,8 +18,8 @@ class Known(NamedTuple):
 def known_value(node: ast.expr, names: Mapping[str, Any]) -> Known | None:
     """Return the value of an expression if it can be known, given those of some names.
 
-    Known are: constants, the names given, attributes of what is known, `is`, `not`, `and`, `or`
-    between them; and that a number in a row is no array.
+    Known are: constants, the names given, attributes of what is known, `is`, `not`, `and`, `or`,
+    `if` between them; and that a number in a row is no array.
 
     >>> known_value(ast.parse("a is None or b", mode="eval").body, {"a": None})
     Known(value=True)
@@ -44,6 +44,9 @@ def known_value(node: ast.expr, names: Mapping[str, Any]) -> Known | None:
             return None if same is None else Known(same == isinstance(op, ast.Is))
         case ast.BoolOp():
             return _junction(node, names)
+        case ast.IfExp():
+            test = known_value(node.test, names)
+            return test and known_value(node.body if test.value else node.orelse, names)
         case ast.Call(func=ast.Name(id="isinstance")):
             kind = known_value(node.args[1], names)
             return Known(False) if kind and kind.value is np.ndarray else None

@@ -2,7 +2,8 @@
 
 Read loop (from event to event), foretelling (what can happen to a disc), collisions (what then
 happens), support (resting), motion, queue and cells. Its discs live each in a time of their own.
-solver drives the loop for a scene, as plain Python or compiled.
+solver drives the loop for a scene, as plain Python or compiled. Gravity, friction, turning,
+restitution and outlines are in the loop only where the scene calls for them (`effects`).
 """
 
 from lesson_code.engine.event_driven.recording import record_exact

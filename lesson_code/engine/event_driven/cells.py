@@ -78,13 +78,13 @@ def is_endless(state: ExactState, disc: DiscRow, side: int) -> bool:
     return disc.cell_y == state.first_y
 
 
-def border_gap(state: ExactState, disc: DiscRow, side: int) -> float:
-    """Return how far a disc's centre is inside a border of its cell, m."""
+def border_gap(state: ExactState, disc: DiscRow, side: int, x: float, y: float) -> float:
+    """Return how far a disc's centre, which is at (x, y), is inside a border of its cell, m."""
     size = state.cell_size
     if side == 0:
-        return (disc.cell_x + 1) * size - disc.x
+        return (disc.cell_x + 1) * size - x
     if side == 1:
-        return disc.x - disc.cell_x * size
+        return x - disc.cell_x * size
     if side == 2:
-        return (disc.cell_y + 1) * size - disc.y
-    return disc.y - disc.cell_y * size
+        return (disc.cell_y + 1) * size - y
+    return y - disc.cell_y * size

@@ -77,9 +77,6 @@ thousand within a hop. A pile of discs of very different mass comes to this; ste
 exact events do not.
 """
 
-FEW_DISCS = 16
-"""So few discs are all in one endless cell: looking at all of them costs less than the borders."""
-
 MOST_CELLS = 512
 """Cells that an obstacle may be noted in; a larger one is looked at from everywhere."""
 

@@ -1,11 +1,14 @@
 """The loop of the event-driven solver: from event to event, with no time step between them.
 
     1 the disc whose event comes first lives on to it
-    2 the event happens: a hit, a border of a cell, the end of sliding
+    2 the event happens: a hit, the end of sliding
     3 the events of all discs whose motion has changed are foretold anew
 
 A disc knows only its own next event. If its partner's motion has changed since it was foretold,
-the event is stale: it is thrown away, and the disc's next event is foretold anew.
+the event is stale: it is thrown away, and the disc's next event is foretold anew. Where a disc
+comes to a border of its cell before that, it goes on as it does, and looks into the new cells.
+
+What the scene does not call for is not in the loop (`effects`), nor the record unless it is kept.
 
 References
 ----------
@@ -17,53 +20,66 @@ that closes is an event now.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeAlias
+
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
 from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
-from lesson_code.engine.event_driven.foretelling import foretell
+from lesson_code.engine.event_driven.foretelling import foretell, foretell_beyond
 from lesson_code.engine.event_driven.motion import move_to
-from lesson_code.engine.event_driven.rows import CELL, DISC, END, GRIP, OBSTACLE, DiscRow, Tables
+from lesson_code.engine.event_driven.rows import DISC, END, GRIP, OBSTACLE, DiscRow, Tables
 from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding
+
+Recorder: TypeAlias = Callable[[Tables, int], None]
+"""Writes down the impulse of the collision that has just happened; a disc is its body b."""
 
 TIME_REACHED, COLLISION, PAUSE, RECORD_FULL, NO_END = range(5)
 """What stops the loop: nothing is left to do, a collision where that was asked for, so many events
 that the driver is to have a look, no room for an impulse, or events without end at one instant."""
 
 
-def advance_until(tables: Tables) -> int:
+def advance_until(
+    tables: Tables, effects: Effects = EVERY_EFFECT, record: Recorder | None = None
+) -> int:
     """Let all events up to the time `until` happen, and return what has stopped that.
 
     The next call goes on where this one has stopped.
     """
+    if not effects.collisions:
+        return TIME_REACHED
     state = tables.state
     if not state.has_begun:
-        begin(tables)
+        begin(tables, effects)
     while next_time(tables) <= state.until:
         if state.events_left == 0:
             return PAUSE
-        if state.keeps_impulses and state.impulse_count == len(tables.impulses):
+        if record is not None and state.impulse_count == len(tables.impulses):
             return RECORD_FULL
-        is_hit = next_event(tables)
+        is_hit = next_event(tables, effects, record)
         state.events_left -= 1
-        if has_no_end(tables):
+        if has_no_end(tables, effects):
             return NO_END
         if is_hit and state.stops_at_collision:
             return COLLISION
     return TIME_REACHED
 
 
-def begin(tables: Tables) -> None:
+def begin(tables: Tables, effects: Effects = EVERY_EFFECT) -> None:
     """Foretell the first event of every disc."""
     for i in range(len(tables.discs)):
-        foretell(tables, i)
+        foretell(tables, i, effects)
     tables.state.has_begun = True
 
 
-def has_no_end(tables: Tables) -> bool:
+def has_no_end(tables: Tables, effects: Effects) -> bool:
     """Return whether more events have happened at once than any scene needs."""
     state = tables.state
     most = MOST_EVENTS_AT_ONCE * len(tables.discs)
-    return state.events_at_once > most or state.events_in_piles > most
+    if effects.gravity and state.events_in_piles > most:
+        return True
+    return state.events_at_once > most
 
 
 def next_time(tables: Tables) -> float:
@@ -71,64 +87,83 @@ def next_time(tables: Tables) -> float:
     return tables.queue[1].time
 
 
-def next_event(tables: Tables) -> bool:
+def next_event(
+    tables: Tables, effects: Effects = EVERY_EFFECT, record: Recorder | None = None
+) -> bool:
     """Let the next event happen, and return whether it was a collision."""
-    i, state = tables.queue[1].disc, tables.state
+    i, time, state = tables.queue[1].disc, next_time(tables), tables.state
     disc = tables.discs[i]
-    count_event(tables, disc)
-    state.now = max(state.now, disc.event_time)
-    move_to(disc, state.now)
-    is_hit = happen(tables, i)
-    foretell(tables, i)
+    count_event(tables, time)
+    state.now = max(state.now, time)
+    if disc.border_time <= disc.event_time:
+        cross_border(tables, i, disc.border_side)
+        foretell_beyond(tables, i, disc.border_side, effects)
+        return False
+    if effects.gravity:
+        count_event_in_piles(tables, disc)
+    is_hit = happen(tables, i, effects, record)
+    foretell(tables, i, effects)
     state.collisions += is_hit
     return is_hit
 
 
-def count_event(tables: Tables, disc: DiscRow) -> None:
-    """Count the events that happen at once, and those of discs in piles within one hop."""
+def count_event(tables: Tables, time: float) -> None:
+    """Count the events that happen at once."""
     state = tables.state
-    if disc.event_time > state.now:
+    if time > state.now:
         state.events_at_once = 0
     state.events_at_once += 1
+
+
+def count_event_in_piles(tables: Tables, disc: DiscRow) -> None:
+    """Count the events of discs in piles within one hop."""
+    state = tables.state
     if disc.event_time - state.window_start > state.window:
         state.window_start, state.events_in_piles = disc.event_time, 0
     if disc.event_kind == DISC or disc.event_time - disc.met <= state.pile_time:
         state.events_in_piles += 1
 
 
-def happen(tables: Tables, i: int) -> bool:
+def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) -> bool:
     """Let the event of a disc happen, and return whether it was a collision."""
     disc = tables.discs[i]
     kind, partner = disc.event_kind, disc.partner
     if kind == DISC:
         if tables.discs[partner].changes != disc.partner_changes:
             return False  # stale: the partner has gone another way
-        collide_discs(tables, i, partner)
-        note_impulse(tables, max(i, partner))
-        foretell(tables, partner)
+        collide_discs(tables, i, partner, effects)
+        foretell(tables, partner, effects)
     elif kind == OBSTACLE:
-        collide_obstacle(tables, i, partner, disc.feature)
-        note_impulse(tables, i)
-    elif kind == CELL:
-        cross_border(tables, i, disc.feature)
-    elif kind == GRIP:
-        stop_sliding(tables, disc)
-        slide_or_roll(tables, disc)
+        collide_obstacle(tables, i, partner, disc.feature, effects)
+    elif effects.gravity:
+        go_on_along_face(tables, disc, effects)
+        return False
+    if record is not None:
+        record(tables, max(i, partner) if kind == DISC else i)
+    return True
+
+
+def go_on_along_face(tables: Tables, disc: DiscRow, effects: Effects) -> None:
+    """Let a disc stop sliding, or leave the face that it rests on."""
+    move_to(disc, tables.state.now, effects)
+    if effects.friction and disc.event_kind == GRIP:
+        stop_sliding(tables, disc, effects)
+        slide_or_roll(tables, disc, effects)
         disc.changes += 1
-    elif kind == END:
-        leave_face(tables, disc)
-    return kind in (DISC, OBSTACLE)
+    elif disc.event_kind == END:
+        leave_face(tables, disc, effects)
 
 
 def note_impulse(tables: Tables, i: int) -> None:
     """Write down the impulse of the collision that has just happened; disc i is its body b."""
     state, c, disc = tables.state, tables.contact, tables.discs[i]
-    if not state.keeps_impulses or c.normal_impulse == 0.0:
+    if c.normal_impulse == 0.0:
         return
     sign = 1.0 if c.a < c.b else -1.0
     row = tables.impulses[state.impulse_count]
     row.time, row.a, row.b = state.now, min(c.a, c.b), max(c.a, c.b)
-    row.x, row.y, row.nx, row.ny = disc.x + c.bx, disc.y + c.by, sign * c.nx, sign * c.ny
+    row.x, row.y = disc.x - c.nx * disc.radius, disc.y - c.ny * disc.radius
+    row.nx, row.ny = sign * c.nx, sign * c.ny
     row.normal_impulse, row.tangent_impulse = c.normal_impulse, c.tangent_impulse
     row.penetration = 0.0
     state.impulse_count += 1

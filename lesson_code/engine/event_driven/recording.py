@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.event_driven.solver import ExactSolver
-from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import STATE_NUMBERS, Sample, given_times, run_of
 from lesson_code.engine.run import Run
 
@@ -27,8 +26,7 @@ def record_exact(solver: ExactSolver, duration: float, sample: Sample, reason: s
         times = given_times(duration, sample)
         frames = _at_times(solver, times)
         solver.advance(duration)
-    plan = Plan("exact", reason, solver.choice.code, solver.choice.reason)
-    return run_of(solver.scene, times, frames, solver.events(), plan)
+    return run_of(solver.scene, times, frames, solver.events(), solver.plan(reason))
 
 
 def _after_collisions(

@@ -10,15 +10,17 @@ from lesson_code.engine.event_driven.constants import EVENTS_A_CALL
 from lesson_code.engine.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
 from lesson_code.geometry.rows import Corner
 
-NOTHING, DISC, OBSTACLE, CELL, GRIP, END = range(6)
-"""What a disc's next event is: none, a hit, a hit, a new cell, no more sliding, no more face."""
+NOTHING, GRIP, END, OBSTACLE, DISC = range(5)
+"""What a disc's next event is: none, no more sliding, no more face, a hit, a hit. Of two at the
+same time the one that stands first here comes first."""
 
 
 @dataclass(slots=True)
 class DiscRow:
     """A disc: its state at a time of its own, how it moves from there, and its next event.
 
-    What is read when its neighbours look ahead stands first, in two blocks of 64 bytes.
+    Two blocks of 64 bytes are all there is where nothing falls, turns or rubs: what neighbours
+    read when they look ahead stands in the first.
     """
 
     time: float = 0.0  # s, when the disc had the state below
@@ -32,23 +34,25 @@ class DiscRow:
     next_in_slot: int = -1  # the next disc in the same slot of the grid; -1 for the last
     changes: int = 0  # how often this disc's motion has changed
 
-    ax: float = 0.0  # m/s^2, the same until the next event
-    ay: float = 0.0
-    event_time: float = math.inf  # s, of the next event
+    event_time: float = math.inf  # s, of the next event, borders left aside
+    border_time: float = math.inf  # s, when it leaves its cell, if nothing happens before
     event_kind: int = NOTHING
     partner: int = -1  # the other disc, or the obstacle
     feature: int = 0  # of the obstacle: an edge k, or the corner k as -1 - k
     partner_changes: int = 0  # the partner's `changes` when the event was foretold
+    border_side: int = 0  # by which side it leaves the cell: 0 right, 1 left, 2 up, 3 down
+    body: int = 0  # its place in the scene
+    inv_m: float = 0.0  # 1/kg
+    met: float = -math.inf  # s, when it last met a disc
+    restitution: float = -1.0  # negative: left to the other body
+
+    friction: float = -1.0  # likewise
+    inv_i: float = 0.0  # 1/(kg m^2)
     angle: float = 0.0  # rad
     w: float = 0.0  # rad/s
-    alpha: float = 0.0  # rad/s^2, the same until the next event
-
-    inv_m: float = 0.0  # 1/kg
-    inv_i: float = 0.0  # 1/(kg m^2)
-    restitution: float = -1.0  # negative: left to the other body
-    friction: float = -1.0  # likewise
-    met: float = -math.inf  # s, when it last met a disc
-    body: int = 0  # its place in the scene
+    ax: float = 0.0  # m/s^2, the same until the next event
+    ay: float = 0.0
+    alpha: float = 0.0  # rad/s^2, likewise
     support: int = -1  # the obstacle whose face the disc rests on; -1: it flies
     face: int = 0  # which face
     held: bool = False  # whether a second face holds it too: it does not move at all
@@ -106,7 +110,6 @@ class ExactState:
 
     until: float = -math.inf  # s, later events are left alone
     stops_at_collision: bool = False  # whether to stop after the next one, too
-    keeps_impulses: bool = False  # whether they are written down
     has_begun: bool = False  # whether the first events have been foretold
     events_left: int = EVENTS_A_CALL  # after so many more the driver has a look
 

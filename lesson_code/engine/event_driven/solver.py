@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Mapping
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,8 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
+from lesson_code.engine.effect_rules import Question, choose_effects, flags_of
+from lesson_code.engine.effects import Effects
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
     EVENTS_A_CALL,
@@ -34,10 +36,13 @@ from lesson_code.engine.event_driven.loop import (
     NO_END,
     PAUSE,
     RECORD_FULL,
+    Recorder,
     advance_until,
+    note_impulse,
 )
 from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
 from lesson_code.engine.event_driven.tables import tables_of
+from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import longer
 from lesson_code.engine.rows import ImpulseRow
@@ -46,9 +51,13 @@ from lesson_code.geometry.shapes import Circle
 
 
 @cache
-def program() -> str:
-    """Return the source of the program that the loop is compiled as: one for all scenes."""
-    return link(advance_until)
+def program(effects: Effects, record: Recorder | None) -> str:
+    """Return the source of the program that the loop is compiled as."""
+    return link(advance_until, effects=effects, record=record)
+
+
+ANGLE = 2
+"""Where the angle stands in a state."""
 
 
 class ExactSolver:
@@ -67,6 +76,8 @@ class ExactSolver:
         as plain Python, and are compiled if the work ahead repays it.
     duration : float
         s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
+    effects : mapping, optional
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_rules`.
 
     Attributes
     ----------
@@ -74,13 +85,16 @@ class ExactSolver:
         Lists of rows or, when compiled, arrays of records.
     choice : Choice
         Whether they are compiled, and why.
+    effects : tuple of EffectChoice
+        What it reckons with, and why.
     collisions : int
         So far.
 
     Raises
     ------
     ValueError
-        The scene holds what the solver cannot do, or cannot be compiled as was asked.
+        The scene holds what the solver cannot do, or cannot be compiled as was asked; or effects
+        are asked for that it lacks.
     """
 
     def __init__(
@@ -91,21 +105,36 @@ class ExactSolver:
         keep_impulses: bool = True,
         compiled: bool | None = False,
         duration: float = math.inf,
+        effects: Mapping[str, bool] | None = None,
     ) -> None:
         reason = why_not(scene)
         if reason:
             raise ValueError(f"the exact solver cannot take this scene: {reason}")
         self.scene = scene
-        self.tables = tables_of(scene, combine)
-        self.tables.state.keeps_impulses = keep_impulses
+        wanted = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
+        question = Question(scene, "exact", duration=duration, combine=combine)
+        self.effects = choose_effects(question, wanted)
+        used = {choice.name for choice in self.effects if choice.used}
+        self._flags = flags_of(self.effects)
+        record = note_impulse if "impulse_record" in used else None
+        self.tables = tables_of(scene, combine, "broad_phase" in used)
         self.collisions = 0
         self._events: list[NDArray[np.float64]] = []
-        self._advance: Callable[[Any], int] = advance_until
+        self._program = partial(program, self._flags, record)
+        self._advance: Callable[[Any], int] = partial(
+            advance_until, effects=self._flags, record=record
+        )
         self._asked, self._duration = compiled, duration
         self._events_done = 0
         self.choice = Choice(False, "a small run")
         self._choose(len(self.tables.discs) * MOST_AHEAD)
         self.advance(-1.0)  # no event yet, but all are foretold
+
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run so far, with the reason for the choice of this solver."""
+        choice = self.choice
+        program = self._program
+        return Plan("exact", reason, choice.code, choice.reason, self.effects, program=program)
 
     def next_collision(self, until: float) -> float | None:
         """Go on to the next collision, and return its time, s; None: there is none until then."""
@@ -117,6 +146,8 @@ class ExactSolver:
 
         Raises
         ------
+        ValueError
+            The plan holds only for the duration of the run, and the time is later.
         RuntimeError
             The collisions at one instant have no end.
         """
@@ -131,7 +162,7 @@ class ExactSolver:
         states = np.array([_state_unpushed(body, time) for body in bodies], dtype=float)
         states = states.reshape(-1, STATE_NUMBERS)
         free = [n for n, body in enumerate(bodies) if not body.is_static]
-        states[free] = _disc_states(self.tables.discs, time)
+        states[free] = self._disc_states(states[free, ANGLE], time)
         return states
 
     def events(self) -> NDArray[np.float64]:
@@ -140,8 +171,32 @@ class ExactSolver:
         self._events = [np.concatenate([np.empty((0, EVENT_NUMBERS)), *self._events])]
         return self._events[0]
 
+    def _disc_states(self, angles: NDArray[np.float64], time: float) -> NDArray[np.float64]:
+        """Return the states of all discs, from their angles at the start.
+
+        The formulas serve one disc, and columns of many.
+        """
+        discs: Any = self.tables.discs
+        if isinstance(discs, np.ndarray):
+            columns = self._disc_state(discs.view(np.recarray), angles, time)
+            return np.column_stack(np.broadcast_arrays(*columns))
+        rows = [self._disc_state(*disc, time) for disc in zip(discs, angles, strict=True)]
+        return np.array(rows).reshape(-1, STATE_NUMBERS)
+
+    def _disc_state(self, disc: Any, angle: Any, time: float) -> Any:
+        """Return the state of a disc."""
+        (x, y), (vx, vy) = place_at(disc, time, self._flags), velocity_at(disc, time, self._flags)
+        w: Any = 0.0
+        if self._flags.rotation:
+            angle, w = turning_at(disc, time, self._flags)
+        return x, y, angle, vx, vy, w
+
     def _run(self, until: float, *, stops_at_collision: bool) -> int:
         """Go on until a time or the next collision, and return which of them came first."""
+        if until > self._duration and not self._flags.collisions:
+            raise ValueError(
+                f"until must be <= {self._duration} s: later bodies may meet, got {until}"
+            )
         state = self.tables.state
         state.until = min(until, sys.float_info.max)  # not to the events that never happen
         state.stops_at_collision = stops_at_collision
@@ -180,10 +235,16 @@ class ExactSolver:
         """Compile what is still plain Python if so many events repay it, or if it was asked for."""
         if self.choice.compiled or self._asked is False:
             return
-        self.choice = choose(self._asked, events * EVENT_SECONDS, program)
+        self.choice = choose(self._asked, events * EVENT_SECONDS, self._program)
         if self.choice.compiled:
-            self.tables = as_arrays(self.tables, program())
-            self._advance = compiled_function(program(), "advance_until")
+            source = self._program()
+            self.tables = as_arrays(self.tables, source + self._reading())
+            self._advance = compiled_function(source, "advance_until")
+
+    def _reading(self) -> str:
+        """Return the source of what the states are read by: its fields are kept, too."""
+        formulas = [place_at, velocity_at, *([turning_at] if self._flags.rotation else [])]
+        return "".join(link(formula, effects=self._flags) for formula in formulas)
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""
@@ -197,20 +258,6 @@ class ExactSolver:
         table = self.tables.impulses
         rows = min(2 * len(table) + 1, RECORD_ROWS)
         self.tables = self.tables._replace(impulses=longer(table, rows, ImpulseRow))
-
-
-def _disc_states(discs: Any, time: float) -> NDArray[np.float64]:
-    """Return the states of all discs; the formulas serve one disc, and columns of many."""
-    if isinstance(discs, np.ndarray):
-        return np.column_stack(_disc_state(discs.view(np.recarray), time))
-    return np.array([_disc_state(disc, time) for disc in discs]).reshape(-1, STATE_NUMBERS)
-
-
-def _disc_state(disc: Any, time: float) -> Any:
-    """Return the state of a disc."""
-    (x, y), (vx, vy) = place_at(disc, time), velocity_at(disc, time)
-    angle, w = turning_at(disc, time)
-    return x, y, angle, vx, vy, w
 
 
 def _state_unpushed(body: Body, time: float) -> tuple[float, ...]:

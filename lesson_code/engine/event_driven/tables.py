@@ -9,7 +9,6 @@ from lesson_code.engine.combination import RULES, Combination
 from lesson_code.engine.event_driven.cells import enter_cell
 from lesson_code.engine.event_driven.constants import (
     CELL_MARGIN,
-    FEW_DISCS,
     GRIPS,
     HOP,
     MOST_CELLS,
@@ -26,15 +25,15 @@ from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import world_of
 
 
-def tables_of(scene: Scene, combine: Combination) -> Tables:
-    """Return the tables of a scene, its discs where they begin."""
+def tables_of(scene: Scene, combine: Combination, has_grid: bool = False) -> Tables:
+    """Return the tables of a scene, its discs where they begin; without a grid in one cell."""
     free = [n for n, body in enumerate(scene.bodies) if not body.is_static]
     fixed = [n for n, body in enumerate(scene.bodies) if body.is_static]
     world = world_of(scene, dt=1.0, iterations=0, combine=combine)  # its bodies, as rows
     discs = [_disc(n, world.bodies[n]) for n in free]
     slots = slots_for(len(discs))
     tables = Tables(
-        state=_state(scene, combine, slots),
+        state=_state(scene, combine, slots, has_grid),
         discs=discs,
         obstacles=[world.bodies[n] for n in fixed],
         obstacle_bodies=[IndexRow(n) for n in fixed],
@@ -73,7 +72,7 @@ def _disc(number: int, row: BodyRow) -> DiscRow:
     )
 
 
-def _state(scene: Scene, combine: Combination, slots: int) -> ExactState:
+def _state(scene: Scene, combine: Combination, slots: int, has_grid: bool) -> ExactState:
     """Return the settings, the small speeds in proportion to those of the scene."""
     radii = [body.shape.bounding_radius for body in scene.bodies if not body.is_static]
     largest = max(radii, default=1.0)
@@ -88,7 +87,7 @@ def _state(scene: Scene, combine: Combination, slots: int) -> ExactState:
         row_stride=row_stride_for(slots),
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
-        cell_size=math.inf if len(radii) <= FEW_DISCS else 2 * largest * (1 + CELL_MARGIN),
+        cell_size=2 * largest * (1 + CELL_MARGIN) if has_grid else math.inf,
         still=STILL * speed,
         rest=REST * speed,
         grips=GRIPS * speed,
@@ -102,10 +101,10 @@ def _state(scene: Scene, combine: Combination, slots: int) -> ExactState:
 def _bound_grid(tables: Tables) -> None:
     """Let the grid end one cell beyond all that is there at the start."""
     state, size = tables.state, tables.state.cell_size
-    if math.isinf(size):
-        return
     boxes = [_box(tables, obstacle) for obstacle in tables.obstacles]
     boxes += [(disc.x, disc.x, disc.y, disc.y) for disc in tables.discs]
+    if math.isinf(size) or not boxes:
+        return
     left, right, low, high = zip(*boxes, strict=True)
     state.first_x, state.last_x = (
         math.floor(min(left) / size) - 1,

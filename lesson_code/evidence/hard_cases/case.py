@@ -84,7 +84,8 @@ class HardCase:
     reason : str
         Why the bound is what it is.
     ours : mapping
-        Our solver and its settings.
+        Our solver and its settings: the solver that the plan chooses, and in a few cases a rule
+        for impacts.
     options : mapping
         What every solver is told, such as dt.
     failed_by : tuple of str
@@ -103,7 +104,7 @@ class HardCase:
     unit: str
     bound: float
     reason: str
-    ours: Options = field(default_factory=lambda: {"solver": "direct"})
+    ours: Options = field(default_factory=lambda: {"solver": "auto"})
     options: Options = field(default_factory=dict)
     failed_by: tuple[str, ...] = ()
     is_long: bool = False

@@ -23,8 +23,6 @@ SPEEDS = (1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6)
 TURNINGS = (2.0, 5.0, 10.0, 20.0, 40.0, 100.0)
 """rad/s."""
 
-PLAIN = {"solver": "sequential", "compiled": False}
-
 
 def through_wall(trial: Trial) -> float:
     """Return the largest part of the balls that get through a wall, over all speeds."""
@@ -117,7 +115,6 @@ CASES = (
         unit="",
         bound=0.0,
         reason="a wall is a wall",
-        ours=PLAIN,
         failed_by=("naive", "pymunk"),
     ),
     HardCase(
@@ -131,7 +128,6 @@ CASES = (
         unit="",
         bound=0.0,
         reason="a ball in the way is in the way",
-        ours=PLAIN,
         failed_by=("naive", "pymunk"),
     ),
     HardCase(
@@ -145,7 +141,6 @@ CASES = (
         unit="",
         bound=1e-9,
         reason="rounding of the place at which the ball meets the plate",
-        ours=PLAIN,
         failed_by=("naive", "pymunk", "box2d"),
     ),
     HardCase(
@@ -159,7 +154,6 @@ CASES = (
         unit="m",
         bound=0.0,
         reason="its centre is never beyond a wall",
-        ours={"solver": "exact"},
         failed_by=("naive", "pymunk"),
     ),
     HardCase(

@@ -20,7 +20,7 @@ from lesson_code.reference import impact_closed_forms as closed
 
 THEME = "Rough impacts"
 
-ENERGETIC = {"solver": "direct", "restitution_law": "energetic"}
+ENERGETIC = {"solver": "auto", "restitution_law": "energetic"}
 
 
 IMPACTS, BATCH, PITCH = 15_000, 500, 6.0

@@ -169,7 +169,6 @@ CASES = (
         unit="m/s",
         bound=1e-6,
         reason="a millimetre in a quarter of an hour",
-        ours={"solver": "sequential", "compiled": False},
     ),
     HardCase(
         name="squeezed",
@@ -194,7 +193,6 @@ CASES = (
         unit="",
         bound=1e-12,
         reason="rounding",
-        ours={"solver": "exact"},
         failed_by=("naive", "pymunk", "box2d"),
     ),
 )

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 
 from lesson_code.engine.combination import Combination
+from lesson_code.engine.effect_rules import Question
 from lesson_code.engine.scene import Body, Scene
-from lesson_code.engine.stepper import EngineStepper
+from lesson_code.engine.solver_choice import solvers_for
+from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import largest
@@ -44,6 +46,9 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
 
         other = Box2DStepper(scene, **settings)
         return lambda dt: other.world.Step(dt, 10, 3), other.states
+    if solver == "auto":
+        choices = solvers_for(Question(scene, dt=DT), asked={})
+        solver = next(choice.solver for choice in choices if choice.solver in SOLVERS)
     ours = EngineStepper(scene, solver=solver, **settings)
 
     def step(dt: float) -> None:

@@ -345,7 +345,6 @@ CASES = (
         unit="",
         bound=0.0,
         reason="bits are equal or not",
-        ours={"solver": "sequential", "compiled": False},
     ),
     HardCase(
         name="momentum",
@@ -358,7 +357,6 @@ CASES = (
         unit="",
         bound=1e-9,
         reason="rounding, for masses a thousand apart",
-        ours={"solver": "sequential", "compiled": False},
     ),
 )
 

@@ -17,7 +17,7 @@ from lesson_code.reference import impact_closed_forms as closed
 
 THEME = "Many bodies at once"
 
-SEQUENTIAL = {"solver": "direct", "impacts": "sequential"}
+SEQUENTIAL = {"solver": "auto", "impacts": "sequential"}
 
 
 def cradle(moving: int, *, from_right: bool = False) -> Scene:

@@ -17,7 +17,6 @@ from __future__ import annotations
 import importlib.util
 import inspect
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, Literal, Protocol, TypeAlias
 
 import numpy as np
@@ -27,7 +26,7 @@ from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.solver import why_not
-from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.scene import Scene
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.speed_scenes import SpeedScene
 from lesson_code.reference.pymunk_reference import PymunkStepper
@@ -132,29 +131,11 @@ def refuse_without_compiler() -> None:
         raise RuntimeError(f"speed can be measured only with compiled code: {reason}")
 
 
-def scene_after(scene: Scene, states: NDArray[np.float64]) -> Scene:
-    """Return a scene whose bodies are as they are in a state.
-
-    >>> from lesson_code import Body, Circle
-    >>> scene = Scene([Body(Circle(1.0), mass=1.0)])
-    >>> scene_after(scene, np.array([[1.0, 2.0, 0.0, 3.0, 4.0, 0.0]])).bodies[0].velocity
-    (3.0, 4.0)
-    """
-    bodies = [_moved(body, row) for body, row in zip(scene.bodies, states.tolist(), strict=True)]
-    return Scene(bodies, scene.gravity, scene.damping, scene.callbacks)
-
-
 def bytes_of(engine: Engine) -> int | None:
     """Return how large all tables of one of our engines are; None where they are no arrays."""
     if isinstance(engine, EngineStepper):
         return sum(np.asarray(table).nbytes for table in engine.world)
     return None
-
-
-def _moved(body: Body, state: list[float]) -> Body:
-    """Return a body in another state."""
-    x, y, angle, vx, vy, w = state
-    return replace(body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w)
 
 
 def _box2d(scene: Scene, settings: dict[str, Any], iterations: int | None) -> Engine:

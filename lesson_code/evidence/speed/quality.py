@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import as_arrays, compiled_function, link
-from lesson_code.engine.penetration import EVERY_OVERLAP, measure_overlaps
+from lesson_code.engine.penetration import EVERY_OVERLAP, in_widths, measure_overlaps
 from lesson_code.engine.room import make_room
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 class Reading(NamedTuple):
     """What a gauge reads in a state."""
 
-    depth: float  # m, of the deepest overlap
+    depth: float  # of the deepest overlap, as a share of the smaller body's width
     contacts: int  # points
     energy: float  # J, kinetic
 
@@ -39,7 +39,9 @@ class Gauge:
     def __init__(self, scene: Scene) -> None:
         self._masses, self._inertias = _weights(scene)
         broad_phase = BROAD_PHASES[broad_phase_for(scene)]
-        source = link(measure_overlaps, broad_phase=broad_phase, effects=EVERY_OVERLAP)
+        source = link(
+            measure_overlaps, broad_phase=broad_phase, effects=EVERY_OVERLAP, depth=in_widths
+        )
         self._world: Any = as_arrays(world_of(scene, 1.0, 0, Combination()), source)
         self._measure = compiled_function(source, "measure_overlaps")
 

@@ -18,7 +18,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.scene import Scene, scene_at
 from lesson_code.evidence.speed.clock import CPU_CLOCK_IS_FINE
 from lesson_code.evidence.speed.engines import (
     PYMUNK,
@@ -27,13 +27,11 @@ from lesson_code.evidence.speed.engines import (
     builder,
     bytes_of,
     engines_for,
-    scene_after,
 )
 from lesson_code.evidence.speed.quality import (
     Gauge,
     Reading,
     energy_to_lift,
-    smallest_width,
     states_of,
 )
 from lesson_code.evidence.speed.statistics import Quality, worse_in
@@ -196,7 +194,7 @@ def with_head_start(speed_scene: SpeedScene) -> tuple[SpeedScene, int]:
         return speed_scene, own
     engine = builder("sequential", speed_scene)()
     engine.advance(ahead)
-    return replace(speed_scene, scene=scene_after(speed_scene.scene, engine.states())), own
+    return replace(speed_scene, scene=scene_at(speed_scene.scene, engine.states())), own
 
 
 def _started(build: Build, steps: int) -> Engine:
@@ -244,7 +242,7 @@ def _timing(runner: _Runner, scene: Scene, bodies: int, started: float) -> Timin
     size = bytes_of(runner.engine)
     energies = [reading.energy for reading in runner.readings]
     contacts = statistics.median(reading.contacts for reading in runner.readings)
-    overlap = statistics.median(r.depth for r in runner.readings) / smallest_width(scene)
+    overlap = statistics.median(reading.depth for reading in runner.readings)
     return Timing(
         engine=runner.name,
         seconds=statistics.median(runner.seconds),

@@ -15,7 +15,7 @@ ALIKE = 1.25
 one batch to the next it differs by as much."""
 
 OVERLAP_LEFT_ALONE = 1.5 * SLOP
-"""Of the smallest width: every engine here leaves the slop alone, and what is little deeper."""
+"""Of a body's width: every engine here leaves the slop alone, and what is little deeper."""
 
 ENERGY_LEFT_ALONE = {"drift": 1e-3, "left": 1e-5}
 """Smaller errors in energy are none. What is left in a pile is so little at 0.014 m/s, for bodies
@@ -36,7 +36,8 @@ class Quality:
     Attributes
     ----------
     overlap : float
-        The deepest overlap, in smallest widths, >= 0: median over the ends of all batches.
+        The deepest overlap, as a share of the smaller body's width, >= 0: median over the ends of
+        all batches.
     energy_error : float
         >= 0. "drift": by what share the energy of a gas has changed. "left": kinetic energy in
         a pile, over what would lift it by the smallest width.

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.geometry.impact_times import line_impact_time, straight_impact_time
+from lesson_code.geometry.impact_times import line_impact_time
+from lesson_code.geometry.straight_impact_times import straight_impact_time
 from lesson_code.grading.alternatives.time_of_impact import ALTERNATIVES
 from lesson_code.grading.compare import written
 from lesson_code.grading.task import Arguments, Criterion, Task, for_task
@@ -180,8 +181,9 @@ def _next_event(positions: Any, velocities: Any, radii: Any) -> tuple[float, int
 
 def _time_of_pair(positions: Any, velocities: Any, radii: Any, i: int, j: int) -> float | None:
     """Return when circles i and j meet, however late, or None."""
-    one, other = ((positions[n], velocities[n], float(radii[n])) for n in (i, j))
-    return _sweep_circles(*one, *other, math.inf)
+    (dx, dy), (vx, vy) = positions[j] - positions[i], velocities[j] - velocities[i]
+    t = straight_impact_time(dx, dy, vx, vy, float(radii[i] + radii[j]))
+    return t if t < math.inf else None
 
 
 # Why

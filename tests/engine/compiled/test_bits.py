@@ -1,7 +1,8 @@
 """Compiled or plain: the same bits, in every scene there is, with every solver.
 
 All scenes of a solver share one program, which can do everything. The plain run uses the stages
-that suit its scene: so it is shown too that these leave out nothing that matters.
+that suit its scene: so it is shown too that these leave out nothing that matters. A zero may have
+another sign there: 0 v has that of v.
 """
 
 from __future__ import annotations
@@ -37,7 +38,11 @@ def share_programs(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def link_all(function: Any, pipeline: Any) -> str:
         every = pipeline._replace(
-            effects=EVERY_EFFECT, broad_phase=uniform_grid, splits_steps=True, keeps_impulses=True
+            effects=EVERY_EFFECT._replace(sleeping=pipeline.effects.sleeping),
+            broad_phase=uniform_grid,
+            is_continuous=pipeline.solver is not stepper.SOLVERS["naive"],
+            splits_steps=True,
+            keeps_impulses=True,
         )
         return link(function, pipeline=every)
 
@@ -66,9 +71,10 @@ def both(scene: Scene, solver: str, steps: int, **settings: Any) -> list[EngineS
 
 def assert_same_bits(compiled: EngineStepper, plain: EngineStepper) -> None:
     """States, impulses and how far the run has come."""
-    assert compiled.states().tobytes() == plain.states().tobytes()
-    assert compiled.events().tobytes() == plain.events().tobytes()
-    for name in ("steps_done", "time", "contact_count", "memory_count", "dt_before"):
+    assert (compiled.states() + 0.0).tobytes() == (plain.states() + 0.0).tobytes()
+    assert (compiled.events() + 0.0).tobytes() == (plain.events() + 0.0).tobytes()
+    counts = ["steps_done", "time", "contact_count", "memory_count"]
+    for name in counts + ["dt_before"] * plain.pipeline.effects.collisions:
         assert getattr(compiled.world.state, name) == getattr(plain.world.state, name), name
 
 
@@ -221,7 +227,9 @@ def test_compiled_run_stops_for_room_and_goes_on(monkeypatch: pytest.MonkeyPatch
 
     def watched(world: Any) -> Any:
         state = world.state
-        wanted.append((state.pairs_wanted, state.contacts_wanted, state.impulses_wanted))
+        rows = state.pairs_wanted, state.contacts_wanted, state.impulses_wanted
+        if any(rows):  # not the stop at the first fast body
+            wanted.append(rows)
         return make_room(world)
 
     monkeypatch.setattr(stepper, "make_room", watched)
@@ -299,17 +307,19 @@ def test_simulate_gives_the_same_run_compiled_or_plain(
 
     monkeypatch.setattr(stepper, "link", watched)
     scene = thrown_discs(speed)
-    compiled, plain = (simulate(scene, 1.0, compiled=choice) for choice in (True, False))
+    compiled, plain = (
+        simulate(scene, 1.0, solver="sequential", compiled=choice) for choice in (True, False)
+    )
     assert linked == ([False, True] if speed > 100 else [False])
     for name in ("positions", "velocities", "angles", "angular_velocities", "times"):
-        assert getattr(compiled, name).tobytes() == getattr(plain, name).tobytes(), name
+        assert (getattr(compiled, name) + 0.0).tobytes() == getattr(plain, name).tobytes(), name
     for mine, its in zip(
         vars(compiled.contacts).values(), vars(plain.contacts).values(), strict=True
     ):
         assert mine.tobytes() == its.tobytes()
     assert len(plain.contacts) > 0
-    assert str(compiled.plan).endswith("compiled (asked for)")
-    assert str(plain.plan).endswith("plain Python (asked for)")
+    assert compiled.plan.headline.endswith("compiled (asked for)")
+    assert plain.plan.headline.endswith("plain Python (asked for)")
 
 
 # Indices

@@ -19,6 +19,7 @@ import pytest
 
 from lesson_code import Combination, Scene
 from lesson_code.engine import contact_frame, contact_motion, contact_solver, stepper
+from lesson_code.engine.broad_phase import longest_way
 from lesson_code.engine.compiled import link
 from lesson_code.engine.continuous import advance
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
@@ -28,7 +29,7 @@ from lesson_code.engine.rows import World
 from lesson_code.engine.soft_step import soft_part
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.engine.tables import BROAD_PHASES
-from lesson_code.engine.world import Pipeline, accelerate
+from lesson_code.engine.world import Pipeline
 from lesson_code.evidence.disc_gas import gas_of
 from lesson_code.evidence.exact_scenes import balls_at_wall, turning_rod
 from lesson_code.evidence.speed_scenes import bin_of_shapes
@@ -83,9 +84,9 @@ def body(source: str, name: str) -> list[str]:
 def test_function_in_which_nothing_is_decided_is_taken_as_it_stands() -> None:
     """The very text that a reader is shown, comments and all."""
     assert inspect.getsource(velocity_at).rstrip() in link(velocity_at)
-    program = link(accelerate)
-    assert inspect.getsource(accelerate).rstrip() in program
-    assert program.startswith("from __future__ import annotations\n\nimport math\n\n\ndef acc")
+    program = link(longest_way)
+    assert inspect.getsource(longest_way).rstrip() in program
+    assert program.startswith("from __future__ import annotations\n\nimport math\n\n\ndef longest")
 
 
 @pytest.mark.parametrize("function", [
@@ -154,11 +155,11 @@ def test_branches_that_cannot_be_reached_disappear(make: Make) -> None:
                 listener.hear(x)
             if stages.manifolds and x > 1:
                 x += 4
-            if stages.turning and x > 1:
+            if stages.rotation and x > 1:
                 x += 8
             return x if stages.seams else -x
         """)
-    flags = Effects(outlines=False, manifolds=False, turning=True, seams=False)
+    flags = Effects(outlines=False, manifolds=False, rotation=True, seams=False)
     source = link(module.f, stages=flags, listener=None)
     assert body(source, "f") == [
         "if x > 5:\n    x += 2",
@@ -312,8 +313,12 @@ def test_name_that_stands_for_nothing_a_program_can_hold_is_refused(make: Make, 
 
 EFFECTS = {
     "every effect": EVERY_EFFECT,
-    "discs and walls": Effects(manifolds=False, turning=False),
-    "discs": Effects(outlines=False, manifolds=False, turning=False, seams=False),
+    "discs and walls": Effects(manifolds=False),
+    "smooth discs": Effects(
+        outlines=False, manifolds=False, seams=False, friction=False, rotation=False
+    ),
+    "a flight": Effects(collisions=False),
+    "sleep": Effects(sleeping=True),
 }
 
 
@@ -374,7 +379,7 @@ def test_program_as_plain_python_has_the_bits_of_the_functions(
     usual.advance(40)
     for broad_phase, effects in (("uniform_grid", EVERY_EFFECT), ("", usual.pipeline.effects)):
         linked = at_work(scene, solver)
-        pipeline = linked.pipeline._replace(effects=effects)
+        pipeline = linked.pipeline._replace(effects=effects, splits_steps=True)
         if broad_phase:
             pipeline = pipeline._replace(broad_phase=BROAD_PHASES[broad_phase])
         program = run(link(advance, pipeline=pipeline))["advance"]

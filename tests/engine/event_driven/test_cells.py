@@ -10,6 +10,7 @@ import pytest
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine.broad_phase import slot_of
 from lesson_code.engine.combination import combination
+from lesson_code.engine.constants import FEWEST_FOR_GRID
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.cells import (
     border_gap,
@@ -18,10 +19,9 @@ from lesson_code.engine.event_driven.cells import (
     is_endless,
     leave_cell,
 )
-from lesson_code.engine.event_driven.constants import FEW_DISCS
 from lesson_code.engine.event_driven.loop import next_event, next_time
 from lesson_code.engine.event_driven.motion import place_at
-from lesson_code.engine.event_driven.rows import CELL, Tables
+from lesson_code.engine.event_driven.rows import Tables
 from lesson_code.engine.event_driven.tables import tables_of
 
 ELASTIC = Material(restitution=1.0)
@@ -48,7 +48,7 @@ def scattered(count: int, seed: int, extra: tuple[Body, ...] = (), **settings: f
 
 def tables_for(scene: Scene) -> Tables:
     """Return the tables of a scene at its start."""
-    return tables_of(scene, combination("workbook"))
+    return tables_of(scene, combination("workbook"), has_grid=True)
 
 
 def found_in_cell(tables: Tables, cell_x: int, cell_y: int) -> list[int]:
@@ -74,7 +74,8 @@ def test_every_disc_is_found_in_its_cell_after_thousands_of_events() -> None:
     )
     tables, size, crossings = solver.tables, solver.tables.state.cell_size, 0
     for event in range(6000):
-        crossings += tables.discs[tables.queue[1].disc].event_kind == CELL
+        first = tables.discs[tables.queue[1].disc]
+        crossings += first.border_time <= first.event_time
         next_event(tables)
         if event % 100 == 0:
             for i, disc in enumerate(tables.discs):
@@ -130,14 +131,15 @@ def test_disc_that_crosses_a_border_is_found_beyond_it(side: int, cell: tuple[in
 def test_gaps_to_the_borders_of_a_cell_worked_by_hand() -> None:
     """A disc of 0.5 m: its cell is 1 m wide, but for a margin."""
     tables = tables_for(Scene([Body(Circle(0.5), mass=1.0, position=(0.25, 2.5))] * 20))
-    gaps = [border_gap(tables.state, tables.discs[0], side) for side in range(4)]
+    gaps = [border_gap(tables.state, tables.discs[0], side, 0.25, 2.5) for side in range(4)]
     assert gaps == pytest.approx([0.75, 0.25, 0.5, 0.5], abs=1e-8)
 
 
-def test_few_discs_have_one_cell_without_borders() -> None:
+def test_discs_without_a_grid_have_one_cell_without_borders() -> None:
     """Wherever they are, they are all looked at, and no border is an event."""
     places = [(-3.0, -3.0), (3.0, 3.0), (1e9, -1e9)]
-    tables = tables_for(Scene([Body(Circle(0.5), mass=1.0, position=x) for x in places]))
+    scene = Scene([Body(Circle(0.5), mass=1.0, position=x) for x in places])
+    tables = tables_of(scene, combination("workbook"), has_grid=False)
     assert math.isinf(tables.state.cell_size)
     assert {(disc.cell_x, disc.cell_y) for disc in tables.discs} == {(0, 0)}
     assert all(is_endless(tables.state, tables.discs[0], side) for side in range(4))
@@ -145,7 +147,7 @@ def test_few_discs_have_one_cell_without_borders() -> None:
 
 def test_many_discs_that_fly_apart_for_ever_cross_no_borders_in_the_end() -> None:
     """The outermost cells go on for ever: a year of flight takes a few hundred events."""
-    scene = scattered(2 * FEW_DISCS, 4)
+    scene = scattered(32, 4)
     solver = ExactSolver(scene, combine=combination("workbook"), keep_impulses=False)
     for _ in range(5000):
         if math.isinf(next_time(solver.tables)):
@@ -157,7 +159,7 @@ def test_many_discs_that_fly_apart_for_ever_cross_no_borders_in_the_end() -> Non
 def test_discs_that_fly_in_from_far_away_meet_all_the_same() -> None:
     """In an endless cell, too, neighbours are found."""
     disc = Circle(0.01)
-    swarm = [Body(disc, mass=1.0, position=(k, 0)) for k in range(FEW_DISCS)]
+    swarm = [Body(disc, mass=1.0, position=(k, 0)) for k in range(FEWEST_FOR_GRID)]
     pair = [
         Body(disc, mass=1.0, position=(0, 1000), velocity=(1, 1)),
         Body(disc, mass=1.0, position=(100, 1000), velocity=(-1, 1)),

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.combination import combination
@@ -16,9 +17,6 @@ from lesson_code.evidence.disc_gas import gas_of
 from lesson_code.evidence.disc_scenes import rack_break
 from lesson_code.evidence.exact_scenes import ball_in_a_box, bouncing_to_rest, box, two_blocks
 from lesson_code.evidence.scenes import disc_in_wedge
-
-COLLISIONS = 250
-"""Of each scene at the most: enough that every kind of event occurs."""
 
 
 def crowd(
@@ -93,16 +91,30 @@ SCENES: dict[str, tuple[Scene, float]] = {
     "break shot": (rack_break(0.95), 2.0),
 }
 
+EFFECTS = ("collisions", "outlines", "restitution", "friction", "rotation", "gravity")
+"""What the solver may leave out of its loop."""
 
-@pytest.fixture(autouse=True)
-def needs_numba() -> None:
-    """Leave these tests out where nothing can be compiled."""
-    pytest.importorskip("numba")
+FORCED = dict.fromkeys((*EFFECTS, "impulse_record"), True)
+"""All of that, and the record: so one program serves every scene."""
+
+COLLISIONS = 250
+"""Of each scene at the most: enough that every kind of event occurs."""
 
 
-def run_of(scene: Scene, until: float, compiled: bool) -> tuple[int, bytes, bytes, bytes]:
-    """Return the collisions, and the bits of the states half-way and at the end, and impulses."""
-    solver = ExactSolver(scene, combine=combination("workbook"), compiled=compiled)
+def bits_of(
+    scene: Scene,
+    until: float,
+    *,
+    compiled: bool = False,
+    effects: dict[str, bool] | None = None,
+) -> tuple[int, bytes, bytes, bytes]:
+    """Return the collisions, and the bits of the states half-way and at the end, and impulses.
+
+    Zero has one sign here.
+    """
+    solver = ExactSolver(
+        scene, combine=combination("workbook"), compiled=compiled, effects=effects, duration=until
+    )
     time, halfway = 0.0, b""
     while solver.collisions < COLLISIONS:
         found = solver.next_collision(until)
@@ -111,14 +123,40 @@ def run_of(scene: Scene, until: float, compiled: bool) -> tuple[int, bytes, byte
             break
         time = found
         if solver.collisions == COLLISIONS // 2:
-            halfway = solver.states(time).tobytes()
-    return solver.collisions, halfway, solver.states(time).tobytes(), solver.events().tobytes()
+            halfway = bits(solver.states(time))
+    return solver.collisions, halfway, bits(solver.states(time)), bits(solver.events())
+
+
+def bits(numbers: NDArray[np.float64]) -> bytes:
+    """Return the bits of numbers, those of 0 for -0."""
+    return (numbers + 0.0).tobytes()
+
+
+@pytest.fixture(autouse=True)
+def needs_numba() -> None:
+    """Leave these tests out where nothing can be compiled."""
+    pytest.importorskip("numba")
+
+
+LEAN = ("empty", "gas", "dense gas", "few discs", "friction", "ball that comes to rest")
+"""Scenes that are compiled for what they call for, too: in four programs."""
 
 
 @pytest.mark.parametrize(("scene", "until"), SCENES.values(), ids=SCENES)
-def test_compiled_run_has_the_same_bits_as_plain_python(scene: Scene, until: float) -> None:
-    """States and impulses, to the last bit: one source, run in two ways."""
-    assert run_of(scene, until, compiled=True) == run_of(scene, until, compiled=False)
+def test_scene_has_the_same_bits_with_every_effect_forced_on_and_compiled(
+    scene: Scene, until: float
+) -> None:
+    """States and impulses, to the last bit. With every effect one program serves all scenes."""
+    plain = bits_of(scene, until)
+    assert bits_of(scene, until, effects=FORCED) == plain
+    assert bits_of(scene, until, effects=FORCED, compiled=True) == plain
+
+
+@pytest.mark.parametrize("name", LEAN)
+def test_compiled_run_of_what_a_scene_calls_for_has_the_same_bits(name: str) -> None:
+    """The program from which effects are left out, too."""
+    scene, until = SCENES[name]
+    assert bits_of(scene, until, compiled=True) == bits_of(scene, until)
 
 
 def test_record_of_a_long_compiled_run_is_whole() -> None:

@@ -249,7 +249,7 @@ def test_first_partner_is_the_first_disc_of_several_at_one_time() -> None:
 def work_per_collision(side: int, monkeypatch: pytest.MonkeyPatch) -> float:
     """Return how many pairs of discs are looked at for a collision, in a gas of side^2 discs."""
     calls = 0
-    look = foretelling.time_to_hit
+    look = foretelling.hit_time
 
     def counting(*arguments: Any) -> float:
         nonlocal calls
@@ -263,7 +263,7 @@ def work_per_collision(side: int, monkeypatch: pytest.MonkeyPatch) -> float:
     while solver.collisions < wanted // 2:  # the rows and columns of the start are gone
         solver.next_collision(math.inf)
     with monkeypatch.context() as patch:
-        patch.setattr(foretelling, "time_to_hit", counting)
+        patch.setattr(foretelling, "hit_time", counting)
         while solver.collisions < wanted:
             solver.next_collision(math.inf)
     return calls / (wanted - wanted // 2)

@@ -15,8 +15,8 @@ from lesson_code.engine.event_driven.tables import tables_of
 
 
 def tables_for(*bodies: Body, gravity: tuple[float, float] = (0.0, 0.0)) -> Tables:
-    """Return the tables of a scene."""
-    return tables_of(Scene(bodies, gravity), combination("workbook"))
+    """Return the tables of a scene, with a grid."""
+    return tables_of(Scene(bodies, gravity), combination("workbook"), has_grid=True)
 
 
 def test_discs_and_obstacles_keep_their_places_in_the_scene() -> None:

@@ -14,8 +14,13 @@ import numpy as np
 import pygame
 import pytest
 
-from lesson_code.grading import child
-from lesson_code.grading.child import MOST_NUMBERS, NotPlainError, arguments_from, plain
+from lesson_code.grading.isolation.inside import answers, imports
+from lesson_code.grading.isolation.inside.answers import (
+    MOST_NUMBERS,
+    NotPlainError,
+    arguments_from,
+    plain,
+)
 
 
 class Impostor:
@@ -186,7 +191,7 @@ def test_load_group_stops_at_its_first_error_and_the_next_goes_on() -> None:
     """A failing statement takes the rest of its own cell with it, and nothing of the next."""
     namespace: dict[str, Any] = {}
     units = [_unit("a = 1\n1 / 0\nb = 2", (0, 1, 2)), _unit("c = 3", (0,))]
-    assert list(child.load(units, namespace)) == [
+    assert list(answers.load(units, namespace)) == [
         "ZeroDivisionError: division by zero (your test, line 2)"
     ]
     assert [name in namespace for name in "abc"] == [True, False, True]
@@ -195,7 +200,7 @@ def test_load_group_stops_at_its_first_error_and_the_next_goes_on() -> None:
 def test_load_runs_kept_statements_alone() -> None:
     """A statement whose number is not listed does not run."""
     namespace: dict[str, Any] = {}
-    assert not list(child.load([_unit("a = 1\na = 2\nb = a", (0, 2))], namespace))
+    assert not list(answers.load([_unit("a = 1\na = 2\nb = a", (0, 2))], namespace))
     assert namespace["b"] == 1
 
 
@@ -203,13 +208,13 @@ def test_load_future_import_holds_for_what_follows() -> None:
     """``from __future__ import annotations`` in a file lets its functions name unknown types."""
     source = "from __future__ import annotations\ndef f(x: Unknown): return x"
     namespace: dict[str, Any] = {}
-    assert not list(child.load([_unit(source, (0,), (1,))], namespace))
-    assert child.call("f", [2.0], namespace) == {"kind": "returned", "value": 2.0}
+    assert not list(answers.load([_unit(source, (0,), (1,))], namespace))
+    assert answers.call("f", [2.0], namespace) == {"kind": "returned", "value": 2.0}
 
 
 def test_load_does_not_lend_its_own_future_imports() -> None:
     """An annotation that fails in a notebook fails here too."""
-    errors = list(child.load([_unit("def f(x: Unknown): return x", (0,))], {}))
+    errors = list(answers.load([_unit("def f(x: Unknown): return x", (0,))], {}))
     assert errors == ["NameError: name 'Unknown' is not defined (your test, line 1)"]
 
 
@@ -249,19 +254,19 @@ def _raises(error: BaseException) -> Callable[[], Any]:
 )  # fmt: skip
 def test_call_says_what_came_of_it(function: Any, answer: dict[str, Any]) -> None:
     """A call ends in a value, an error, an unusable object, or says that there is no answer yet."""
-    assert child.call("f", [], {"f": function}) == answer
+    assert answers.call("f", [], {"f": function}) == answer
 
 
 def test_call_with_wrong_number_of_arguments_is_an_error_of_the_answer() -> None:
     """A function with other arguments than asked for raises, and does not crash the child."""
-    answer = child.call("f", [1.0, 2.0], {"f": lambda x: x})
+    answer = answers.call("f", [1.0, 2.0], {"f": lambda x: x})
     assert answer["kind"] == "raised"
     assert "takes 1 positional argument but 2 were given" in answer["text"]
 
 
 def test_lesson_code_blocked_refuses_lesson_code_alone() -> None:
     """The finder refuses lesson_code and all below it, and leaves the rest to others."""
-    blocked = child.LessonCodeBlocked()
+    blocked = imports.LessonCodeBlocked()
     assert blocked.find_spec("numpy") is None
     assert blocked.find_spec("lesson_codes") is None
     for name in ("lesson_code", "lesson_code.formulas"):

@@ -1,8 +1,6 @@
-"""The student's side of the wall: runs student code, and answers calls with plain values.
+"""Runs student code, and answers calls with plain values.
 
-This file is run as a script in a process of its own and imports nothing of lesson_code: what
-is expected stays with the parent. The parent writes one JSON request a line, the child answers
-each with one JSON line:
+The parent writes one JSON request a line, the child answers each with one JSON line:
 
     {"load": [{"name", "source", "groups"}, ...]}  ->  {"loaded": [error, ...]}
     {"call": function, "arguments": [...]}         ->  {"kind": "returned", "value": ...}
@@ -17,7 +15,6 @@ import ast
 import codeop
 import json
 import numbers
-import os
 import sys
 import traceback
 import types
@@ -165,22 +162,6 @@ def _described(error: BaseException) -> str:
     return f"{said}{places[-1] if places else ''}"
 
 
-def limit(seconds: int, bytes_of_memory: int) -> None:
-    """Lower this process's limits; a process cannot raise them again."""
-    try:
-        import resource
-    except ImportError:  # Windows has none; the parent says so in its report
-        return
-    for what, most in (
-        (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_AS, bytes_of_memory),
-        (resource.RLIMIT_FSIZE, 1_000_000),
-        (resource.RLIMIT_NOFILE, 64),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        resource.setrlimit(what, (most, most))
-
-
 def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     """Answer requests until there are no more."""
     answer_module = types.ModuleType("answer")  # dataclasses look up the module they stand in
@@ -194,18 +175,3 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
             answer = call(request["call"], request["arguments"], namespace)
         answers.write(json.dumps(answer | {"number": request["number"]}).encode() + b"\n")
         answers.flush()
-
-
-def main() -> None:
-    """Keep the pipes to the parent for ourselves, lower the limits, and serve."""
-    requests, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    nothing = os.open(os.devnull, os.O_RDWR)
-    for descriptor in (0, 1, 2):
-        os.dup2(nothing, descriptor)
-    limit(seconds=int(sys.argv[1]), bytes_of_memory=int(sys.argv[2]))
-    sys.meta_path.insert(0, LessonCodeBlocked())
-    serve(requests, answers)
-
-
-if __name__ == "__main__":
-    main()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
-from lesson_code.grading import child
+from lesson_code.grading.isolation.inside import answers
 
 Kind: TypeAlias = Literal[
     "returned", "raised", "unusable", "missing", "not written", "timeout", "crashed"
@@ -30,7 +30,7 @@ def outcome_of(reply: dict[str, Any]) -> Outcome:
     kind, text = reply.get("kind"), reply.get("text", "")
     try:
         if kind in KINDS_FROM_CHILD and isinstance(text, str):
-            return Outcome(kind, child.plain(reply.get("value")), one_line(text))
+            return Outcome(kind, answers.plain(reply.get("value")), one_line(text))
     except (ValueError, OverflowError):
         pass
     return Outcome("crashed", text="the answer could not be read")

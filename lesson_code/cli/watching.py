@@ -1,0 +1,67 @@
+"""``workbook watch``: exercises checked each time they are saved."""
+
+from __future__ import annotations
+
+import queue
+import sys
+import threading
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from lesson_code.cli.shared import clear_errors, console
+
+if TYPE_CHECKING:
+    from lesson_code.grading.watch import Session
+
+watching = typer.Typer()
+
+
+@watching.command()
+def watch(
+    exercise: Annotated[
+        str | None, typer.Argument(help="Its number, such as 03; all by default.")
+    ] = None,
+    listing: Annotated[
+        bool, typer.Option("--list", help="List how far each exercise is, and end.")
+    ] = False,
+    reset: Annotated[
+        bool, typer.Option("--reset", help="Put the exercise back, keep a backup, and end.")
+    ] = False,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="Plain lines, for screen readers and logs.")
+    ] = False,
+) -> None:
+    """Check an exercise each time it is saved, with help that goes a step further each time."""
+    from lesson_code.grading.exercises import EXERCISES, exercise_by_name
+    from lesson_code.grading.grader import Grader
+    from lesson_code.grading.watch import Screen, Session
+    from lesson_code.notebook_tools.root import find_root
+
+    with clear_errors():
+        if reset and exercise is None:
+            raise ValueError("--reset needs the exercise: workbook watch 03 --reset")
+        chosen = EXERCISES if exercise is None else (exercise_by_name(exercise),)
+        screen = Screen(console, plain=plain or not console.is_terminal)
+        with Grader() as grader:
+            session = Session(find_root(), chosen, grader, screen)
+            if reset:
+                session.reset()
+                return
+            session.begin()
+            if listing:
+                session.list()
+            else:
+                _watch(session)
+
+
+def _watch(session: Session) -> None:
+    """Watch until standard input says to stop, or Ctrl-C does."""
+    from lesson_code.grading.watch import listen
+
+    lines: queue.Queue[str] = queue.Queue()
+    threading.Thread(target=listen, args=(lines, sys.stdin.readline), daemon=True).start()
+    try:
+        session.run(lines)
+    except KeyboardInterrupt:
+        session.screen.say("Stopped.")

@@ -1,0 +1,438 @@
+"""Which effects a scene calls for: a rule for each, with the reason in a sentence.
+
+=======================  ===================================================================
+effect                   called for when
+=======================  ===================================================================
+``collisions``           two bodies can meet within the run
+``broad_phase``          there are too many bodies to compare all pairs
+``outlines``             a body has corners
+``manifolds``            two bodies with corners can meet
+``seams``                several static bodies may make one floor
+``continuous``           a body may move by more than half of its width in a step
+``restitution``          a pair has e > 0
+``friction``             a pair has mu > 0
+``rotation``             a body turns, or an impulse can turn one
+``gravity``              it is not zero
+``damping``              it is not zero
+``warm_starting``        contacts can last
+``position_correction``  steps let bodies overlap
+``sleeping``             bodies can come to rest, and the run is long enough
+``callbacks``            the scene has some
+``impulse_record``       contacts are to be read afterwards
+=======================  ===================================================================
+
+What is left out changes nothing, to the last bit. Two effects are savings: without a broad phase
+or without sleep the result is the same, and only the time is not. They may be left out of any run;
+and so may the record. To leave out another that is called for is an error.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from itertools import combinations_with_replacement
+from typing import NamedTuple, TypeAlias
+
+from lesson_code.engine.combination import COMBINATIONS, UNSPECIFIED, Combination, combined
+from lesson_code.engine.combination import RULES as COMBINATION_RULES
+from lesson_code.engine.constants import FEWEST_FOR_GRID, QUIET_TIME, SPEED_DOUBT
+from lesson_code.engine.effects import Effects
+from lesson_code.engine.reach import can_meet, fastest_way
+from lesson_code.engine.scene import Body, Scene
+from lesson_code.geometry.shapes import Circle
+
+OPTIONAL = ("broad_phase", "sleeping", "impulse_record")
+"""What may be left out although it is called for: no state of the run depends on it."""
+
+
+class Finding(NamedTuple):
+    """Whether an effect is called for, and why."""
+
+    called_for: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is asked of the rules: a scene, and how it is to be run.
+
+    Attributes
+    ----------
+    scene : Scene
+        Bodies, gravity, damping, callbacks.
+    solver : str
+        One of the engine's, by name.
+    dt : float
+        The time step, s.
+    duration : float
+        s; ``math.inf``: nobody knows yet.
+    combine : Combination
+        How a pair's coefficients come from its bodies'.
+    """
+
+    scene: Scene
+    solver: str = "sequential"
+    dt: float = 1 / 60
+    duration: float = math.inf
+    combine: Combination = COMBINATIONS["workbook"]
+
+
+@dataclass(frozen=True)
+class EffectChoice:
+    """Whether a run reckons with an effect, and why.
+
+    Attributes
+    ----------
+    name : str
+        As `simulate(effects=...)` takes it.
+    used : bool
+        Whether it is in the program.
+    called_for : bool
+        Whether the scene needs it.
+    reason : str
+        The rule's, in a sentence.
+    """
+
+    name: str
+    used: bool
+    called_for: bool
+    reason: str
+
+    @property
+    def verdict(self) -> str:
+        """What has become of it, in a word or two."""
+        if self.used == self.called_for:
+            return "used" if self.used else "left out"
+        return "forced" if self.used else "switched off"
+
+
+Rule: TypeAlias = Callable[[Question], Finding]
+
+
+def collisions(question: Question) -> Finding:
+    """Ask whether any two bodies can meet."""
+    if can_meet(question.scene, question.duration, question.dt):
+        return Finding(True, "two bodies can meet")
+    return Finding(False, "no two bodies can meet within the run")
+
+
+def broad_phase(question: Question) -> Finding:
+    """Ask whether there are so many bodies that a grid costs less than a look at every pair."""
+    count = len(question.scene.bodies)
+    if count >= FEWEST_FOR_GRID:
+        return Finding(True, f"{count} bodies: from {FEWEST_FOR_GRID} on a grid finds the pairs")
+    return Finding(False, f"{count} bodies: below {FEWEST_FOR_GRID} all pairs are compared")
+
+
+def outlines(question: Question) -> Finding:
+    """Ask whether any body has corners."""
+    count = len(_cornered(question.scene))
+    return Finding(count > 0, f"{_bodies(count)} corners" if count else "every body is a circle")
+
+
+def manifolds(question: Question) -> Finding:
+    """Ask whether two bodies with corners can meet: a circle touches at one point."""
+    cornered = _cornered(question.scene)
+    if len(cornered) > 1 and any(not body.is_static for body in cornered):
+        return Finding(True, "two bodies with corners can touch at two points")
+    return Finding(False, "bodies touch at one point: one of the two is a circle")
+
+
+def seams(question: Question) -> Finding:
+    """Ask whether there are two static bodies that may stand side by side."""
+    count = sum(body.is_static for body in question.scene.bodies)
+    if count > 1:
+        return Finding(True, f"{count} static bodies may make one floor")
+    return Finding(False, "there is at most one static body")
+
+
+def continuous(question: Question) -> Finding:
+    """Ask whether a body may move by more than half of its width within a step.
+
+    Without gravity the energy of all bodies together bounds the speed of each, as long as no
+    impact makes energy: e is at most 1, and none of Newton's law with friction at a corner.
+    """
+    scene = question.scene
+    if any(scene.gravity):
+        return Finding(True, "gravity makes bodies faster, nobody knows how fast")
+    if _callbacks_decide(scene):
+        return Finding(True, "a callback may set how bodies bounce")
+    if any(map(is_mover, scene.bodies)):
+        return Finding(True, "a body that nothing can push moves, and may hit others fast")
+    corners_rub = friction(question).called_for and _cornered(scene)
+    if corners_rub and restitution(question).called_for:
+        return Finding(True, "bounces at corners that rub may gain speed")
+    way, room = fastest_way(scene, question.dt)
+    if SPEED_DOUBT * way > room:
+        return Finding(True, f"a body may move {way:.3g} m in a step, and has {room:.3g} m")
+    return Finding(False, f"no body can move more than {way:.3g} m in a step, and has {room:.3g} m")
+
+
+def restitution(question: Question) -> Finding:
+    """Ask whether any pair bounces."""
+    if _callbacks_decide(question.scene):
+        return Finding(True, "a callback may set e")
+    most = _largest_of_pairs(question, "restitution")
+    return Finding(most > 0, f"a pair has e = {most:g}" if most > 0 else "every pair has e = 0")
+
+
+def friction(question: Question) -> Finding:
+    """Ask whether any pair rubs."""
+    if _callbacks_decide(question.scene):
+        return Finding(True, "a callback may set mu")
+    most = _largest_of_pairs(question, "friction")
+    return Finding(most > 0, f"a pair has mu = {most:g}" if most > 0 else "every pair has mu = 0")
+
+
+def rotation(question: Question) -> Finding:
+    """Ask whether any body turns, or an impulse can turn it."""
+    bodies = question.scene.bodies
+    if any(body.angular_velocity != 0.0 for body in bodies):
+        return Finding(True, "a body turns from the start")
+    free = [body for body in bodies if body.inertia is not None and math.isfinite(body.inertia)]
+    if any(not isinstance(body.shape, Circle) for body in free):
+        return Finding(True, "a body with corners can be turned by an impulse off its centre")
+    if free and friction(question).called_for:
+        return Finding(True, "friction turns discs")
+    return Finding(False, "nothing turns: impulses without friction go through a disc's centre")
+
+
+def gravity(question: Question) -> Finding:
+    """Ask whether there is any."""
+    x, y = question.scene.gravity
+    is_there = x != 0.0 or y != 0.0
+    return Finding(is_there, f"g = ({x:g}, {y:g}) m/s^2" if is_there else "g = 0")
+
+
+def damping(question: Question) -> Finding:
+    """Ask whether there is any."""
+    rate = question.scene.damping
+    return Finding(rate != 0.0, f"motion dies away at {rate:g} /s" if rate else "the rate is 0")
+
+
+def warm_starting(question: Question) -> Finding:  # noqa: ARG001
+    """Ask whether contacts can last: they can wherever bodies can meet."""
+    return Finding(True, "a contact may last for more than one step")
+
+
+def position_correction(question: Question) -> Finding:  # noqa: ARG001
+    """Ask whether bodies get into one another: they do between any two steps."""
+    return Finding(True, "between two steps bodies move into one another")
+
+
+def sleeping(question: Question) -> Finding:
+    """Ask whether something presses bodies together, takes their energy, and leaves them time."""
+    scene = question.scene
+    if scene.callbacks.wanted:
+        return Finding(False, "callbacks hear of every contact in every step")
+    if not any(scene.gravity):
+        return Finding(False, "without gravity nothing is held at rest")
+    if math.isinf(question.duration):
+        return Finding(False, "nobody knows yet how long the run will be")
+    if question.duration <= QUIET_TIME:
+        return Finding(False, f"the run is no longer than the {QUIET_TIME:g} s of quiet it takes")
+    loses = friction(question).called_for or scene.damping > 0.0
+    if not loses and smallest_restitution(question) >= 1.0:
+        return Finding(False, "nothing takes energy: every pair has e = 1 and mu = 0")
+    return Finding(True, "bodies can come to rest within the run")
+
+
+def callbacks(question: Question) -> Finding:
+    """Ask whether the scene wants to be told of contacts."""
+    wanted = question.scene.callbacks.wanted
+    return Finding(wanted, "the scene asks to be told" if wanted else "the scene has none")
+
+
+def impulse_record(question: Question) -> Finding:  # noqa: ARG001
+    """Ask whether contacts are to be read afterwards: yes, unless that is declined."""
+    return Finding(True, "run.contacts lists every impulse")
+
+
+RULES: dict[str, Rule] = {
+    "collisions": collisions,
+    "broad_phase": broad_phase,
+    "outlines": outlines,
+    "manifolds": manifolds,
+    "seams": seams,
+    "continuous": continuous,
+    "restitution": restitution,
+    "friction": friction,
+    "rotation": rotation,
+    "gravity": gravity,
+    "damping": damping,
+    "warm_starting": warm_starting,
+    "position_correction": position_correction,
+    "sleeping": sleeping,
+    "callbacks": callbacks,
+    "impulse_record": impulse_record,
+}
+"""The rule of each effect, by its name, in the order of the stages."""
+
+OF_COLLISIONS = (
+    *("broad_phase", "outlines", "manifolds", "seams", "continuous", "restitution", "friction"),
+    *("warm_starting", "position_correction", "sleeping", "callbacks", "impulse_record"),
+)
+"""What no scene calls for in which nothing meets."""
+
+_EXACT = "collisions are computed at their times, not seen after a step"
+_OWN = "the direct solver finds all impulses of an island at once"
+
+LACKING: dict[str, dict[str, str]] = {
+    "naive": {
+        "friction": "the naive solver knows none",
+        "continuous": "the naive solver looks for no fast bodies",
+        "warm_starting": "the naive solver remembers nothing",
+        "position_correction": "the naive solver shifts each pair as it visits it",
+        "sleeping": "only the sequential solver lets islands sleep",
+    },
+    "direct": {"sleeping": "only the sequential solver lets islands sleep"},
+    "substep": {"sleeping": "only the sequential solver lets islands sleep"},
+    "exact": {
+        "manifolds": "discs touch at one point",
+        "seams": "at the end of a face a disc hops, onto the next one if there is one",
+        "damping": "damped motion has no closed form here",
+        "callbacks": "it calls none",
+        "continuous": _EXACT,
+        "warm_starting": "no contact lasts for a step: there are none",
+        "position_correction": _EXACT,
+        "sleeping": "a disc at rest has no events",
+    },
+}
+"""Effects that a solver does not have, and why."""
+
+BUILT_IN: dict[str, dict[str, str]] = {
+    "direct": {"friction": _OWN, "warm_starting": "the cases of the last step are the first guess"},
+    "substep": {"warm_starting": "each sub-step begins with the impulses of the one before"},
+}
+"""Effects that a solver cannot do without, whatever the scene calls for, and why."""
+
+
+def find(question: Question, name: str) -> Finding:
+    """Return whether a scene calls for an effect, and why.
+
+    Examples
+    --------
+    >>> find(Question(Scene([Body(Circle(1), mass=1.0)])), "friction")
+    Finding(called_for=False, reason='no two bodies can meet within the run')
+    """
+    lacking, built_in = LACKING.get(question.solver, {}), BUILT_IN.get(question.solver, {})
+    if name in lacking:
+        return Finding(False, lacking[name])
+    if name in OF_COLLISIONS:
+        meeting = collisions(question)
+        if not meeting.called_for:
+            return Finding(False, meeting.reason)
+    return Finding(True, built_in[name]) if name in built_in else RULES[name](question)
+
+
+def choose_effects(
+    question: Question, asked: Mapping[str, bool] | None = None
+) -> tuple[EffectChoice, ...]:
+    """Return what a run reckons with: what the scene calls for, and what the user has asked for.
+
+    Parameters
+    ----------
+    question : Question
+        The scene, and how it is to be run.
+    asked : mapping from str to bool, optional
+        True forces an effect on, False leaves it out.
+
+    Raises
+    ------
+    ValueError
+        There is no effect of that name, the solver does not have it, or the scene needs what is
+        to be left out.
+    TypeError
+        `asked` is no mapping, or a value in it is neither True nor False.
+
+    Examples
+    --------
+    >>> floor, ball = Body(Circle(1)), Body(Circle(1), mass=1.0, position=(0, 3))
+    >>> by_name = {choice.name: choice for choice in choose_effects(Question(Scene([floor, ball])))}
+    >>> by_name["gravity"].used, by_name["gravity"].reason
+    (False, 'g = 0')
+    """
+    wishes = checked_wishes(asked)
+    return tuple(_choice(question, name, wishes.get(name)) for name in RULES)
+
+
+def flags_of(choices: tuple[EffectChoice, ...]) -> Effects:
+    """Return the flags that the stages are made for."""
+    used = {choice.name: choice.used for choice in choices}
+    return Effects(**{name: used[name] for name in Effects._fields})
+
+
+def checked_wishes(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:
+    """Return what has been asked for, or refuse what makes no sense."""
+    if asked is None:
+        return {}
+    if not isinstance(asked, Mapping):
+        raise TypeError(f'effects must be a mapping such as {{"friction": True}}, got {asked!r}')
+    for name, value in asked.items():
+        if name not in RULES:
+            raise ValueError(f"effects: the names are {', '.join(RULES)}; got {name!r}")
+        if not isinstance(value, bool):
+            raise TypeError(f"effects[{name!r}] must be True or False, got {value!r}")
+    return asked
+
+
+def _choice(question: Question, name: str, wish: bool | None) -> EffectChoice:
+    """Return what becomes of one effect."""
+    called_for, reason = find(question, name)
+    if wish is False and called_for and name not in OPTIONAL:
+        is_built_in = reason == BUILT_IN.get(question.solver, {}).get(name)
+        who = f"{question.solver!r} cannot do without" if is_built_in else "the scene needs it"
+        raise ValueError(f"effects[{name!r}] must not be False: {who} ({reason})")
+    lacking = name in LACKING.get(question.solver, {})
+    if wish is True and (lacking or (name == "sleeping" and question.scene.callbacks.wanted)):
+        raise ValueError(
+            f"effects[{name!r}] must not be True for {question.solver!r} here: {reason}"
+        )
+    return EffectChoice(name, called_for if wish is None else wish, called_for, reason)
+
+
+def _cornered(scene: Scene) -> list[Body]:
+    """Return the bodies that have corners."""
+    return [body for body in scene.bodies if not isinstance(body.shape, Circle)]
+
+
+def _bodies(count: int) -> str:
+    """Return a number of bodies in words, with their verb."""
+    return "1 body has" if count == 1 else f"{count} bodies have"
+
+
+def is_mover(body: Body) -> bool:
+    """Return whether a body moves that nothing can push."""
+    return body.is_static and (any(body.velocity) or body.angular_velocity != 0.0)
+
+
+def _callbacks_decide(scene: Scene) -> bool:
+    """Return whether callbacks may set what a pair does."""
+    return scene.callbacks.begin is not None or scene.callbacks.pre_solve is not None
+
+
+def _largest_of_pairs(question: Question, name: str) -> float:
+    """Return the largest coefficient of the pairs that can meet."""
+    return max(_of_pairs(question, name), default=0.0)
+
+
+def smallest_restitution(question: Question) -> float:
+    """Return the smallest restitution of the pairs that can meet."""
+    return min(_of_pairs(question, "restitution"), default=0.0)
+
+
+def _of_pairs(question: Question, name: str) -> list[float]:
+    """Return a coefficient of all sorts of pairs, of which one body at least can be pushed."""
+    rule = COMBINATION_RULES[getattr(question.combine, name)]
+    sorts = Counter(
+        (UNSPECIFIED if (value := getattr(body.material, name)) is None else value, body.is_static)
+        for body in question.scene.bodies
+    )
+    return [
+        combined(rule, a, b)
+        for (a, a_static), (b, b_static) in combinations_with_replacement(sorts, 2)
+        if not (a_static and b_static)
+        if (a, a_static) != (b, b_static) or sorts[a, a_static] > 1
+    ]

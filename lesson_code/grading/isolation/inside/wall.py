@@ -1,0 +1,196 @@
+"""The wall round a submission: what is put up once for the server, and what for each child.
+
+There is a class for each kind of wall. A server calls, in this order: ``build`` once, and for each
+child ``before_fork``, in the child ``close``, and ``after_end`` when the child has ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import disk, landlock, limits, namespaces, seccomp, system
+
+
+@dataclass(frozen=True)
+class Orders:
+    """What the parent has decided about the wall."""
+
+    kind: str
+    readable: tuple[str, ...]
+    hidden: tuple[str, ...]
+    folder: str
+    user: int | None
+    cpu_seconds: int
+    bytes_of_memory: int
+
+    @classmethod
+    def from_dict(cls, sent: dict[str, Any]) -> Orders:
+        """Return orders as they have come over a pipe."""
+        readable, hidden = tuple(sent["readable"]), tuple(sent["hidden"])
+        return cls(**{**sent, "readable": readable, "hidden": hidden})
+
+
+class Wall:
+    """Limits and, for root, another user: all that systems without walls offer."""
+
+    def __init__(self, orders: Orders) -> None:
+        self.orders = orders
+        running = 0 if orders.user else limits.processes_of(os.getuid())
+        self._processes = running + limits.MORE_PROCESSES
+        self._count = 0
+
+    @property
+    def folder(self) -> str:
+        """The working folder of the current child."""
+        return f"{self.orders.folder}/{self._count}"
+
+    def build(self) -> None:
+        """Put up what stands for as long as the server runs."""
+        system.prctl(system.PR_SET_DUMPABLE, 0)  # no process of this user can look into it
+        system.prctl(system.PR_SET_CHILD_SUBREAPER, 1)
+
+    def before_fork(self) -> None:
+        """Make the next child's folder."""
+        self._count += 1
+        os.mkdir(self.folder, 0o700)  # noqa: PTH102 - paths are texts on this side
+        if self.orders.user is not None:
+            os.chown(self.folder, self.orders.user, self.orders.user)
+
+    def close(self) -> None:
+        """Close the wall round this process: in a child, once, for good."""
+        os.chdir(self.folder)
+        os.environ["HOME"] = os.environ["TMPDIR"] = self.folder
+        os.setsid()
+        os.umask(0o077)
+        limits.lower(self.orders.cpu_seconds, self.orders.bytes_of_memory, self._processes)
+        self._become_nobody()
+        system.prctl(system.PR_SET_PDEATHSIG, signal.SIGKILL)
+        self._close_more()
+
+    def _become_nobody(self) -> None:
+        """Become another user, if this one is root, and give up every privilege."""
+        if (user := self.orders.user) is not None:
+            os.setgroups([])
+            os.setgid(user)
+            os.setuid(user)
+        system.drop_capabilities()
+
+    def _close_more(self) -> None:
+        """Add what this kind of wall has beyond limits."""
+
+    def is_overfull(self) -> bool:
+        """Return whether the child has written more than it may."""
+        return disk.is_overfull(self.folder)
+
+    def after_end(self) -> None:
+        """End what the last child has left running, and remove its folder."""
+        _end_orphans()
+        disk.remove(self.folder)
+
+
+class SeccompWall(Wall):
+    """Limits, and no system calls but those of computing: no network, no other processes."""
+
+    def build(self) -> None:
+        """Make the filter ready."""
+        super().build()
+        seccomp.prepare()
+
+    def _close_more(self) -> None:
+        """Restrict the system calls."""
+        seccomp.restrict()
+
+
+class LandlockWall(SeccompWall):
+    """The same, and no files but those of Python and of the submission's own folder."""
+
+    def build(self) -> None:
+        """Restrict the server itself to what it and its children need."""
+        super().build()
+        everything = landlock.READ | landlock.ALL_WRITES
+        rules = [(path, landlock.READ) for path in _around(self.orders)]
+        rules += [(path, landlock.READ_FOLDER) for path in self.orders.readable]
+        rules += [(path, everything) for path in (self.orders.folder, os.devnull)]
+        rules += [(path, landlock.READ) for path in namespaces.DEVICES]
+        landlock.restrict(rules)
+
+    def _close_more(self) -> None:
+        """Restrict what can be written to the child's own folder, then the system calls."""
+        writable = [(path, landlock.ALL_WRITES) for path in (self.folder, os.devnull)]
+        landlock.restrict(writable, handled=landlock.ALL_WRITES)
+        super()._close_more()
+
+
+def _around(orders: Orders) -> list[str]:
+    """Return what can be read, without what is hidden in it: rules can only allow."""
+    paths = list(orders.readable)
+    for hidden in map(Path, orders.hidden):
+        for path in [path for path in paths if hidden.is_relative_to(path)]:
+            paths.remove(path)
+            paths += [str(p) for p in _siblings(Path(path), hidden)]
+    return paths
+
+
+def _siblings(top: Path, hidden: Path) -> list[Path]:
+    """Return all that lies in `top` beside the way that leads to `hidden`."""
+    found = []
+    for folder in (hidden.parent, *hidden.parent.parents):
+        found += [entry for entry in folder.iterdir() if not hidden.is_relative_to(entry)]
+        if folder == top:
+            break
+    return found
+
+
+class NamespaceWall(SeccompWall):
+    """System calls restricted, in a machine of its own: own files, network and processes."""
+
+    def build(self) -> None:
+        """Move the server into namespaces of its own."""
+        seccomp.prepare()
+        orders = self.orders
+        self._apart = namespaces.enter(orders.readable, orders.hidden, orders.folder)
+        system.prctl(system.PR_SET_DUMPABLE, 0)
+
+    @property
+    def folder(self) -> str:
+        """The working folder of the current child."""
+        return namespaces.WORKING_FOLDER
+
+    def before_fork(self) -> None:
+        """Mount the next child's folder, and put the child into its own process namespace."""
+        user = os.getuid() if self.orders.user is None else self.orders.user
+        group = os.getgid() if self.orders.user is None else self.orders.user
+        namespaces.mount_folder(self.folder, user, group)
+        self._apart.prepare()
+
+    def is_overfull(self) -> bool:
+        """Return False: the folder itself has a size."""
+        return False
+
+    def after_end(self) -> None:
+        """Take the folder off; the kernel has ended all processes with the first one."""
+        namespaces.unmount_folder(self.folder)
+
+
+KINDS: dict[str, Callable[[Orders], Wall]] = {
+    "namespaces": NamespaceWall,
+    "landlock": LandlockWall,
+    "seccomp": SeccompWall,
+    "limits": Wall,
+}
+
+
+def _end_orphans() -> None:
+    """End every process that has become a child of this one, as orphans do, until none is left."""
+    children = Path(f"/proc/self/task/{os.getpid()}/children")
+    with contextlib.suppress(OSError):  # among them: there are no more children
+        while True:
+            for process in map(int, children.read_text().split()):
+                os.kill(process, signal.SIGKILL)
+            os.waitpid(-1, 0)

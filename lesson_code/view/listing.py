@@ -1,0 +1,67 @@
+"""Parts of a program's text: single functions out of it, to be read in a notebook."""
+
+from __future__ import annotations
+
+import ast
+
+
+def functions(source: str) -> dict[str, str]:
+    r"""Return the text of each function of a program, by its name, without its docstring.
+
+    Parameters
+    ----------
+    source : str
+        The text of a module, such as ``run.plan.source()``.
+
+    Raises
+    ------
+    SyntaxError
+        It is no program.
+
+    Examples
+    --------
+    >>> print(functions('def f(x: int) -> int:\n    "Say why."\n    return x')["f"])
+    def f(x: int) -> int:
+        return x
+    """
+    lines = source.splitlines()
+    return {
+        node.name: _text_of(node, lines)
+        for node in ast.parse(source).body
+        if isinstance(node, ast.FunctionDef)
+    }
+
+
+def listing(source: str, *names: str) -> str:
+    """Return the text of some functions of a program, with an empty line between them.
+
+    Raises
+    ------
+    ValueError
+        The program has no function of that name.
+    """
+    found = functions(source)
+    for name in names:
+        if name not in found:
+            raise ValueError(f"names must be those of functions in the program, got {name!r}")
+    return "\n\n".join(found[name] for name in names)
+
+
+def lines_of_code(source: str) -> int:
+    r"""Return how many lines the functions of a program have, docstrings and empty ones left out.
+
+    >>> lines_of_code('LIMIT = 3\n\ndef f(x):\n    "Say why."\n\n    return x')
+    2
+    """
+    return sum(
+        1 for text in functions(source).values() for line in text.splitlines() if line.strip()
+    )
+
+
+def _text_of(node: ast.FunctionDef, lines: list[str]) -> str:
+    """Return a function's text without its docstring."""
+    kept = lines[node.lineno - 1 : node.body[0].lineno - 1]
+    body = node.body[1:] if ast.get_docstring(node) is not None else node.body
+    if body:
+        kept += lines[body[0].lineno - 1 : node.end_lineno]
+    return "\n".join(kept).rstrip()

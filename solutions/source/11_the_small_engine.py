@@ -1,0 +1,158 @@
+# ---
+# jupyter:
+#   kernelspec:
+#     display_name: Python 3 (ipykernel)
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # Exercise 11: the small engine
+#
+# Three functions to write, twelve points. Read notebook
+# [11](../notebooks/11_the_small_engine.ipynb) first. What you write here are the three pieces that
+# join the functions of the earlier exercises: who is near, a hit of any two bodies, and a whole
+# step. Take your own functions with you: paste them into cells of this notebook, and call them.
+#
+# - Replace the `raise` line of each function with your answer. Do not change its name or its
+#   arguments.
+# - Run the cell below it. It calls your function with new numbers each time, and says what is
+#   right and what is not.
+# - You may add cells and helper functions of your own, and call the functions of earlier tasks.
+#   Formulas from `lesson_code` do not count: imports of it are left out when your work is graded.
+# - `workbook grade exercises/11_the_small_engine.ipynb` marks the whole file.
+#
+# All is in SI units, y grows upwards, and angles are counter-clockwise. Vectors and tables are
+# NumPy arrays.
+
+# %%
+from itertools import combinations
+
+import numpy as np
+
+from lesson_code.grading import check_task
+
+
+def cross(a, b):
+    """Return the cross product of two vectors in the plane: a number."""
+    return a[0] * b[1] - a[1] * b[0]
+
+
+# %% [markdown]
+# ## Task 11.1 Who is near? (3 points)
+#
+# Each row of `boxes` is a box around a body: left, right, low, high. Return the pairs (i, j), i <
+# j, of those that share a point, as a list in any order. Any number of boxes may come.
+
+
+# %% tags=["task"]
+def near_pairs(boxes):
+    """Return the pairs (i, j), i < j, of boxes that share a point."""
+    found = []
+    for i, j in combinations(range(len(boxes)), 2):
+        (left, right, low, high), (other_left, other_right, other_low, other_high) = boxes[[i, j]]
+        along_x = left <= other_right and other_left <= right
+        along_y = low <= other_high and other_low <= high
+        if along_x and along_y:
+            found.append((i, j))
+    return found
+
+
+# %% tags=["check", "nbval-check-output"]
+check_task("11.1", near_pairs)
+
+# %% [markdown] tags=["solution"]
+# **Why.** It is the separating axis test of chapter 06, with the axes x and y alone: two intervals
+# overlap if each begins before the other one ends. Corners prove nothing: the planks of a cross
+# have none in each other. This compares all pairs, N (N - 1)/2 of them. If the boxes are sorted by
+# their left sides, each need only be compared with those that have not ended yet.
+
+# %% [markdown]
+# ## Task 11.2 A hit of any two bodies (5 points)
+#
+# The bodies `a` and `b` are arrays of five numbers: mass, moment of inertia, vx, vy, angular
+# velocity. They touch at a point; `arm_a` and `arm_b` lead to it from their centres of mass, and
+# `normal` is the unit normal there, from a to b. Return their velocities and angular velocities
+# after the hit: (v_a, w_a, v_b, w_b).
+#
+# - First an impulse along the normal lets them part at `restitution` times the approach. Bodies
+#   that part already are left alone.
+# - Then friction acts on the sliding that there is *after* that, and stops it as far as mu times
+#   the normal impulse can. The tangent is the normal, turned by +90 degrees.
+
+
+# %% tags=["task"]
+def hit(a, arm_a, b, arm_b, normal, restitution, friction):
+    """Return (v_a, w_a, v_b, w_b) after a hit with spin and friction."""
+    (m_a, i_a, *v_a, w_a), (m_b, i_b, *v_b, w_b) = a, b
+    low, high = 0, np.inf
+    for n, e in ((normal, restitution), (np.array([-normal[1], normal[0]]), 0)):
+        x_a, x_b = cross(arm_a, n), cross(arm_b, n)
+        u = np.dot(v_b, n) + w_b * x_b - np.dot(v_a, n) - w_a * x_a
+        m_eff = 1 / (1 / m_a + 1 / m_b + x_a**2 / i_a + x_b**2 / i_b)
+        j = np.clip(-(1 + e) * u * m_eff, low, high)
+        low, high = -friction * j, friction * j
+        v_a, w_a = v_a - j / m_a * n, w_a - j / i_a * x_a
+        v_b, w_b = v_b + j / m_b * n, w_b + j / i_b * x_b
+    return v_a, w_a, v_b, w_b
+
+
+# %% tags=["check", "nbval-check-output"]
+check_task("11.2", hit)
+
+# %% [markdown] tags=["solution"]
+# **Why.** The velocity of a contact point along n is v . n + w (r x n): task 5.2, seen along one
+# direction. Impulse and friction differ in nothing but the direction, the e and the clamp, so one
+# loop does both. All of the chapters 01 to 05 is in it: put both levers to 0 and mu to 0, and it is
+# `collide_1d`; give a an infinite mass, and it is `bounce`.
+
+# %% [markdown]
+# ## Task 11.3 A whole step (4 points)
+#
+# Smooth discs move in a room with the sides `room`, its lower left corner at the origin. Return
+# (positions, velocities) after a step of `dt`, in this order:
+#
+# 1. every disc moves by the velocity it has, and then gravity changes the velocity;
+# 2. each pair i < j that overlaps: if the two approach, they bounce with `restitution`, as smooth
+#    discs do; and they are moved apart along the normal, the lighter one farther, until they touch;
+# 3. each disc that is beyond a wall is put back to touch it; if it moves outwards, that part of
+#    its velocity is turned round and multiplied by `restitution`.
+
+
+# %% tags=["solution"]
+def keep_in(p, v, radii, room, restitution):
+    """Put discs back that are beyond a wall, and turn round those that move outwards."""
+    for axis in (0, 1):
+        low, high = radii, room[axis] - radii
+        below, above = p[:, axis] < low, p[:, axis] > high
+        p[:, axis] = np.clip(p[:, axis], low, high)
+        out = (below & (v[:, axis] < 0)) | (above & (v[:, axis] > 0))
+        v[out, axis] *= -restitution
+
+
+# %% tags=["task"]
+def step_discs(positions, velocities, masses, radii, restitution, gravity, room, dt):
+    """Return (positions, velocities) of smooth discs in a room after a step."""
+    p, v = positions + velocities * dt, velocities + gravity * dt
+    for i, j in combinations(range(len(p)), 2):
+        distance = np.hypot(*(p[j] - p[i]))
+        depth = radii[i] + radii[j] - distance
+        if depth > 0:
+            n, m_eff = (p[j] - p[i]) / distance, 1 / (1 / masses[i] + 1 / masses[j])
+            jn = max(-(1 + restitution) * m_eff * np.dot(v[j] - v[i], n), 0)
+            for body, push in ((i, -n / masses[i]), (j, n / masses[j])):
+                p[body] += depth * m_eff * push
+                v[body] += jn * push
+    keep_in(p, v, radii, room, restitution)
+    return p, v
+
+
+# %% tags=["check", "nbval-check-output"]
+check_task("11.3", step_discs)
+
+# %% [markdown] tags=["solution"]
+# **Why.** Each gate and each share in it is a fault of an earlier chapter, avoided: the pair that
+# parts is not hit, the wall does not catch who comes back, the heavy disc hardly gives way. The
+# order matters, too. Walls come last, so that no pair pushes a disc out of the room.
+#
+# Now call it six hundred times, and draw the discs. It is an engine.

