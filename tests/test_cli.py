@@ -313,6 +313,24 @@ def test_billiards_that_cannot_be_played_end_with_2(options: list[str], words: s
     assert result.stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize("name", ["billiards", "simulator", "cradle"])
+def test_program_with_a_seed_plays_without_a_window(name: str) -> None:
+    """A seed is an option of every program."""
+    result = workbook("play", name, "--seed", "3", "--headless", "--frames", "2")
+    assert result.exit_code == ALL_IS_WELL
+    assert result.stdout.startswith("Frames: 2")
+
+
+def test_simulator_plays_with_as_many_balls_as_are_asked_for(tmp_path: Path) -> None:
+    """More than fit are refused; a recording that is none too."""
+    assert workbook("play", "simulator", "--balls", "601").exit_code == NOT_DONE
+    file = tmp_path / "no.json"
+    file.write_text("{}")
+    result = workbook("play", "pool", "--headless", "--replay", str(file))
+    assert result.exit_code == NOT_DONE
+    assert "replay must be a recording" in result.stderr
+
+
 # measure
 
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import os
 import signal
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from lesson_code.cli.grading import grading
 from lesson_code.cli.measuring import measure
+from lesson_code.cli.playing import play
 from lesson_code.cli.shared import (
     AsJson,
     cell_progress,
@@ -34,7 +34,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     help="The collision workbook: open it, check it, grade answers, take the quiz, play.",
 )
-play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 app.add_typer(play, name="play")
 app.add_typer(measure, name="measure")
 app.add_typer(grading)
@@ -187,22 +186,6 @@ def pictures(
     with clear_errors():
         for file in write_pictures(folder, only or ()):
             console.print(f"{file}", soft_wrap=True, highlight=False)
-
-
-@play.command("billiards")
-def play_billiards(
-    frames: Annotated[int | None, typer.Option(help="Stop after so many frames.")] = None,
-    headless: Annotated[bool, typer.Option("--headless", help="Without a window.")] = False,
-    screenshot: Annotated[Path | None, typer.Option(help="Save the last frame as a PNG.")] = None,
-) -> None:
-    """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
-    from lesson_code.programs.billiards import play as play_program
-
-    with clear_errors():
-        if headless and frames is None:
-            raise ValueError("--headless needs --frames: without a window nobody can close it")
-        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot)
-    console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
 
 
 @app.command()

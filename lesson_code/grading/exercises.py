@@ -8,15 +8,21 @@ from pathlib import Path
 from lesson_code.grading.submission import Submission
 from lesson_code.grading.task import Task
 from lesson_code.grading.tasks import (
+    asteroids,
     billiards,
+    breakout,
     circles,
+    cradle,
+    dominoes,
     effects,
     hard_cases,
     one_dimension,
+    pool,
     reflection,
     restitution,
     separating_axes,
     small_engine,
+    soft_body,
     spin_and_friction,
     time_of_impact,
     what_accuracy_costs,
@@ -63,6 +69,12 @@ EXERCISES = (
     Exercise("09_hard_cases", "Hard cases", hard_cases.TASKS),
     Exercise("10_only_what_the_scene_needs", "Only what the scene needs", effects.TASKS),
     Exercise("11_the_small_engine", "The small engine", small_engine.TASKS),
+    Exercise("pool", "Pool", pool.TASKS, suffix=".py"),
+    Exercise("cradle", "Newton's cradle", cradle.TASKS, suffix=".py"),
+    Exercise("breakout", "Breakout", breakout.TASKS, suffix=".py"),
+    Exercise("dominoes", "Dominoes", dominoes.TASKS, suffix=".py"),
+    Exercise("asteroids", "Asteroid field", asteroids.TASKS, suffix=".py"),
+    Exercise("soft_body", "Soft body", soft_body.TASKS, suffix=".py"),
     Exercise("billiards", "Cushion-bounce billiards", billiards.TASKS, suffix=".py"),
 )
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -85,6 +86,18 @@ middle line. As long as one step is shorter than that, it cannot come out on the
 
 LAUNCH = ((80.0, 80.0), (360.0, -280.0))
 """Position and velocity of the first shot: it hits all four walls and the bumper in 3.83 s."""
+
+
+def launch_by_lot(seed: int) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return a first shot from the usual place at the usual speed, its direction drawn by lot.
+
+    >>> launch_by_lot(1) == launch_by_lot(1) != launch_by_lot(2)
+    True
+    """
+    position, velocity = LAUNCH
+    heading = Random(seed).uniform(0, 2 * math.pi)  # noqa: S311 - a game, no secret
+    speed = math.hypot(*velocity)
+    return position, (speed * math.cos(heading), speed * math.sin(heading))
 
 
 def wall_contacts(position: Vector) -> list[tuple[str, Any, float]]:

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 from PIL import Image
 
 from lesson_code.notebook_tools.root import find_root
-from lesson_code.programs.billiards import play
+from lesson_code.programs.catalogue import load
+from lesson_code.programs.frame import play
 from lesson_code.site.build import build
 from lesson_code.site.in_browser import chromium, jupyterlab
 
@@ -29,8 +30,8 @@ COLOURS = 128
 MOVING = "02_restitution"
 """The notebook whose page is shown."""
 
-BILLIARDS_FRAMES = 240
-"""Frames of billiards: 4 s, after which the ball has met all cushions and the bumper."""
+POOL_FRAMES, DOMINOES_FRAMES = 62, 150
+"""Frames: 1 s, just after the break; and 2.5 s, when both rows are falling."""
 
 DESKTOP: Any = {"width": 1100, "height": 720}
 PHONE: Any = {"width": 390, "height": 720}
@@ -127,9 +128,13 @@ def _phone(studio: Studio, file: Path) -> None:
     _take(page, ".quiz form", file)
 
 
-def _billiards(_: Studio, file: Path) -> None:
-    """Let a program run without a window, and take its last frame."""
-    play(frames=BILLIARDS_FRAMES, headless=True, screenshot=file)
+def _program(name: str, frames: int) -> Callable[[Studio, Path], None]:
+    """Return what lets a program play itself without a window, and takes its last frame."""
+
+    def take(_: Studio, file: Path) -> None:
+        play(load(name), tour=True, frames=frames, headless=True, screenshot=file)
+
+    return take
 
 
 def _take(page: Page, element: str, file: Path) -> None:
@@ -151,6 +156,7 @@ PICTURES = (
     Picture("notebook", "notebook 01 in JupyterLab, at its sliders", _notebook),
     Picture("page", "the page of notebook 02, at its slider", _page),
     Picture("phone", "the quiz of notebook 02 on a phone, in the dark", _phone),
-    Picture("billiards", "the billiards, with the counts of bounces", _billiards),
+    Picture("pool", "pool, just after the break", _program("pool", POOL_FRAMES)),
+    Picture("dominoes", "dominoes that fall in two rows", _program("dominoes", DOMINOES_FRAMES)),
 )
 """All pictures of the README."""

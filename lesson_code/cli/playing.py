@@ -1,0 +1,119 @@
+"""``workbook play``: the pygame programs, each a subcommand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from lesson_code.cli.shared import clear_errors, console
+from lesson_code.programs.catalogue import SUMMARIES
+
+play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
+
+Seed = Annotated[int, typer.Option(help="What is drawn by lot follows from it.")]
+Frames = Annotated[int | None, typer.Option(help="Stop after so many frames.")]
+Headless = Annotated[bool, typer.Option("--headless", help="Without a window.")]
+Screenshot = Annotated[Path | None, typer.Option(help="Save the last frame as a PNG.")]
+Record = Annotated[Path | None, typer.Option(help="Write seed and inputs to a JSON file.")]
+Replay = Annotated[Path | None, typer.Option(help="Play such a file again.")]
+Tour = Annotated[bool, typer.Option("--tour", help="Let the program play itself.")]
+Balls = Annotated[int, typer.Option(min=0, max=600, help="How many there are at the start.")]
+
+
+@play.command("billiards")
+def play_billiards(
+    seed: Annotated[int | None, typer.Option(help="Draws the direction of the first shot.")] = None,
+    frames: Frames = None,
+    headless: Headless = False,
+    screenshot: Screenshot = None,
+) -> None:
+    """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
+    from lesson_code.programs.billiards import play as play_program
+    from lesson_code.programs.billiards_table import LAUNCH, launch_by_lot
+
+    with clear_errors():
+        _require_end(headless, frames, None)
+        shot = LAUNCH if seed is None else launch_by_lot(seed)
+        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot, launch=shot)
+    console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
+
+
+@play.command("simulator", help=SUMMARIES["simulator"])
+def play_simulator(
+    balls: Balls = 12,
+    seed: Seed = 0,
+    frames: Frames = None,
+    headless: Headless = False,
+    screenshot: Screenshot = None,
+    record: Record = None,
+    replay: Replay = None,
+    tour: Tour = False,
+) -> None:
+    """Play the simulator, with any number of balls."""
+    _play("simulator", seed, frames, headless, screenshot, record, replay, tour, balls)
+
+
+def _command(name: str) -> Callable[..., None]:
+    """Return the subcommand of a program."""
+
+    def command(
+        seed: Seed = 0,
+        frames: Frames = None,
+        headless: Headless = False,
+        screenshot: Screenshot = None,
+        record: Record = None,
+        replay: Replay = None,
+        tour: Tour = False,
+    ) -> None:
+        _play(name, seed, frames, headless, screenshot, record, replay, tour=tour)
+
+    return command
+
+
+def _play(
+    name: str,
+    seed: int,
+    frames: int | None,
+    headless: bool,
+    screenshot: Path | None,
+    record: Path | None,
+    replay: Path | None,
+    tour: bool = False,
+    balls: int | None = None,
+) -> None:
+    """Play a program, and say how it went."""
+    with clear_errors():
+        _require_end(headless, frames, replay)
+        from lesson_code.programs.catalogue import load
+        from lesson_code.programs.frame import play as play_program
+
+        outcome = play_program(
+            load(name),
+            seed=seed,
+            frames=frames,
+            headless=headless,
+            screenshot=screenshot,
+            record=record,
+            replay=replay,
+            tour=tour,
+            settings={} if balls is None else {"balls": balls},
+        )
+    console.print(
+        f"Frames: {outcome.frames}, of {1e3 * outcome.step_seconds:.2f} ms for the world "
+        f"and {1e3 * outcome.draw_seconds:.2f} ms for the picture",
+        highlight=False,
+    )
+
+
+def _require_end(headless: bool, frames: int | None, replay: Path | None) -> None:
+    """Refuse a run that nobody could end."""
+    if headless and frames is None and replay is None:
+        raise ValueError("--headless needs --frames: without a window nobody can close it")
+
+
+for _name, _summary in SUMMARIES.items():
+    if _name != "simulator":
+        play.command(_name, help=_summary)(_command(_name))

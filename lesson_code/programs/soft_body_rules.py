@@ -1,0 +1,174 @@
+"""The rules of soft bodies: springs with damping, an area, and the pressure that keeps it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from lesson_code.formulas.validation import Vector
+
+
+def spring_forces(
+    positions: Vector,
+    velocities: Vector,
+    springs: Sequence[tuple[int, int]],
+    lengths: Vector,
+    stiffness: float,
+    damping: float,
+) -> Any:
+    """Return the forces of damped springs on their masses, N, shape (N, 2).
+
+    Along u, the direction from a to b, a is pulled by
+
+    F = stiffness (distance - length) + damping (v_b - v_a) . u
+
+    and b by the opposite.
+
+    Parameters
+    ----------
+    positions, velocities : array_like, shape (N, 2)
+        m and m/s.
+    springs : sequence of (int, int)
+        The masses a and b of each.
+    lengths : array_like, shape (S,)
+        m, at rest.
+    stiffness, damping : float
+        N/m and N s/m.
+
+    Examples
+    --------
+    >>> spring_forces([(0, 0), (3, 0)], [(0, 0), (0, 0)], [(0, 1)], [2.0], 5.0, 1.0).tolist()
+    [[5.0, 0.0], [-5.0, 0.0]]
+    """
+    p, v = np.asarray(positions, dtype=float), np.asarray(velocities, dtype=float)
+    a, b = np.asarray(springs, dtype=int).reshape(-1, 2).T
+    along = p[b] - p[a]
+    distance = np.hypot(along[:, 0], along[:, 1])
+    u = along / np.where(distance > 0, distance, 1.0)[:, None]
+    stretch = stiffness * (distance - np.asarray(lengths, dtype=float))
+    pull = (stretch + damping * ((v[b] - v[a]) * u).sum(axis=1))[:, None] * u
+    forces = np.zeros_like(p)
+    np.add.at(forces, a, pull)
+    np.subtract.at(forces, b, pull)
+    return forces
+
+
+def ring_area(positions: Vector) -> float:
+    """Return the area inside a ring of points, m^2; positive counter-clockwise.
+
+    area = 1/2 sum(x_k y_{k+1} - x_{k+1} y_k)
+
+    >>> ring_area([(0, 0), (2, 0), (2, 3), (0, 3)])
+    6.0
+    """
+    x, y = np.asarray(positions, dtype=float).T
+    return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)
+
+
+def pressure_forces(positions: Vector, area: float, stiffness: float) -> Any:
+    """Return the forces of a gas inside a ring of points, N, shape (N, 2).
+
+    The pressure is stiffness (area / ring_area - 1), and less than 0 where the ring is too large.
+    Each edge is pushed outward by pressure times its length, half of it at each end. The ring is
+    counter-clockwise.
+
+    Parameters
+    ----------
+    positions : array_like, shape (N, 2)
+        m.
+    area : float
+        m^2, at rest.
+    stiffness : float
+        N/m: the pressure that would halve the area.
+
+    Examples
+    --------
+    >>> pressure_forces([(0, 0), (1, 0), (1, 1), (0, 1)], 2.0, 4.0).tolist()
+    [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]
+    """
+    p = np.asarray(positions, dtype=float)
+    pressure = stiffness * (area / ring_area(p) - 1)
+    edges = np.roll(p, -1, axis=0) - p
+    outward = np.column_stack([edges[:, 1], -edges[:, 0]])
+    push = pressure * outward / 2
+    return push + np.roll(push, 1, axis=0)
+
+
+def ring_forces(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """Return the spring forces in a closed ring, N, shape (N, 2): each mass is tied to the next.
+
+    Parameters
+    ----------
+    positions, velocities : array_like, shape (N, 2)
+        m and m/s.
+    length : float
+        m, of each spring at rest.
+    stiffness, damping : float
+        N/m and N s/m.
+
+    Examples
+    --------
+    >>> ring_forces([(0, 0), (3, 0), (3, 3), (0, 3)], [(0, 0)] * 4, 2.0, 5.0, 0.0)[0].tolist()
+    [5.0, 5.0]
+    """
+    count = len(positions)
+    springs = [(k, (k + 1) % count) for k in range(count)]
+    return spring_forces(positions, velocities, springs, [length] * count, stiffness, damping)
+
+
+@dataclass(frozen=True)
+class Blob:
+    """The soft body of the exercise: a ring on a floor at y = 0."""
+
+    mass: float = 0.1  # kg, of each of its masses
+    stiffness: float = 300.0  # N/m
+    damping: float = 10.0  # N s/m
+    pressure: float = 800.0  # N/m
+    grip: float = 0.98  # of the velocity along the floor: what a step leaves to a mass on it
+    air: float = 1.5  # 1/s, what the air takes of every velocity
+    gravity: float = 9.81  # m/s^2
+    dt: float = 1 / 600  # s
+
+
+BLOB = Blob()
+
+
+def drop(positions: Vector, velocities: Vector, length: float, area: float, steps: int) -> Any:
+    """Return positions and velocities of a ring above a floor after so many steps.
+
+    In each step: forces F of springs and pressure at the positions as they are; then
+    v' = v + (F / m - air v + g) dt, x' = x + v' dt. A mass below the floor is put onto it; its vy
+    is no longer negative, and its vx is reduced to `grip` of it.
+
+    Parameters
+    ----------
+    positions, velocities : array_like, shape (N, 2)
+        m and m/s; counter-clockwise.
+    length, area : float
+        m and m^2, at rest.
+    steps : int
+        How many.
+
+    Examples
+    --------
+    >>> ring = [(1, 5), (0, 6), (-1, 5), (0, 4)]
+    >>> positions, velocities = drop(ring, [(0, 0)] * 4, 2**0.5, 2.0, 1)
+    >>> velocities[:, 1].round(5).tolist()
+    [-0.01635, -0.01635, -0.01635, -0.01635]
+    """
+    p, v = np.array(positions, dtype=float), np.array(velocities, dtype=float)
+    for _ in range(int(steps)):
+        forces = ring_forces(p, v, length, BLOB.stiffness, BLOB.damping)
+        forces = forces + pressure_forces(p, area, BLOB.pressure)
+        v = v + (forces / BLOB.mass - BLOB.air * v + (0.0, -BLOB.gravity)) * BLOB.dt
+        p = p + v * BLOB.dt
+        below = p[:, 1] < 0
+        p[below, 1] = 0.0
+        v[below, 1] = np.maximum(v[below, 1], 0.0)
+        v[below, 0] *= BLOB.grip
+    return p, v
