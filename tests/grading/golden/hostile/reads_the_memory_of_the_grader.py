@@ -15,12 +15,18 @@ def attempt(name, deed):
     THROUGH.add(name)
 
 
-PTRACE_ATTACH = 16
+PTRACE_ATTACH, PTRACE_DETACH, WALL = 16, 17, 0x40000000
 
 
 def checked(result):
     if result < 0:
         raise OSError(ctypes.get_errno(), "refused")
+
+
+def trace(libc, process):
+    checked(libc.ptrace(PTRACE_ATTACH, process, 0, 0))
+    os.waitpid(process, WALL)  # it stands still now, and would for ever
+    libc.ptrace(PTRACE_DETACH, process, 0, 0)
 
 
 def attack():
@@ -33,7 +39,7 @@ def attack():
     attempt("reads memory", lambda: (proc / "maps").read_text())
     attempt("reads environments", lambda: (proc / "environ").read_text())
     attempt("reads descriptors", lambda: os.listdir(proc / "fd"))
-    attempt("traces processes", lambda: checked(libc.ptrace(PTRACE_ATTACH, parent, 0, 0)))
+    attempt("traces processes", lambda: trace(libc, parent))
 
 
 TRIED = []
