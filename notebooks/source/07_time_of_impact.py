@@ -554,8 +554,8 @@ ax.set_yscale("log")
 show(
     fig,
     "How far the farthest disc is from its start after the way back, over the number of "
-    "collisions, on a logarithmic scale. From 1e-14 m it grows along a nearly straight line to some "
-    "decimetres.",
+    "collisions, on a logarithmic scale. From 1e-14 m it grows along a nearly straight line to "
+    "some decimetres.",
 )
 
 # %% [markdown]

@@ -160,7 +160,7 @@ def test_exception_of_a_solver_is_an_outcome() -> None:
 def test_trial_gives_every_solver_the_same_options() -> None:
     """The step is the case's, the solver's name the trial's."""
     case = case_by_name("limit-cycle")
-    assert case.trial(OURS).options == {"dt": 1e-9, "solver": "direct"}
+    assert case.trial(OURS).options == {"dt": 1e-9, "solver": "auto"}
     assert case.trial("pymunk").options == {"dt": 1e-9, "solver": "pymunk"}
     with pytest.raises(ValueError, match=r"solver must be one of ours, .*, got 'mine'"):
         case.trial("mine")

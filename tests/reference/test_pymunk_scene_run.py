@@ -192,7 +192,7 @@ def test_scene_of_pymunk_and_ours_give_the_same_run_until_contacts_are_shared() 
     rubber = Material(0.8, 0.3)
     ball = Body(Circle(0.5), position=(0, 2), velocity=(1, 0), mass=1.0, material=rubber)
     scene = Scene([ball, Body(Segment((-10, 0), (10, 0)))], gravity=(0, -9.81))
-    ours, theirs = simulate(scene, 2.0), simulate(scene, 2.0, solver="pymunk")
+    ours, theirs = (simulate(scene, 2.0, solver=solver) for solver in ("sequential", "pymunk"))
     assert ours.positions == pytest.approx(theirs.positions, abs=ROUNDING)
     assert ours.velocities == pytest.approx(theirs.velocities, abs=ROUNDING)
     assert ours.contacts.normal_impulse == pytest.approx(

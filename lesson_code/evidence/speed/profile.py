@@ -30,7 +30,7 @@ VERSION = 1
 CALLS = 7
 """Of each stage; the shortest counts."""
 
-STEPS = {"sequential": ("step",), "substep": ("prepare_part", "soft_part")}
+STEPS = {"sequential": ("step", "resolve"), "substep": ("prepare_part", "soft_part")}
 """The functions that call the stages, by solver."""
 
 
