@@ -58,29 +58,22 @@ def box_of(world: World, body: BodyRow, effects: Effects = EVERY_EFFECT) -> Side
     """Return the sides of the box around a body: left, low, right, high."""
     left, right, low, high = 0.0, 0.0, 0.0, 0.0
     if effects.outlines:
-        left, right, low, high = sides_of_outline(world, body)
+        for k in range(body.corner_count):
+            corner = world.corners[body.first_corner + k]
+            if k == 0 or corner.x < left:
+                left = corner.x
+            if k == 0 or corner.x > right:
+                right = corner.x
+            if k == 0 or corner.y < low:
+                low = corner.y
+            if k == 0 or corner.y > high:
+                high = corner.y
     return (
         body.x + left - body.radius,
         body.y + low - body.radius,
         body.x + right + body.radius,
         body.y + high + body.radius,
     )
-
-
-def sides_of_outline(world: World, body: BodyRow) -> Sides:
-    """Return how far the corners of a body lie from its centre: left, right, low, high."""
-    left, right, low, high = 0.0, 0.0, 0.0, 0.0
-    for k in range(body.corner_count):
-        corner = world.corners[body.first_corner + k]
-        if k == 0 or corner.x < left:
-            left = corner.x
-        if k == 0 or corner.x > right:
-            right = corner.x
-        if k == 0 or corner.y < low:
-            low = corner.y
-        if k == 0 or corner.y > high:
-            high = corner.y
-    return left, right, low, high
 
 
 def bound(world: World, effects: Effects = EVERY_EFFECT) -> None:
