@@ -12,7 +12,7 @@ import numpy as np
 
 from lesson_code.grading.alternatives.effects import ALTERNATIVES
 from lesson_code.grading.compare import written
-from lesson_code.grading.task import Arguments, Criterion, Part, Task, for_task
+from lesson_code.grading.task import Arguments, Criterion, Task, for_task
 from lesson_code.grading.tasks import draw
 from lesson_code.grading.wrong_models.effects import WRONG_MODELS
 
@@ -280,12 +280,22 @@ def _bodies_asleep(inverse_masses: Any, still: Any, touches: Any) -> list[int]:
 # Parts of an answer, and reasons
 
 
-def _says(name: str) -> Part:
-    """Return what looks at whether an answer names an effect."""
-    return lambda names: name in list(names)
+def says_friction(names: Any) -> bool:
+    """Return whether an answer names friction."""
+    return "friction" in list(names)
 
 
-def _in_order(names: Any) -> list[Any]:
+def says_restitution(names: Any) -> bool:
+    """Return whether an answer names restitution."""
+    return "restitution" in list(names)
+
+
+def says_rotation(names: Any) -> bool:
+    """Return whether an answer names rotation."""
+    return "rotation" in list(names)
+
+
+def in_order(names: Any) -> list[Any]:
     """Return names or numbers sorted: any order is right."""
     return sorted(names)
 
@@ -345,10 +355,10 @@ TASKS = (
         objective="The plan of a scene, before it is run.",
         expected=_effects_called_for,
         criteria=(
-            Criterion("friction", rough_or_smooth, part=_says("friction")),
-            Criterion("restitution", bouncing_or_not, part=_says("restitution")),
-            Criterion("rotation", turning_or_not, points=2, part=_says("rotation")),
-            Criterion("the whole plan", whole_plans, part=_in_order),
+            Criterion("friction", rough_or_smooth, part=says_friction),
+            Criterion("restitution", bouncing_or_not, part=says_restitution),
+            Criterion("rotation", turning_or_not, points=2, part=says_rotation),
+            Criterion("the whole plan", whole_plans, part=in_order),
         ),
         wrong_models=for_task(WRONG_MODELS, "10.2"),
         alternatives=for_task(ALTERNATIVES, "10.2"),
@@ -387,9 +397,9 @@ TASKS = (
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
         criteria=(
-            Criterion("one pile", one_pile, part=_in_order),
-            Criterion("piles on one floor", piles_on_one_floor, points=2, part=_in_order),
-            Criterion("long chains", long_chains, part=_in_order),
+            Criterion("one pile", one_pile, part=in_order),
+            Criterion("piles on one floor", piles_on_one_floor, points=2, part=in_order),
+            Criterion("long chains", long_chains, part=in_order),
         ),
         wrong_models=for_task(WRONG_MODELS, "10.5"),
         alternatives=for_task(ALTERNATIVES, "10.5"),

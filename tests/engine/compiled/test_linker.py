@@ -23,7 +23,6 @@ from lesson_code.engine.broad_phase import longest_way
 from lesson_code.engine.compiled import link
 from lesson_code.engine.continuous import advance
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
-from lesson_code.engine.event_driven.motion import velocity_at
 from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import World
 from lesson_code.engine.soft_step import soft_part
@@ -83,7 +82,9 @@ def body(source: str, name: str) -> list[str]:
 
 def test_function_in_which_nothing_is_decided_is_taken_as_it_stands() -> None:
     """The very text that a reader is shown, comments and all."""
-    assert inspect.getsource(velocity_at).rstrip() in link(velocity_at)
+    assert inspect.getsource(contact_frame.central_velocity).rstrip() in link(
+        contact_frame.central_velocity
+    )
     program = link(longest_way)
     assert inspect.getsource(longest_way).rstrip() in program
     assert program.startswith("from __future__ import annotations\n\nimport math\n\n\ndef longest")
