@@ -78,7 +78,7 @@ def test_readme_two_commands_are_what_ci_runs() -> None:
     commands = re.findall(r"^python3 -m venv .*$", README, flags=re.MULTILINE)
     assert [command.split(" && ")[-1] for command in commands] == [
         ".venv/bin/workbook open",
-        ".venv/bin/pytest",
+        ".venv/bin/pytest -n 2 --dist loadfile",
     ]
     assert "README.md" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
 
