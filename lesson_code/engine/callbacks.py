@@ -33,11 +33,11 @@ class Touch:
         The pair's, >= 0; before the impulses a callback may set them for this step.
     ignored : bool
         Before the impulses a callback may set it: no impulse is applied in this step.
-    gravity : (float, float), optional
-        A callback may set it, m/s^2: the gravity of the scene from the next step on.
     normal_impulse, tangent_impulse : float
         What b received in this step, N s, summed over the points; 0 before the impulses.
         The tangent is the normal turned by +90 degrees.
+    gravity : (float, float), optional
+        A callback may set it, m/s^2: the gravity of the scene from the next step on.
     """
 
     time: float
@@ -49,9 +49,9 @@ class Touch:
     restitution: float
     friction: float
     ignored: bool = False
-    gravity: tuple[float, float] | None = None
     normal_impulse: float = 0.0
     tangent_impulse: float = 0.0
+    gravity: tuple[float, float] | None = None
 
 
 Callback: TypeAlias = Callable[[Touch], Any]

@@ -119,17 +119,6 @@ check_task("11.2", hit)
 #    its velocity is turned round and multiplied by `restitution`.
 
 
-# %% tags=["solution"]
-def keep_in(p, v, radii, room, restitution):
-    """Put discs back that are beyond a wall, and turn round those that move outwards."""
-    for axis in (0, 1):
-        low, high = radii, room[axis] - radii
-        below, above = p[:, axis] < low, p[:, axis] > high
-        p[:, axis] = np.clip(p[:, axis], low, high)
-        out = (below & (v[:, axis] < 0)) | (above & (v[:, axis] > 0))
-        v[out, axis] *= -restitution
-
-
 # %% tags=["task"]
 def step_discs(positions, velocities, masses, radii, restitution, gravity, room, dt):
     """Return (positions, velocities) of smooth discs in a room after a step."""
@@ -143,7 +132,12 @@ def step_discs(positions, velocities, masses, radii, restitution, gravity, room,
             for body, push in ((i, -n / masses[i]), (j, n / masses[j])):
                 p[body] += depth * m_eff * push
                 v[body] += jn * push
-    keep_in(p, v, radii, room, restitution)
+    for axis in (0, 1):
+        low, high = radii, room[axis] - radii
+        below, above = p[:, axis] < low, p[:, axis] > high
+        p[:, axis] = np.clip(p[:, axis], low, high)
+        out = (below & (v[:, axis] < 0)) | (above & (v[:, axis] > 0))
+        v[out, axis] *= -restitution
     return p, v
 
 

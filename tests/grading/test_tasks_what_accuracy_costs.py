@@ -146,7 +146,7 @@ def test_drawn_costs_have_a_clear_answer() -> None:
 
 def test_messages_say_why() -> None:
     """Each says in numbers what is wrong with an answer."""
-    assert tasks.distances((((3, 4),), ((0, 0),)), 7.0) == "Distances, m: (5)."
+    assert tasks.distances((((3, 4),), ((0, 0),)), 7.0) == "Distances, m: (5,)."
     given: Arguments = (0.1, 8.0, 0.05, 4.0)
     assert tasks.foretold(given, 2.0) == ("With your order the second error would be 2; it is 4.")
     assert tasks.foretold(given, 1e9) == ""

@@ -38,9 +38,9 @@ def test_picture_without_that_name_is_refused_before_anything_starts(tmp_path: P
 
 
 def test_picture_of_a_program_needs_no_browser_of_its_own(tmp_path: Path) -> None:
-    """The billiards is drawn without a window, at the size of its own window."""
-    [billiards] = [picture for picture in PICTURES if picture.name == "billiards"]
-    billiards.take(None, tmp_path / "b.png")
+    """Pool is drawn without a window, at the size of its own window."""
+    [pool] = [picture for picture in PICTURES if picture.name == "pool"]
+    pool.take(None, tmp_path / "b.png")
     width, height = struct.unpack(">II", (tmp_path / "b.png").read_bytes()[16:24])
     assert (width, height) >= (600, 400)
 
@@ -50,4 +50,4 @@ def test_missing_browser_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     monkeypatch.setattr("lesson_code.site.in_browser.NAMES", ("no-such-browser",))
     monkeypatch.setattr("importlib.util.find_spec", lambda _: True)
     with pytest.raises(NoBrowserError, match="Chromium is not installed"):
-        next(readme_pictures.write_pictures(tmp_path, ["billiards"]))
+        next(readme_pictures.write_pictures(tmp_path, ["pool"]))

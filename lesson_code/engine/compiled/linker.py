@@ -66,7 +66,7 @@ def link(entry: Callable[..., Any], **bound: Any) -> str:
     def velocity_at(disc: DiscRow, time: float) -> Pair:
         \"\"\"Return a disc's velocity at a time, m/s.\"\"\"
         t = time - disc.time
-        return disc.vx + disc.ax * t, disc.vy + disc.ay * t
+        return (disc.vx + disc.ax * t, disc.vy + disc.ay * t)
     <BLANKLINE>
     """
     program = _Program()
