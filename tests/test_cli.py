@@ -634,4 +634,7 @@ def test_pictures_names_those_there_are(tiny: Path) -> None:
     """A picture that is asked for by a wrong name is an error with the right ones."""
     result = workbook("pictures", "new", "--only", "sunset")
     assert result.exit_code == NOT_DONE
-    assert "picture must be one of notebook, page, phone, pool, dominoes, got 'sunset'" in result.stderr
+    assert (
+        "picture must be one of notebook, page, phone, pool, dominoes, got 'sunset'"
+        in result.stderr
+    )
