@@ -407,7 +407,7 @@ ax.set(xlabel="time, s", ylabel="bodies asleep", ylim=(0, 10))
 show(
     fig,
     "Number of sleeping bodies over time: none for the first second, then nine. At four seconds a "
-    "disc hits the first tower and six are left; near the end nine sleep again.",
+    "disc hits the first tower, and six sleep on.",
 )
 
 # %%
