@@ -132,13 +132,9 @@ def step_discs(positions, velocities, masses, radii, restitution, gravity, room,
             for body, push in ((i, -n / masses[i]), (j, n / masses[j])):
                 p[body] += depth * m_eff * push
                 v[body] += jn * push
-    for axis in (0, 1):
-        low, high = radii, room[axis] - radii
-        below, above = p[:, axis] < low, p[:, axis] > high
-        p[:, axis] = np.clip(p[:, axis], low, high)
-        out = (below & (v[:, axis] < 0)) | (above & (v[:, axis] > 0))
-        v[out, axis] *= -restitution
-    return p, v
+    inside = np.clip(p, radii[:, None], room - radii[:, None])
+    v = np.where((p - inside) * v > 0, -restitution * v, v)
+    return inside, v
 
 
 # %% tags=["check", "nbval-check-output"]
