@@ -360,8 +360,13 @@ def choose_effects(
 
 def flags_of(choices: tuple[EffectChoice, ...]) -> Effects:
     """Return the flags that the stages are made for."""
-    used = {choice.name: choice.used for choice in choices}
-    return Effects(**{name: used[name] for name in Effects._fields})
+    used = names_used(choices)
+    return Effects(**{name: name in used for name in Effects._fields})
+
+
+def names_used(choices: tuple[EffectChoice, ...]) -> set[str]:
+    """Return the names of the effects that a run reckons with."""
+    return {choice.name for choice in choices if choice.used}
 
 
 def checked_wishes(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:

@@ -17,6 +17,7 @@ import math
 from lesson_code.engine.constants import QUIET_TIME, STEPS_A_LOOK, STILL
 from lesson_code.engine.contact_motion import contact_point
 from lesson_code.engine.rows import BodyRow, ContactRow, MemoryRow, RestingRow, World
+from lesson_code.engine.seams import pushed_body
 
 
 def is_static_and_moves(body: BodyRow) -> bool:
@@ -102,15 +103,10 @@ def disturb(world: World) -> None:
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         if is_static_and_moves(bodies[c.a]) or is_static_and_moves(bodies[c.b]):
-            bodies[pushed(world, c)].quiet = 0.0
+            bodies[pushed_body(world, c)].quiet = 0.0
     for i in range(len(bodies)):
         if bodies[i].inv_m > 0.0 and not bodies[i].is_asleep and bodies[i].quiet < QUIET_TIME:
             bodies[first_of_island(bodies, i)].is_restless = True
-
-
-def pushed(world: World, c: ContactRow) -> int:
-    """Return a body of a contact that can be pushed."""
-    return c.a if world.bodies[c.a].inv_m > 0.0 else c.b
 
 
 def fall_asleep(world: World) -> None:
@@ -133,7 +129,7 @@ def lay_down_contacts(world: World) -> None:
     state, kept = world.state, 0
     for k in range(state.contact_count):
         c = world.contacts[k]
-        if world.bodies[pushed(world, c)].is_asleep:
+        if world.bodies[pushed_body(world, c)].is_asleep:
             lay_down(world, c)
         else:
             copy_memory(world.memory[k], world.memory[kept])
@@ -146,7 +142,7 @@ def lay_down(world: World, c: ContactRow) -> None:
     state = world.state
     rest = world.resting[state.resting_count]
     rest.a, rest.b, rest.feature = c.a, c.b, c.feature
-    rest.island = world.bodies[pushed(world, c)].island
+    rest.island = world.bodies[pushed_body(world, c)].island
     rest.dt = state.dt
     rest.x, rest.y = contact_point(c, world.bodies[c.a], world.bodies[c.b])
     rest.nx, rest.ny, rest.penetration = c.nx, c.ny, c.penetration

@@ -23,7 +23,13 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.direct_solver import direct_solver
-from lesson_code.engine.effect_rules import EffectChoice, Question, choose_effects, flags_of
+from lesson_code.engine.effect_rules import (
+    EffectChoice,
+    Question,
+    choose_effects,
+    flags_of,
+    names_used,
+)
 from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
@@ -72,7 +78,7 @@ def pipeline_for(scene: Scene, solver: str, choices: tuple[EffectChoice, ...]) -
 
     A step is split at the impacts of fast bodies only once the first one is met.
     """
-    used = {choice.name for choice in choices if choice.used}
+    used = names_used(choices)
     return Pipeline(
         make_part=soft_part if solver == "substep" else rigid_part,
         broad_phase=BROAD_PHASES["uniform_grid" if "broad_phase" in used else "all_pairs"],
@@ -237,7 +243,7 @@ class EngineStepper:
         """Let another gravity act from now on, m/s^2, and plan anew what the scene calls for."""
         state = self.world.state
         state.gravity_x, state.gravity_y = gravity
-        before = {choice.name for choice in self.effects if choice.used}
+        before = names_used(self.effects)
         scene = scene_at(self._question.scene, self.states(), gravity)
         self._question = replace(self._question, scene=scene)
         self.effects = choose_effects(self._question, self._asked)
@@ -249,7 +255,7 @@ class EngineStepper:
         )
         if self._compiled:
             self._compile()
-        after = {choice.name for choice in self.effects if choice.used}
+        after = names_used(self.effects)
         self._changes.append(_change(state.time, gravity, after - before, before - after))
 
     def _advance(self, steps: int) -> None:

@@ -23,7 +23,7 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
-from lesson_code.engine.effect_rules import Question, choose_effects, flags_of
+from lesson_code.engine.effect_rules import Question, choose_effects, flags_of, names_used
 from lesson_code.engine.effects import Effects
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
@@ -114,7 +114,7 @@ class ExactSolver:
         wanted = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
         question = Question(scene, "exact", duration=duration, combine=combine)
         self.effects = choose_effects(question, wanted)
-        used = {choice.name for choice in self.effects if choice.used}
+        used = names_used(self.effects)
         self._flags = flags_of(self.effects)
         record = note_impulse if "impulse_record" in used else None
         self.tables = tables_of(scene, combine, "broad_phase" in used)
