@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -87,6 +88,17 @@ map_tasks(chores.writes_itself_down, [Path("pids")] * 4, workers=2)
 """
 
 
+def hear_of_ctrl_c() -> None:
+    """Take Ctrl-C as a terminal's process does: what a shell starts behind it is deaf to it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def end_group(pid: int) -> None:
+    """End whoever is left of a process and its workers, so that a failure waits for no one."""
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(pid, signal.SIGKILL)
+
+
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_workers_end_with_the_process_that_started_them(tmp_path: Path, stop: int) -> None:
     """A signal to the whole group, as Ctrl-C in a terminal is, ends all of it at once.
@@ -97,14 +109,19 @@ def test_workers_end_with_the_process_that_started_them(tmp_path: Path, stop: in
     pids.mkdir()
     command = [sys.executable, "-c", SLEEPERS]
     paths = os.pathsep.join([str(Path(__file__).parent), *filter(None, sys.path)])
-    with subprocess.Popen(
-        command,
-        cwd=tmp_path,
-        env=os.environ | {"PYTHONPATH": paths},
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    ) as process:
+    with (
+        subprocess.Popen(
+            command,
+            cwd=tmp_path,
+            env=os.environ | {"PYTHONPATH": paths},
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+            preexec_fn=hear_of_ctrl_c,
+        ) as process,
+        contextlib.ExitStack() as at_last,
+    ):
+        at_last.callback(end_group, process.pid)
         until = time.monotonic() + HANG
         while len(list(pids.iterdir())) < 2 and time.monotonic() < until:
             time.sleep(0.02)
