@@ -2,7 +2,7 @@
 
 An effect is a flag that is known before the run. Plain Python looks at it; from a compiled program
 the linker has removed it, and the branch that it closes. Which effects a scene calls for, and why,
-is worked out in :mod:`lesson_code.engine.effect_rules`.
+is worked out in :mod:`lesson_code.engine.effect_choice`.
 """
 
 from __future__ import annotations

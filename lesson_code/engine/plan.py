@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from html import escape
 
-from lesson_code.engine.effect_rules import EffectChoice
+from lesson_code.engine.effect_choice import EffectChoice
 
 
 @dataclass(frozen=True)

@@ -18,14 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lesson_code.engine.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
-from lesson_code.engine.effect_rules import (
-    BUILT_IN,
-    LACKING,
-    Question,
-    checked_wishes,
-    is_mover,
-    smallest_restitution,
-)
+from lesson_code.engine.effect_choice import BUILT_IN, LACKING, checked_wishes
+from lesson_code.engine.effect_rules import Question, is_mover, smallest_restitution
 from lesson_code.engine.event_driven import why_not
 from lesson_code.engine.penetration import deepest_overlaps
 from lesson_code.engine.scene import Scene

@@ -23,13 +23,13 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.direct_solver import direct_solver
-from lesson_code.engine.effect_rules import (
+from lesson_code.engine.effect_choice import (
     EffectChoice,
-    Question,
     choose_effects,
     flags_of,
     names_used,
 )
+from lesson_code.engine.effect_rules import Question
 from lesson_code.engine.plan import Plan
 from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.room import make_room
@@ -148,7 +148,7 @@ class EngineStepper:
         Whether the stages run as compiled code. They do the same to the last bit. None: if the run
         is large enough to repay it.
     effects : mapping, optional
-        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_rules`.
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_choice`.
     duration : float
         s, how long the run will be; ``math.inf``: nobody knows yet.
 
@@ -199,6 +199,8 @@ class EngineStepper:
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
         self._rows = self.world
+        self._steps_planned = duration / dt
+        self._steps_made = 0
         self._events: list[NDArray[np.float64]] = []
         steps = 0.0 if math.isinf(duration) else self._steps_a_step * duration / dt
         program = partial(source_of, self.pipeline)
@@ -228,8 +230,10 @@ class EngineStepper:
         FloatingPointError
             A body has left the range of floating point.
         ValueError
-            The bodies overlap in so many pairs that no memory would hold them.
+            The bodies overlap in so many pairs that no memory would hold them; or the run was
+            planned to be shorter, and what it leaves out might be called for after its end.
         """
+        self._refuse_beyond_the_end(steps)
         listener = self.pipeline.listener
         if not isinstance(listener, TouchListener):
             self._advance(steps)
@@ -238,6 +242,16 @@ class EngineStepper:
             self._advance(1)
             if (gravity := listener.new_gravity()) is not None:
                 self.set_gravity(gravity)
+
+    def _refuse_beyond_the_end(self, steps: int) -> None:
+        """Raise a ValueError if so many more steps are not in the run; the last may be a part."""
+        made = self._steps_made + steps
+        if made >= self._steps_planned + 1:
+            raise ValueError(
+                f"steps must end within the run, which was planned for {self._steps_planned:g} "
+                f"steps, got {made} in all"
+            )
+        self._steps_made = made
 
     def set_gravity(self, gravity: tuple[float, float]) -> None:
         """Let another gravity act from now on, m/s^2, and plan anew what the scene calls for."""

@@ -26,7 +26,8 @@ from lesson_code.engine.compiled import compiled_function, link
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE, why_no_compiler
 from lesson_code.engine.constants import QUIET_TIME, SPEED_DOUBT, STILL
 from lesson_code.engine.continuous import rigid_part
-from lesson_code.engine.effect_rules import BUILT_IN, LACKING, RULES
+from lesson_code.engine.effect_choice import BUILT_IN, LACKING
+from lesson_code.engine.effect_rules import RULES
 from lesson_code.engine.effects import EVERY_EFFECT
 from lesson_code.engine.reach import fastest_way
 from lesson_code.engine.stepper import EngineStepper

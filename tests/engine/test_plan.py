@@ -8,7 +8,8 @@ import re
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, simulate
-from lesson_code.engine.effect_rules import RULES, EffectChoice
+from lesson_code.engine.effect_choice import EffectChoice
+from lesson_code.engine.effect_rules import RULES
 from lesson_code.engine.plan import Plan
 
 

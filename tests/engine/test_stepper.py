@@ -81,3 +81,17 @@ def test_plan_says_who_and_why() -> None:
     """One line for a reader."""
     plan = Plan("sequential", "asked for", "compiled", "a large run")
     assert str(plan) == "solver: sequential (asked for); compiled (a large run)"
+
+
+def test_steps_beyond_the_planned_run_are_refused() -> None:
+    """The discs would meet afterwards, so collisions are left out; the last step may be a part."""
+    discs = [
+        Body(Circle(1), mass=1, velocity=(1, 0)),
+        Body(Circle(1), mass=1, position=(12, 0)),
+    ]
+    stepper = engine(Scene(discs), dt=0.1, duration=0.95)
+    assert not stepper.pipeline.effects.collisions
+    stepper.advance(9)
+    stepper.advance(1)
+    with pytest.raises(ValueError, match=r"planned for 9\.5 steps, got 11 in all"):
+        stepper.advance(1)

@@ -12,7 +12,8 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from lesson_code.engine.effect_rules import OPTIONAL, RULES
+from lesson_code.engine.effect_choice import OPTIONAL
+from lesson_code.engine.effect_rules import RULES
 from lesson_code.evidence.effect_costs import (
     EffectCost,
     EffectCosts,

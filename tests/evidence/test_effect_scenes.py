@@ -6,7 +6,8 @@ import pytest
 
 from lesson_code import simulate
 from lesson_code.engine.constants import QUIET_TIME
-from lesson_code.engine.effect_rules import RULES, Question, find
+from lesson_code.engine.effect_choice import find
+from lesson_code.engine.effect_rules import RULES, Question
 from lesson_code.evidence import effect_scenes
 from lesson_code.evidence.effect_costs.runners import ours
 from lesson_code.evidence.effect_scenes import EffectPair, pairs

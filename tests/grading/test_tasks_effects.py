@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from lesson_code.engine.combination import COMBINATIONS
-from lesson_code.engine.effect_rules import Question, choose_effects
+from lesson_code.engine.effect_choice import choose_effects
+from lesson_code.engine.effect_rules import Question
 from lesson_code.engine.reach import can_meet
 from lesson_code.engine.reach import fastest_way as engine_way
 from lesson_code.engine.scene import Body, Material, Scene

@@ -23,7 +23,8 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
-from lesson_code.engine.effect_rules import Question, choose_effects, flags_of, names_used
+from lesson_code.engine.effect_choice import choose_effects, flags_of, names_used
+from lesson_code.engine.effect_rules import Question
 from lesson_code.engine.effects import Effects
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
@@ -77,7 +78,7 @@ class ExactSolver:
     duration : float
         s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
     effects : mapping, optional
-        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_rules`.
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_choice`.
 
     Attributes
     ----------

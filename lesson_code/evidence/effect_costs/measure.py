@@ -12,7 +12,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from lesson_code.engine.compiled.library import why_no_compiler
-from lesson_code.engine.effect_rules import RULES, Question, choose_effects
+from lesson_code.engine.effect_choice import choose_effects
+from lesson_code.engine.effect_rules import RULES, Question
 from lesson_code.engine.solver_choice import solvers_for
 from lesson_code.evidence.effect_costs.calls import calls_for
 from lesson_code.evidence.effect_costs.result import (

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from lesson_code.engine.combination import Combination
 from lesson_code.engine.constants import SLOP
-from lesson_code.engine.effect_rules import OPTIONAL
+from lesson_code.engine.effect_choice import OPTIONAL
 from lesson_code.engine.scene import Scene
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.effect_scenes import EffectPair
