@@ -32,7 +32,7 @@ from lesson_code.engine.constants import (
     STEPS_AHEAD,
 )
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
-from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PairRow, State, World
+from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PairRow, PlaceRow, State, World
 from lesson_code.formulas.arithmetic import clamp
 
 Sides: TypeAlias = tuple[float, float, float, float]
@@ -193,14 +193,14 @@ def find_cells(world: World) -> None:
     for slot in slots:
         slot.index = -1
     for i in range(len(world.bodies)):
-        body = world.bodies[i]
-        body.is_large = max(body.max_x - body.min_x, body.max_y - body.min_y) > state.cell_size
-        if not body.is_large:
-            body.cell_x = cell_of(state, body.min_x)
-            body.cell_y = cell_of(state, body.min_y)
+        body, place = world.bodies[i], world.places[i]
+        place.is_large = max(body.max_x - body.min_x, body.max_y - body.min_y) > state.cell_size
+        if not place.is_large:
+            place.cell_x = cell_of(state, body.min_x)
+            place.cell_y = cell_of(state, body.min_y)
             if body.inv_m == 0.0:
-                slot = slots[slot_of(state, body.cell_x, body.cell_y)]
-                body.next_in_cell = slot.index
+                slot = slots[slot_of(state, place.cell_x, place.cell_y)]
+                place.next_in_cell = slot.index
                 slot.index = i
                 state.has_small_fixed = True
 
@@ -223,26 +223,27 @@ def sort_boxes(world: World) -> None:
     state, slots = world.state, world.slots
     for slot in slots:
         slot.index = 0
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not body.is_large:
-            slots[slot_of(state, body.cell_x, body.cell_y)].index += 1
+    for i in range(len(world.bodies)):
+        place = world.places[i]
+        if world.bodies[i].inv_m > 0.0 and not place.is_large:
+            slots[slot_of(state, place.cell_x, place.cell_y)].index += 1
     end = 0
     for slot in slots:
         end += slot.index
         slot.index = end
     state.box_count = end
     for i in range(len(world.bodies) - 1, -1, -1):
-        body = world.bodies[i]
-        if body.inv_m > 0.0 and not body.is_large:
-            slot = slots[slot_of(state, body.cell_x, body.cell_y)]
+        place = world.places[i]
+        if world.bodies[i].inv_m > 0.0 and not place.is_large:
+            slot = slots[slot_of(state, place.cell_x, place.cell_y)]
             slot.index -= 1
-            write_box(world.boxes[slot.index], body, i)
+            write_box(world.boxes[slot.index], world.bodies[i], place, i)
 
 
-def write_box(box: BoxRow, body: BodyRow, i: int) -> None:
+def write_box(box: BoxRow, body: BodyRow, place: PlaceRow, i: int) -> None:
     """Write down the box of body i."""
     box.min_x, box.max_x, box.min_y, box.max_y = body.min_x, body.max_x, body.min_y, body.max_y
-    box.cell_x, box.cell_y, box.body = body.cell_x, body.cell_y, i
+    box.cell_x, box.cell_y, box.body = place.cell_x, place.cell_y, i
 
 
 def slot_of(grid: Grid, cell_x: int, cell_y: int) -> int:
@@ -293,26 +294,26 @@ def pairs_among(
 
 def pairs_with_fixed(world: World, i: int, count: int) -> int:
     """Compare a body in the grid with those around it that nothing can push."""
-    state, bodies = world.state, world.bodies
-    for x in range(bodies[i].cell_x - 1, bodies[i].cell_x + 2):
-        for y in range(bodies[i].cell_y - 1, bodies[i].cell_y + 2):
+    state, bodies, places = world.state, world.bodies, world.places
+    for x in range(places[i].cell_x - 1, places[i].cell_x + 2):
+        for y in range(places[i].cell_y - 1, places[i].cell_y + 2):
             j = world.fixed_slots[slot_of(state, x, y)].index
             while j >= 0:
-                is_here = bodies[j].cell_x == x and bodies[j].cell_y == y
+                is_here = places[j].cell_x == x and places[j].cell_y == y
                 is_pair = is_here and boxes_overlap(bodies[i], bodies[j])
                 count = put_pair(world.pairs, count, i, j, is_pair)
-                j = bodies[j].next_in_cell
+                j = places[j].next_in_cell
     return count
 
 
 def pairs_of_large(world: World, count: int) -> int:
     """Compare each large body with every other; two large ones only once."""
-    bodies = world.bodies
+    bodies, places = world.bodies, world.places
     for i in range(len(bodies)):
-        if not bodies[i].is_large:
+        if not places[i].is_large:
             continue
         for j in range(len(bodies)):
-            once = j > i or not bodies[j].is_large
+            once = j > i or not places[j].is_large
             is_pair = j != i and once and may_touch(bodies[i], bodies[j])
             count = put_pair(world.pairs, count, i, j, is_pair)
         if count > most_pairs(len(bodies)):
@@ -356,33 +357,33 @@ def sort_pairs(world: World, count: int) -> int:
     """
     if count > len(world.pairs):
         return count
-    counting_sort(world.bodies, world.pairs, world.sorted_pairs, count, by_b=True)
-    counting_sort(world.bodies, world.sorted_pairs, world.pairs, count, by_b=False)
+    counting_sort(world.places, world.pairs, world.sorted_pairs, count, by_b=True)
+    counting_sort(world.places, world.sorted_pairs, world.pairs, count, by_b=False)
     return count
 
 
 def counting_sort(
-    bodies: list[BodyRow], pairs: list[PairRow], target: list[PairRow], count: int, by_b: bool
+    places: list[PlaceRow], pairs: list[PairRow], target: list[PairRow], count: int, by_b: bool
 ) -> None:
     """Write pairs into a target, sorted by one of their two bodies; equals keep their order."""
-    tally(bodies, pairs, count, by_b)
+    tally(places, pairs, count, by_b)
     for k in range(count):
         pair = pairs[k]
-        body = bodies[pair.b if by_b else pair.a]
-        target[body.tally].a = pair.a
-        target[body.tally].b = pair.b
-        body.tally += 1
+        place = places[pair.b if by_b else pair.a]
+        target[place.tally].a = pair.a
+        target[place.tally].b = pair.b
+        place.tally += 1
 
 
-def tally(bodies: list[BodyRow], pairs: list[PairRow], count: int, by_b: bool) -> None:
+def tally(places: list[PlaceRow], pairs: list[PairRow], count: int, by_b: bool) -> None:
     """Set each body's tally to where its pairs begin when they are sorted by one of the two."""
-    for body in bodies:
-        body.tally = 0
+    for place in places:
+        place.tally = 0
     for k in range(count):
-        body = bodies[pairs[k].b if by_b else pairs[k].a]
-        body.tally += 1
+        place = places[pairs[k].b if by_b else pairs[k].a]
+        place.tally += 1
     start = 0
-    for body in bodies:
-        pairs_here = body.tally
-        body.tally = start
+    for place in places:
+        pairs_here = place.tally
+        place.tally = start
         start += pairs_here

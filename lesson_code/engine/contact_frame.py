@@ -19,6 +19,8 @@ from lesson_code.formulas.arithmetic import cross
 from lesson_code.formulas.validation import equation
 
 effective_mass = equation(contact.effective_mass)
+normal_impulse = equation(contact.normal_impulse)
+friction_impulse = equation(contact.friction_impulse)
 
 
 def set_frame(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

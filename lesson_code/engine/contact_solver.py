@@ -49,23 +49,25 @@ from lesson_code.engine.contact_frame import (
     bring_to_total,
     central_push_velocity,
     central_velocity,
+    friction_impulse,
     missing_push,
     missing_velocity,
+    normal_impulse,
     normal_velocity,
     set_central_frame,
     set_frame,
     set_normal_frame,
-    tangent_velocity,
     velocity_at,
 )
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, MemoryRow, World
-from lesson_code.engine.two_points import couple, solve_normals, solve_pushes
-from lesson_code.formulas import contact
-from lesson_code.formulas.validation import equation
-
-normal_impulse = equation(contact.normal_impulse)
-friction_impulse = equation(contact.friction_impulse)
+from lesson_code.engine.two_points import (
+    couple,
+    couple_tangents,
+    solve_manifold,
+    solve_normals,
+    solve_pushes,
+)
 
 Visit: TypeAlias = Callable[[ContactRow, BodyRow, BodyRow], None]
 """Does something to a contact and its two bodies."""
@@ -99,8 +101,16 @@ def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None
         c.push_speed = push_speed_of(c, a, b, world.state.dt)
         if effects.manifolds:
             c.is_block = False
-            if k > 0 and world.contacts[k - 1].a == c.a and world.contacts[k - 1].b == c.b:
-                couple(world.contacts[k - 1], c, a, b)
+            if k > 0:
+                join_points(world.contacts[k - 1], c, a, b, effects)
+
+
+def join_points(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, effects: Effects) -> None:
+    """Let two contacts be solved together if they are the two points of one manifold."""
+    if c.a == d.a and c.b == d.b:
+        couple(c, d, a, b)
+        if effects.friction:
+            couple_tangents(c, d, a, b)
 
 
 def set_bounces(world: World, velocity: Velocity) -> None:
@@ -224,21 +234,6 @@ def solve_central(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     total = normal_impulse(missing, c.normal_mass, 0.0, c.normal_impulse)
     apply_central_impulse(c, a, b, total - c.normal_impulse)
     c.normal_impulse = total
-
-
-def solve_manifold(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Do the same at the two points of one manifold: both normal velocities at once."""
-    solve_normals(c, d, a, b)
-    solve_friction(c, a, b)
-    solve_friction(d, a, b)
-
-
-def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Stop the sliding, as far as Coulomb's limit mu jn allows."""
-    vt = tangent_velocity(c, a, b)
-    total = friction_impulse(vt, c.tangent_mass, c.friction, c.normal_impulse, c.tangent_impulse)
-    apply_impulses(c, a, b, 0.0, total - c.tangent_impulse)
-    c.tangent_impulse = total
 
 
 def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:

@@ -22,6 +22,7 @@ from lesson_code.engine.rows import BodyRow, World
 from lesson_code.engine.sleep import everything_sleeps
 from lesson_code.engine.world import Pipeline, rest, seek_pairs, step
 from lesson_code.geometry.advancement import advance_to_impact
+from lesson_code.geometry.rows import ManifoldRow
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
 
 
@@ -60,10 +61,11 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     """
     state = world.state
     state.dt = state.left
-    if pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
-        if not pipeline.splits_steps:
-            state.has_fast = True
+    if pipeline.is_continuous and not pipeline.splits_steps:
+        state.has_fast = has_fast_body(world, state.left, pipeline.effects)
+        if state.has_fast:
             return False
+    elif pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
         state.dt = time_to_impact(world, pipeline, state.left)
         if state.pairs_wanted > 0:
             return False
@@ -75,17 +77,29 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     return True
 
 
-def mark_fast(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
-    """Mark the bodies that could pass through another one unseen; return whether there are any."""
+def has_fast_body(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
+    """Return whether any body could pass through another one unseen."""
     found = False
     for body in world.bodies:
-        body.waits = False
         way = way_of(body, duration, effects)
         if not math.isfinite(way):
             return False  # the move will say that it cannot be made
-        body.is_fast = way > 0.5 * min(body.thickness, world.state.thinnest)
-        found = found or body.is_fast
+        found = found or is_far(world, way)
     return found
+
+
+def mark_fast(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
+    """Mark the bodies that could; return whether there are any."""
+    found = has_fast_body(world, duration, effects)
+    for body in world.bodies:
+        body.waits = False
+        body.is_fast = found and is_far(world, way_of(body, duration, effects))
+    return found
+
+
+def is_far(world: World, way: float) -> bool:
+    """Return whether on so long a way a body or a thinner one could be passed."""
+    return way > 0.5 * world.state.thinnest
 
 
 def way_of(body: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> float:
@@ -104,8 +118,7 @@ def rim_speed(body: BodyRow, effects: Effects) -> float:
 def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
     """Return how long the world may move until its first fast body is just in another one, s.
 
-    Pairs that overlap already are left to the solver: they are contacts. When the table of pairs is
-    too small, that is noted, and the answer means nothing.
+    When the table of pairs is too small, that is noted, and the answer means nothing.
     """
     bound_way(world, duration, pipeline.effects)
     has_room = seek_pairs(world, pipeline.broad_phase)
@@ -137,15 +150,24 @@ def bound_way(world: World, duration: float, effects: Effects = EVERY_EFFECT) ->
 def pair_impact_time(
     world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects = EVERY_EFFECT
 ) -> float:
-    """Return when two bodies first touch, s; ``math.inf``: not within the duration, or already."""
+    """Return when two bodies first touch, s; ``math.inf``: not within the duration.
+
+    Of two that touch already it is now if they would pass through each other, and else never: the
+    solver has seen them.
+    """
     touch(world, a, b, effects)
     if world.manifold.count > 0:
-        return math.inf
+        return 0.0 if is_far(world, way_into(world.manifold, a, b, duration)) else math.inf
     if effects.outlines and effects.rotation and (is_turning(a) or is_turning(b)):
         return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
     if effects.manifolds:
         return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
     return impact_time_with_circle(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+
+
+def way_into(m: ManifoldRow, a: BodyRow, b: BodyRow, duration: float) -> float:
+    """Return how much deeper into each other two bodies would move along their normal, m."""
+    return -((b.vx - a.vx) * m.nx + (b.vy - a.vy) * m.ny) * duration
 
 
 def is_turning(body: BodyRow) -> bool:

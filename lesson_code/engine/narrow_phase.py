@@ -22,7 +22,7 @@ def find_contacts(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     if not find_overlaps(world, effects):
         return False
     if effects.seams:
-        drop_seams(world)
+        drop_seams(world, effects)
     return True
 
 

@@ -43,22 +43,27 @@ class BodyRow:
     min_y: float = 0.0
     max_x: float = 0.0
     max_y: float = 0.0
-    cell_x: int = 0  # the grid cell that holds the box's lower left corner
+    static_contact: int = -1  # the last contact with a static body; -1: none, or not looked for
+    is_fast: bool = False  # whether it may pass through another body within this step
+    waits: bool = False  # whether it stays where it is for what is left of this step
+    is_asleep: bool = False
+    is_restless: bool = False  # of an island's first body: whether one of its bodies is not still
+    restitution: float = -1.0  # negative: left to the other body
+    friction: float = -1.0  # negative: left to the other body
+    reach: float = 0.0  # m, distance of its farthest point from the centre of mass
+    quiet: float = 0.0  # s, for how long it has been still
+    island: int = 0  # the first body of the island that it belongs to (sleep.py)
+
+
+@dataclass(slots=True)
+class PlaceRow:
+    """What the broad phase notes of a body: its place in the grid, and a counter."""
+
+    cell_x: int = 0  # the grid cell that holds the lower left corner of the body's box
     cell_y: int = 0
     next_in_cell: int = -1  # the next body in the same slot of the grid; -1 for the last
     tally: int = 0  # counter for sorting the pairs
-    static_contact: int = -1  # the last contact with a static body; -1: none, or not looked for
-    restitution: float = -1.0  # negative: left to the other body
-    friction: float = -1.0  # negative: left to the other body
-    thickness: float = math.inf  # m, smallest width of its matter; infinite: nothing pushes it
-    reach: float = 0.0  # m, distance of its farthest point from the centre of mass
-    is_large: bool = False  # whether its box is too large for the grid
-    is_fast: bool = False  # whether it may pass through another body within this step
-    waits: bool = False  # whether it stays where it is for what is left of this step
-    quiet: float = 0.0  # s, for how long it has been still
-    island: int = 0  # the first body of the island that it belongs to (sleep.py)
-    is_restless: bool = False  # of an island's first body: whether one of its bodies is not still
-    is_asleep: bool = False
+    is_large: bool = False  # whether the box is too large for the grid
 
 
 @dataclass(slots=True)
@@ -120,6 +125,9 @@ class ContactRow:
     restitution: float = 0.0  # of the pair
     coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
     compliance: float = 0.0  # 1/kg, in a block: the velocity at this point from 1 N s here
+    block_mass: float = 0.0  # kg, in a block: 1 m/s at this point alone needs so many N s here
+    shared_mass: float = 0.0  # kg, and so many at the other
+    tangent_coupling: float = 0.0  # 1/kg, in a block: as coupling, but along the tangent
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_block: bool = False  # whether this row and the next are solved together: one manifold
     is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
@@ -196,7 +204,7 @@ class State:
     has_moved: bool = False  # whether its bodies have moved already
     is_prepared: bool = False  # whether the contacts of the part are ready (sub-steps)
     has_fast: bool = False  # whether a fast body has stopped a run that splits no steps
-    thinnest: float = math.inf  # m, the least thickness of all bodies
+    thinnest: float = math.inf  # m, the least thickness of all bodies that can be pushed
     gravity_x: float = 0.0  # m/s^2
     gravity_y: float = 0.0
     damping: float = 0.0  # 1/s
@@ -238,6 +246,7 @@ class World(NamedTuple):
     corners: list[Corner]
     pairs: list[PairRow]
     sorted_pairs: list[PairRow]  # scratch for the sort
+    places: list[PlaceRow]  # one for each body
     order: list[IndexRow]  # bodies sorted along x, for the sweep
     boxes: list[BoxRow]  # of the bodies that can be pushed, sorted by slot
     slots: list[IndexRow]  # of the grid: where the boxes of each begin

@@ -14,6 +14,7 @@ than the seam's tolerance is a step, and a wall is a wall.
 from __future__ import annotations
 
 from lesson_code.engine.constants import SEAM
+from lesson_code.engine.effects import EVERY_EFFECT, Effects
 from lesson_code.engine.rows import BodyRow, ContactRow, World
 from lesson_code.geometry.clipping import facing_edge
 from lesson_code.geometry.edges import closest_on_edge
@@ -27,7 +28,7 @@ ALONG = 1.0 - 1e-9
 """Cosine of the angle between an edge's normal and a contact's at which the edge is the face."""
 
 
-def drop_seams(world: World) -> None:
+def drop_seams(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Take the contacts with covered edges of static bodies out of the contact table."""
     chain_static_contacts(world)
     found = False
@@ -36,7 +37,7 @@ def drop_seams(world: World) -> None:
         world.contacts[k].is_covered = is_covered(world, k)
         found = found or world.contacts[k].is_covered
     if found:
-        close_up(world)
+        close_up(world, effects)
 
 
 def chain_static_contacts(world: World) -> None:
@@ -51,7 +52,7 @@ def chain_static_contacts(world: World) -> None:
         body.static_contact = k
 
 
-def close_up(world: World) -> None:
+def close_up(world: World, effects: Effects) -> None:
     """Let the contacts that are not covered stand side by side, in their order."""
     kept = 0
     for k in range(world.state.contact_count):
@@ -59,7 +60,7 @@ def close_up(world: World) -> None:
         is_static = world.bodies[c.a].inv_m == 0.0 or world.bodies[c.b].inv_m == 0.0
         if not (is_static and c.is_covered):
             if kept < k:
-                copy_contact(c, world.contacts[kept])
+                copy_contact(c, world.contacts[kept], effects)
             kept += 1
     world.state.contact_count = kept
 
@@ -188,10 +189,12 @@ def height(world: World, c: ContactRow, pushed: int, mx: float, my: float) -> fl
     return reached
 
 
-def copy_contact(of: ContactRow, to: ContactRow) -> None:
+def copy_contact(of: ContactRow, to: ContactRow, effects: Effects) -> None:
     """Write what the narrow phase has written of one contact into another row."""
     to.a, to.b, to.feature = of.a, of.b, of.feature
     to.nx, to.ny, to.penetration = of.nx, of.ny, of.penetration
     to.ax, to.ay, to.bx, to.by = of.ax, of.ay, of.bx, of.by
-    to.restitution, to.friction = of.restitution, of.friction
+    to.restitution = of.restitution
+    if effects.friction:
+        to.friction = of.friction
     to.normal_impulse, to.tangent_impulse, to.push_impulse = 0.0, 0.0, 0.0

@@ -52,16 +52,22 @@ from lesson_code.engine.constants import (
     SOFT_DAMPING,
     SOFT_FREQUENCY,
 )
-from lesson_code.engine.contact_frame import bring_to_total, missing_velocity, normal_velocity
+from lesson_code.engine.contact_frame import (
+    apply_impulses,
+    bring_to_total,
+    friction_impulse,
+    missing_velocity,
+    normal_impulse,
+    normal_velocity,
+    tangent_velocity,
+)
 from lesson_code.engine.contact_motion import normal_of
 from lesson_code.engine.contact_solver import (
     give_again,
     has_overlap_to_undo,
     is_second_of_block,
     longer_than_before,
-    normal_impulse,
     recall,
-    solve_friction,
     stride_of_visits,
 )
 from lesson_code.engine.effects import EVERY_EFFECT, Effects
@@ -241,6 +247,14 @@ def solve_soft_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> 
     totals = two_impulses(k, missing, (c.normal_impulse, d.normal_impulse))
     bring_to_total(c, a, b, totals[0])
     bring_to_total(d, a, b, totals[1])
+
+
+def solve_friction(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Stop the sliding, as far as Coulomb's limit mu jn allows."""
+    vt = tangent_velocity(c, a, b)
+    total = friction_impulse(vt, c.tangent_mass, c.friction, c.normal_impulse, c.tangent_impulse)
+    apply_impulses(c, a, b, 0.0, total - c.tangent_impulse)
+    c.tangent_impulse = total
 
 
 def missing_soft_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:

@@ -19,7 +19,7 @@ from lesson_code.engine.constants import (
     LARGEST_IN_GRID,
     MOST_MARGIN,
 )
-from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, State, World
+from lesson_code.engine.rows import BodyRow, BoxRow, IndexRow, PlaceRow, State, World
 from lesson_code.engine.scene import Body, Scene
 from lesson_code.engine.sleep import is_static_and_moves
 from lesson_code.engine.world import BroadPhase, turn_with_angle
@@ -60,7 +60,7 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         cell_size=_cell_size(scene),
         slot_count=slots,
         row_stride=row_stride_for(slots),
-        thinnest=min((row.thickness for row in bodies), default=math.inf),
+        thinnest=min((_thickness(b) for b in scene.bodies if not b.is_static), default=math.inf),
         free_count=sum(row.inv_m > 0.0 for row in bodies),
         has_moving_static=any(is_static_and_moves(row) for row in bodies),
     )
@@ -70,6 +70,7 @@ def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> 
         corners=corners,
         pairs=[],
         sorted_pairs=[],
+        places=[PlaceRow() for _ in bodies],
         order=[IndexRow(index) for index in range(len(bodies))],
         boxes=[BoxRow() for _ in bodies],
         slots=[IndexRow() for _ in range(slots + 1)],  # one more, for where the last one ends
@@ -111,7 +112,6 @@ def _row(body: Body, corners: list[Corner]) -> BodyRow:
         restitution=UNSPECIFIED if material.restitution is None else material.restitution,
         friction=UNSPECIFIED if material.friction is None else material.friction,
         extent=math.inf if body.is_static else body.shape.extent,
-        thickness=math.inf if body.is_static else _thickness(body),
         reach=body.shape.bounding_radius,
     )
 

@@ -27,7 +27,8 @@
 import numpy as np
 
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.effect_rules import OPTIONAL, Question, choose_effects
+from lesson_code.engine.effect_choice import OPTIONAL, choose_effects
+from lesson_code.engine.effect_rules import Question
 from lesson_code.engine.reach import can_meet, fastest_way
 from lesson_code.evidence import check, disc_gas, disc_scenes, exact_scenes, scenes
 from lesson_code.evidence.effect_costs import stored

@@ -250,7 +250,7 @@ def test_pairs_around_the_last_cell_are_found(cells: float) -> None:
     row = [Body(Circle(0.5), mass=1, position=(start + 0.9 * k, -start)) for k in range(30)]
     world = world_from(Scene(row))
     assert all_found(world) == dict.fromkeys(WAYS, brute_force(world))
-    assert max(abs(body.cell_x) for body in world.bodies) <= LAST_CELL
+    assert max(abs(place.cell_x) for place in world.places) <= LAST_CELL
 
 
 def test_slots_of_neighbouring_cells_are_different() -> None:
@@ -401,7 +401,7 @@ def discs(count: int, radius: float) -> Scene:
 
 def pairs_nearby(world: World) -> int:
     """Return how many pairs lie in one cell or in neighbouring ones."""
-    cells = np.array([(body.cell_x, body.cell_y) for body in world.bodies])
+    cells = np.array([(place.cell_x, place.cell_y) for place in world.places])
     near = (abs(cells[:, np.newaxis] - cells) <= 1).all(axis=-1)
     return int(np.triu(near, k=1).sum())
 

@@ -52,6 +52,28 @@ def test_ball_never_passes_through_a_wall(
         assert run.velocities[-1, 1, 0] == pytest.approx(-speed, rel=1e-9)
 
 
+@pytest.mark.parametrize("solver", [*SOLVERS, "direct"])
+@pytest.mark.parametrize("overlap", [1e-9, 1e-6, 1e-3])
+@pytest.mark.parametrize("speed", [20.0, 1e4])
+def test_fast_ball_that_overlaps_already_is_sent_back(
+    speed: float, overlap: float, solver: str
+) -> None:
+    """It begins in the brick by a little and would be behind it after the first step."""
+    brick = Body(Polygon.box(0.74, 0.24), material=BALL)
+    thrown = ball(0.12, position=(0.0, overlap - 0.24), velocity=(0.0, speed))
+    run = simulate(Scene([brick, thrown]), 0.1, solver=solver)
+    assert run.velocities[-1, 1, 1] == pytest.approx(-speed)
+    assert run.positions[1:, 1, 1].max() < -0.24 + overlap
+
+
+def test_fast_ball_that_rolls_on_a_floor_is_not_stopped_by_it() -> None:
+    """It overlaps the floor in every step, but does not move into it: no step is split."""
+    floor = Body(Segment((-10.0, 0.0), (1000.0, 0.0)), material=BALL)
+    rolling = ball(0.1, position=(0.0, 0.0995), velocity=(100.0, 0.0))
+    run = simulate(Scene([floor, rolling], gravity=(0.0, -10.0)), 1.0, solver="sequential")
+    assert run.positions[-1, 1, 0] == pytest.approx(100.0)
+
+
 def test_pymunks_ball_passes_through_a_thin_wall() -> None:
     """The same throw at 100 m/s: pymunk looks every 1.7 m."""
     scene = Scene([Body(Polygon.box(0.03, 4)), ball(0.1, position=(-1.2, 0), velocity=(100, 0))])

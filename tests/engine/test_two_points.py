@@ -10,8 +10,11 @@ from hypothesis import strategies as st
 from lesson_code.engine.constants import LEAST_DETERMINANT
 from lesson_code.engine.contact_frame import set_frame
 from lesson_code.engine.rows import BodyRow, ContactRow
+from lesson_code.engine.substep_solver import solve_friction
 from lesson_code.engine.two_points import (
     couple,
+    couple_tangents,
+    solve_manifold,
     solve_normals,
     solve_pushes,
     two_impulses,
@@ -94,6 +97,48 @@ def test_velocities_at_both_points_reach_their_targets_in_one_visit(
     assert min(parting) >= 0.5 - ROUNDING
     for point, vn in zip((c, d), parting, strict=True):
         assert point.normal_impulse == 0 or vn == pytest.approx(0.5, abs=ROUNDING)
+
+
+@given(
+    ax=offsets,
+    bx=offsets,
+    apart=st.floats(1e-2, 3),
+    velocity=st.tuples(velocities, velocities, velocities),
+    friction=st.floats(0, 2),
+    before=st.tuples(impulses, impulses, st.floats(-1, 1), st.floats(-1, 1)),
+)
+def test_manifold_in_one_visit_is_its_normals_then_friction_at_each_point(
+    ax: float,
+    bx: float,
+    apart: float,
+    velocity: tuple[float, float, float],
+    friction: float,
+    before: tuple[float, float, float, float],
+) -> None:
+    """The impulses that are computed ahead are those of three visits, one after the other."""
+    reached = []
+    for stages in (False, True):
+        a = BodyRow(inv_m=1.0, inv_i=2.0, corner_count=4, w=1.0)
+        vx, vy, w = velocity
+        b = BodyRow(inv_m=0.5, inv_i=3.0, corner_count=4, vx=vx, vy=vy, w=w)
+        c = ContactRow(ny=1.0, ax=ax, ay=1.0, bx=bx, by=-1.0, friction=friction)
+        d = ContactRow(ny=1.0, ax=ax + apart, ay=1.0, bx=bx + apart, by=-1.0, friction=friction)
+        c.normal_impulse, d.normal_impulse, share_c, share_d = before
+        for point, share in ((c, share_c), (d, share_d)):
+            set_frame(point, a, b)
+            point.tangent_impulse = share * friction * point.normal_impulse
+        couple(c, d, a, b)
+        couple_tangents(c, d, a, b)
+        assume(1 - c.coupling**2 * c.normal_mass * d.normal_mass > NARROW)
+        if stages:
+            solve_normals(c, d, a, b)
+            solve_friction(c, a, b)
+            solve_friction(d, a, b)
+        else:
+            solve_manifold(c, d, a, b)
+        impulse = [j for p in (c, d) for j in (p.normal_impulse, p.tangent_impulse)]
+        reached.append([a.vx, a.vy, a.w, b.vx, b.vy, b.w, *impulse])
+    np.testing.assert_allclose(reached[0], reached[1], atol=ROUNDING)
 
 
 def test_pushes_at_both_points_undo_what_each_overlaps() -> None:

@@ -21,7 +21,14 @@ from lesson_code.evidence.speed.limits import Limit, standing_limits
 from lesson_code.evidence.speed.measure import KEYS, chosen, parts
 from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.profile import profile_scene, stage_calls
-from lesson_code.evidence.speed.race import Race, Timing, run_race, with_head_start
+from lesson_code.evidence.speed.race import (
+    LOOKED_AT,
+    SHORT_BATCH_REPEATS,
+    Race,
+    Timing,
+    run_race,
+    with_head_start,
+)
 from lesson_code.evidence.speed.report import Speed, Verdict
 from lesson_code.evidence.speed.standing import Standing, measure_standing, stands
 from lesson_code.evidence.speed.statistics import (
@@ -260,23 +267,34 @@ def test_pile_begins_as_it_is_built() -> None:
 
 
 def test_bytes_of_tables_are_told_for_our_engine_alone() -> None:
-    """A body's row is three lines of 64 bytes at least; what pymunk holds cannot be seen so."""
+    """A body's row is two lines of 64 bytes at least; what pymunk holds cannot be seen so."""
     speed_scene = speed_scenes.gas(50)
     ours = bytes_of(builder("sequential", speed_scene)())
     assert ours is not None
-    assert ours > 50 * 3 * 64
+    assert ours > 50 * 2 * 64
     assert bytes_of(builder("pymunk, tree", speed_scene)()) is None
 
 
 @pytest.mark.parametrize(
-    "speed_scene", [speed_scenes.gas(10), speed_scenes.stack(3)], ids=lambda scene: scene.name
+    ("speed_scene", "batches"),
+    [
+        (speed_scenes.gas(10), LOOKED_AT // 14),
+        (speed_scenes.stack(3), SHORT_BATCH_REPEATS),
+        (speed_scenes.settled_discs(9), 1),
+    ],
+    ids=lambda value: getattr(value, "name", None),
 )
-def test_race_measures_every_engine(speed_scene: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Times, overlaps and energies are there; a scene that does not last is run three times."""
+def test_race_measures_every_engine(
+    speed_scene: Any, batches: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Times, overlaps and energies are there; what does not last, or is small, is run more often.
+
+    The gas has four walls.
+    """
     monkeypatch.setattr("lesson_code.evidence.speed.race.BATCH_SECONDS", 1e-6)
     measured = run_race("key", replace(speed_scene, warm_up=3), repeats=1)
     assert [t.engine for t in measured.timings] == list(engines_for(speed_scene))
-    assert measured.batches == (1 if speed_scene.lasts is None else 3)
+    assert measured.batches == batches
     for found in measured.timings:
         assert found.seconds > 0
         assert found.quality.overlap >= 0

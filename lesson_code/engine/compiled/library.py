@@ -1,10 +1,11 @@
 """Compiling a program, and keeping its machine code.
 
 A program is one module that holds all it needs, constants too. It is written into a folder of the
-user's, under a name made from its text, and Numba keeps the machine code beside it. So a change of
-any function or constant makes another program, and what was kept for the old one is never used
-again. (Numba alone looks at the file of the function that is called: it would not notice a
-change in another file, nor another value of a constant.)
+user's, with a list of what is compiled in place of its calls, under a name made from its text, and
+Numba keeps the machine code beside it. So a change of any function or constant makes another
+program, and what was kept for the old one is never used again. (Numba alone looks at the file of
+the function that is called: it would not notice a change in another file, nor another value of a
+constant.)
 
 Compiled programs cannot allocate memory, and do not count references: they get their tables and
 give them back.
@@ -22,6 +23,8 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
+
+from lesson_code.engine.compiled.inlining import inlined
 
 PROGRAMS_KEPT = 64
 """In the folder: the ones that were made longest ago are deleted, so that it does not grow."""
@@ -74,19 +77,21 @@ def compiled_function(source: str, entry: str) -> Callable[..., Any]:
     inner: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     for name, function in functions.items():
         if name != entry:
-            setattr(module, name, njit(**options, **inner)(function))
+            compiled = njit(**options, **inner, forceinline=name in module.IN_PLACE)(function)
+            setattr(module, name, compiled)
     start: Callable[..., Any] = njit(**options, cache=keeps)(functions[entry])
     return start
 
 
 def _load(source: str) -> tuple[types.ModuleType, bool]:
     """Return a program as a module, and whether its machine code can be kept."""
+    program = _program_of(source)
     name = _name_of(source)
     try:
-        path = _written(folder(), name, source)
+        path = _written(folder(), name, program)
         keeps = os.access(path.parent, os.W_OK)  # else Numba finds no place for machine code
     except OSError:  # a home that cannot be written to
-        path, keeps = _written(Path(tempfile.mkdtemp()), name, source), False
+        path, keeps = _written(Path(tempfile.mkdtemp()), name, program), False
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:  # pragma: no cover - the name ends in .py
         raise ImportError(f"{path} must be a module")
@@ -98,7 +103,12 @@ def _load(source: str) -> tuple[types.ModuleType, bool]:
 
 def _name_of(source: str) -> str:
     """Return a name for a program: another text, another name."""
-    return "program_" + hashlib.sha256(source.encode()).hexdigest()[:20]
+    return "program_" + hashlib.sha256(_program_of(source).encode()).hexdigest()[:20]
+
+
+def _program_of(source: str) -> str:
+    """Return all that machine code depends on: a program, and what is compiled in place in it."""
+    return f"{source}\n\nIN_PLACE = {sorted(inlined(source))}\n"
 
 
 def _written(place: Path, name: str, source: str) -> Path:

@@ -46,6 +46,10 @@ BATCH_SECONDS = 0.02
 MOST_STEPS, LEAST_STEPS = 2_000, 2
 """Of a batch."""
 
+LOOKED_AT = 700
+"""Bodies of a gas that the ends of a batch show at least: few have few contacts, and the deepest of
+them is a draw. With a smaller gas there are more batches."""
+
 SHORT_BATCH_REPEATS = 3
 """Times as many batches where they have to be short, because the scene does not last."""
 
@@ -152,7 +156,7 @@ def run_race(
     speed_scene : SpeedScene
         The scene.
     repeats : int
-        Batches, >= 1; three times as many where the scene does not last.
+        Batches, >= 1; several times as many where the scene does not last, or is a small gas.
     told : callable
         Hears what is being done.
     """
@@ -165,7 +169,7 @@ def run_race(
         runners.append(_warmed_up(name, build, own_steps))
     steps = _steps_of_a_batch(speed_scene, runners[0], own_steps)
     gc.freeze()  # else each look for what can be thrown away takes longer than a batch
-    batches = repeats if speed_scene.lasts is None else SHORT_BATCH_REPEATS * repeats
+    batches = repeats * _draws_for(speed_scene)
     for batch in range(batches):
         told(f"{speed_scene.name}: batch {batch + 1} of {batches}")
         for runner in runners:
@@ -195,6 +199,14 @@ def with_head_start(speed_scene: SpeedScene) -> tuple[SpeedScene, int]:
     engine = builder("sequential", speed_scene)()
     engine.advance(ahead)
     return replace(speed_scene, scene=scene_at(speed_scene.scene, engine.states())), own
+
+
+def _draws_for(speed_scene: SpeedScene) -> int:
+    """Return how many times as many batches a scene needs."""
+    if speed_scene.lasts is not None:
+        return SHORT_BATCH_REPEATS
+    is_gas = not any(speed_scene.scene.gravity)
+    return max(1, LOOKED_AT // len(speed_scene.scene.bodies)) if is_gas else 1
 
 
 def _started(build: Build, steps: int) -> Engine:

@@ -104,10 +104,20 @@ def test_program_of_another_text_is_another_program(place: Path) -> None:
 
 
 def test_program_is_written_as_it_was_linked(place: Path) -> None:
-    """So that anybody can read what runs; nothing else is left beside it."""
+    """So that anybody can read what runs, and what is in place; nothing else is left beside it."""
     compiled_function(SMALL, "entry")
     [path] = [path for path in place.iterdir() if path.is_file()]
-    assert path.read_text() == SMALL
+    assert path.read_text() == SMALL + "\n\nIN_PLACE = []\n"
+
+
+def test_program_compiled_in_another_way_is_another_program(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What stands in place of its calls makes other machine code of the same lines."""
+    compiled_function(SMALL, "entry")(4.0)
+    assert is_kept(SMALL)
+    monkeypatch.setattr(library, "inlined", lambda _: frozenset({"part"}))
+    assert not is_kept(SMALL)
 
 
 def test_program_that_has_been_damaged_is_written_anew(place: Path) -> None:
@@ -117,7 +127,7 @@ def test_program_that_has_been_damaged_is_written_anew(place: Path) -> None:
     path.write_text(SMALL[:50])
     compiled_function.cache_clear()
     assert compiled_function(SMALL, "entry")(4.0) == 3.0
-    assert path.read_text() == SMALL
+    assert path.read_text().startswith(SMALL)
 
 
 def test_function_is_loaded_once_in_a_process(place: Path) -> None:
