@@ -215,6 +215,7 @@ def advance(position, velocity, elapsed):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.billiards import play
+    from lesson_code.programs.billiards import PROGRAM
+    from lesson_code.programs.frame import play
 
-    play(advance)
+    play(PROGRAM, settings={"advance": advance})

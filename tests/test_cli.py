@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+import re
 import signal
 import socket
 import subprocess
@@ -88,6 +89,7 @@ def test_help_lists_every_command() -> None:
     "command",
     [
         *([name] for name in COMMANDS),
+        ["play", "simulator"],
         ["play", "billiards"],
         ["measure", "chaos"],
         ["measure", "hard-cases"],
@@ -287,13 +289,16 @@ def test_quiz_of_an_unknown_chapter_ends_with_2() -> None:
 # play
 
 
-def test_billiards_without_a_window_plays_so_many_frames(tmp_path: Path) -> None:
-    """In one second the ball has hit the top cushion; the last frame is saved."""
+def test_program_without_a_window_plays_so_many_frames(tmp_path: Path) -> None:
+    """It says how many, and how long they took; the last one is saved."""
     picture = tmp_path / "last.png"
     result = workbook(
         "play", "billiards", "--headless", "--frames", "60", "--screenshot", str(picture)
     )
-    assert (result.exit_code, result.stdout) == (ALL_IS_WELL, "Frames: 60, bounces: 1\n")
+    assert result.exit_code == ALL_IS_WELL
+    ms = r"\d+\.\d\d ms"
+    told = rf"Frames: 60; world {ms}, picture {ms}; 95 % within {ms}\n"
+    assert re.fullmatch(told, result.stdout)
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
@@ -305,12 +310,25 @@ def test_billiards_without_a_window_plays_so_many_frames(tmp_path: Path) -> None
         (["--headless", "--frames", "1", "--screenshot", "x.jpg"], "must end in .png"),
     ],
 )
-def test_billiards_that_cannot_be_played_end_with_2(options: list[str], words: str) -> None:
+def test_program_that_cannot_be_played_ends_with_2(options: list[str], words: str) -> None:
     """The reason is one clear line."""
     result = workbook("play", "billiards", *options)
     assert result.exit_code == NOT_DONE
     assert words in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+def test_program_is_filmed(tmp_path: Path) -> None:
+    """It says how long the film is; one that would be too long is refused before it begins."""
+    film = tmp_path / "film.gif"
+    options = ("play", "billiards", "--headless", "--record", str(film), "--frames")
+    refused = workbook(*options, "1801")
+    assert (refused.exit_code, film.exists()) == (NOT_DONE, False)
+    assert "frames must be <= 1800 for a film (30 s), got 1801" in refused.stderr
+    result = workbook(*options, "30")
+    assert result.exit_code == ALL_IS_WELL
+    assert result.stdout.endswith("Film: 11 pictures, 0.55 s\n")
+    assert film.read_bytes().startswith(b"GIF89a")
 
 
 @pytest.mark.parametrize("name", ["billiards", "simulator", "cradle"])

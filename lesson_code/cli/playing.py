@@ -17,28 +17,13 @@ Seed = Annotated[int, typer.Option(help="What is drawn by lot follows from it.")
 Frames = Annotated[int | None, typer.Option(help="Stop after so many frames.")]
 Headless = Annotated[bool, typer.Option("--headless", help="Without a window.")]
 Screenshot = Annotated[Path | None, typer.Option(help="Save the last frame as a PNG.")]
-Record = Annotated[Path | None, typer.Option(help="Write seed and inputs to a JSON file.")]
-Replay = Annotated[Path | None, typer.Option(help="Play such a file again.")]
+Record = Annotated[
+    Path | None,
+    typer.Option(help="Write seed and inputs to a .json file, or film what is seen as a .gif."),
+]
+Replay = Annotated[Path | None, typer.Option(help="Play such a .json file again.")]
 Tour = Annotated[bool, typer.Option("--tour", help="Let the program play itself.")]
 Balls = Annotated[int, typer.Option(min=0, max=600, help="How many there are at the start.")]
-
-
-@play.command("billiards")
-def play_billiards(
-    seed: Annotated[int | None, typer.Option(help="Draws the direction of the first shot.")] = None,
-    frames: Frames = None,
-    headless: Headless = False,
-    screenshot: Screenshot = None,
-) -> None:
-    """Cushion-bounce billiards: one ball, four cushions, a bumper at 45 degrees."""
-    from lesson_code.programs.billiards import play as play_program
-    from lesson_code.programs.billiards_table import LAUNCH, launch_by_lot
-
-    with clear_errors():
-        _require_end(headless, frames, None)
-        shot = LAUNCH if seed is None else launch_by_lot(seed)
-        outcome = play_program(frames=frames, headless=headless, screenshot=screenshot, launch=shot)
-    console.print(f"Frames: {outcome.frames}, bounces: {sum(outcome.bounces.values())}")
 
 
 @play.command("simulator", help=SUMMARIES["simulator"])
@@ -101,11 +86,16 @@ def _play(
             tour=tour,
             settings={} if balls is None else {"balls": balls},
         )
+    world, picture = 1e3 * outcome.seconds.sum(axis=0) / max(outcome.frames, 1)
     console.print(
-        f"Frames: {outcome.frames}, of {1e3 * outcome.step_seconds:.2f} ms for the world "
-        f"and {1e3 * outcome.draw_seconds:.2f} ms for the picture",
+        f"Frames: {outcome.frames}; world {world:.2f} ms, picture {picture:.2f} ms; "
+        f"95 % within {1e3 * outcome.within(0.95):.2f} ms",
         highlight=False,
     )
+    if outcome.film is not None:
+        film = outcome.film
+        end = ", the most that a film takes" if film.is_full else ""
+        console.print(f"Film: {film.pictures} pictures, {film.seconds:.2f} s{end}", highlight=False)
 
 
 def _require_end(headless: bool, frames: int | None, replay: Path | None) -> None:

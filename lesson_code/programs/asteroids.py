@@ -30,17 +30,20 @@ from lesson_code.programs.game import (
 from lesson_code.programs.live_world import TIME_STEP, LiveWorld
 from lesson_code.view.effects import Flashes, Sparks
 from lesson_code.view.picture import Camera, Picture
-from lesson_code.view.pygame_view import GREEN, INK, ORANGE, SKY, VERMILION, Colour, blend
+from lesson_code.view.pygame_view import INK, ORANGE, SKY, VERMILION, YELLOW, Colour, blend
 from lesson_code.view.sound import Sounds
 
 SIZE = (8.0, 6.0)
-"""m: the field. What leaves on one side comes back on the other."""
+"""m: the field. What has left on one side comes back on the other."""
 
 ROCKS, DENSITY = 9, 30.0
 """Asteroids at the start; kg/m^2."""
 
 SMALLEST_SPLIT, PIECES = 0.26, 3
 """m, radius: a smaller asteroid bursts into nothing that counts; pieces of one that is larger."""
+
+HEADINGS = 12
+"""Directions that a burst is tried in; the one in which its pieces have most room is taken."""
 
 BURST_SPEED = 1.2
 """m/s, of the pieces."""
@@ -144,9 +147,17 @@ class Asteroids(Game):
             self._spend(shot)
         for number in self.world.numbers:
             place = self.world.position(number)
-            inside = wrap(place, SIZE)
-            if inside != place:
+            inside = wrap(place, SIZE, self.radius(number))
+            if inside != place and self._is_free(number, inside):
                 self.world.move(number, inside)
+
+    def _is_free(self, number: int, place: XY) -> bool:
+        """Return whether a body would overlap no other one there; if not, it waits outside."""
+        return all(
+            math.dist(place, self.world.position(other)) > self.radius(number) + self.radius(other)
+            for other in self.world.numbers
+            if other != number
+        )
 
     def _steer(self) -> None:
         """Turn the ship, and let its engine push it; the exhaust takes the opposite away."""
@@ -217,19 +228,34 @@ class Asteroids(Game):
         )
         parts = [self.random.uniform(1.0, 2.0) for _ in range(PIECES)]
         masses = [mass * part / sum(parts) for part in parts]
-        heading = self.random.uniform(0, 2 * math.pi)
-        velocities = np.asarray(self._split(velocity, masses, BURST_SPEED, heading))
-        reach = self.radius(rock)
+        radii = [math.sqrt(m / DENSITY / math.pi) for m in masses]
+        reach, drawn = self.radius(rock), self.random.uniform(0, 2 * math.pi)
         self.world.remove(rock)
-        for k, (m, v) in enumerate(zip(masses, velocities.tolist(), strict=True)):
-            turn = heading + 2 * math.pi * k / PIECES
-            away = place[0] + reach * math.cos(turn), place[1] + reach * math.sin(turn)
-            self._add_rock(away, math.sqrt(m / DENSITY / math.pi), (v[0], v[1]))
+        headings = [drawn + 2 * math.pi * k / HEADINGS for k in range(HEADINGS)]
+        heading = min(headings, key=lambda h: self._overlap(around(place, reach, h), radii))
+        velocities = np.asarray(self._split(velocity, masses, BURST_SPEED, heading)).tolist()
+        for away, radius, v in zip(around(place, reach, heading), radii, velocities, strict=True):
+            self._add_rock(away, radius, (v[0], v[1]))
+
+    def _overlap(self, places: list[XY], radii: list[float]) -> float:
+        """Return by how much discs would overlap what there is, all together, m."""
+        there = [(self.world.position(n), self.radius(n)) for n in self.world.numbers]
+        return sum(
+            max(radius + r - math.dist(place, other), 0.0)
+            for place, radius in zip(places, radii, strict=True)
+            for other, r in there
+        )
 
     def ledger(self) -> XY:
         """Return what must not change: the momentum in the field, and what has left it, kg m/s."""
         (px, py), (ox, oy) = self.world.momentum(), self.carried_away
         return px + ox, py + oy
+
+
+def around(place: XY, reach: float, heading: float) -> list[XY]:
+    """Return where the pieces of an asteroid begin: evenly around its centre, m."""
+    turns = [heading + 2 * math.pi * k / PIECES for k in range(PIECES)]
+    return [(place[0] + reach * math.cos(t), place[1] + reach * math.sin(t)) for t in turns]
 
 
 def rock_colour(mass: float) -> Colour:
@@ -242,33 +268,16 @@ def draw(game: Asteroids, picture: Picture, effects: Effects) -> None:
     for rock in game.rocks:
         x, y = game.world.position(rock)
         r, colour = game.radius(rock), effects.colour(rock, rock_colour(game.mass(rock)))
-        for place in ghosts((x, y), r):
-            picture.disc(place, r, colour, game.world.angle(rock))
-            if r > 0.2:
-                picture.text(f"{game.mass(rock):.0f}", place, colour=(20, 24, 30))
+        picture.disc((x, y), r, colour, game.world.angle(rock))
+        if r > 0.2 and 0 < x < SIZE[0] and 0 < y < SIZE[1]:
+            picture.text(f"{game.mass(rock):.0f}", (x, y), colour=(20, 24, 30))
     for shot in game.shots:
         picture.disc(game.world.position(shot), SHOT_RADIUS, INK)
     place, angle = game.world.position(game.ship), game.world.angle(game.ship)
     if "up" in game.held:
         tail = place[0] - 0.2 * math.cos(angle), place[1] - 0.2 * math.sin(angle)
         picture.arrow(tail, (-0.3 * math.cos(angle), -0.3 * math.sin(angle)), ORANGE, 5.0)
-    picture.body(game.world.body(game.ship), place, angle, effects.colour(game.ship, GREEN))
-
-
-def ghosts(place: XY, radius: float) -> list[XY]:
-    """Return where a disc is to be drawn: at an edge, on the other side too.
-
-    >>> ghosts((0.25, 3.0), 0.5)
-    [(0.25, 3.0), (8.25, 3.0)]
-    """
-    xs = [place[0] + k * SIZE[0] for k in (0, 1, -1)]
-    ys = [place[1] + k * SIZE[1] for k in (0, 1, -1)]
-    return [
-        (x, y)
-        for x in xs
-        for y in ys
-        if -radius < x < SIZE[0] + radius and -radius < y < SIZE[1] + radius
-    ]
+    picture.body(game.world.body(game.ship), place, angle, effects.colour(game.ship, YELLOW))
 
 
 def readings(game: Asteroids) -> Readings:

@@ -59,13 +59,23 @@ def fire(
     return ship, ship + relative
 
 
-def wrap(position: Vector, size: Vector) -> tuple[float, float]:
-    """Return a position in a field whose opposite edges are joined.
+def wrap(position: Vector, size: Vector, reach: float) -> tuple[float, float]:
+    """Return where a body is that has left a field: just outside of the opposite edge.
 
-    >>> wrap((8.5, -1.0), (8.0, 6.0))
-    (0.5, 5.0)
+    One that can still be seen, and so reaches less than `reach` beyond an edge, stays where it is.
+
+    >>> wrap((8.6, 3.0), (8.0, 6.0), 0.5), wrap((8.4, 3.0), (8.0, 6.0), 0.5)
+    ((-0.5, 3.0), (8.4, 3.0))
     """
-    return float(position[0]) % float(size[0]), float(position[1]) % float(size[1])
+    x, y = (_wrapped(float(p), float(s), reach) for p, s in zip(position, size, strict=True))
+    return x, y
+
+
+def _wrapped(place: float, size: float, reach: float) -> float:
+    """Return one coordinate of a body after it has left, or as it is."""
+    if place > size + reach:
+        return -reach
+    return size + reach if place < -reach else place
 
 
 def collide_all(

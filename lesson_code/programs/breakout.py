@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from lesson_code.engine.callbacks import Touch
 from lesson_code.engine.scene import XY, Body, Material
+from lesson_code.formulas import bounce
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.programs.borrowed import lent
 from lesson_code.programs.breakout_rules import STEEPEST, paddle_bounce
@@ -54,6 +55,14 @@ class Rules:
     paddle_bounce: Callable[..., Any] = paddle_bounce
 
 
+class Impact(NamedTuple):
+    """What the ball has hit: the body, the point's x, m, and the normal from it to the ball."""
+
+    body: int
+    x: float
+    normal: XY
+
+
 class Breakout(Game):
     """A ball, a paddle and bricks."""
 
@@ -79,6 +88,7 @@ class Breakout(Game):
         )
         self.bricks: dict[int, int] = {}  # number of the body: hits that it still stands
         self.rows: dict[int, int] = {}
+        self.struck: set[int] = set()
         for row in range(2 + self.level):
             for column in range(COLUMNS):
                 place = (0.49 + column * COLUMN, FIRST_ROW - row * ROW)
@@ -101,6 +111,13 @@ class Breakout(Game):
     def is_over(self) -> bool:
         """Whether there is nothing left to play."""
         return self.lives == 0 or self.level > LEVELS
+
+    @property
+    def notice(self) -> str:
+        """What the end of the game was."""
+        if not self.is_over:
+            return ""
+        return "All levels done: R plays again" if self.lives else "Game over: R plays again"
 
     def press(self, key: str) -> None:
         """Serve, or begin anew."""
@@ -130,6 +147,10 @@ class Breakout(Game):
             return
         self._steer()
         self.world.step()
+        impacts = self._last_impacts()
+        for brick in sorted(self.struck):
+            self._hit(brick)
+        self.struck.clear()
         if self.serves:
             self.world.move(self.ball, self._on_paddle())
             self.world.throw(self.ball, (0.0, 0.0), 0.0)
@@ -137,7 +158,7 @@ class Breakout(Game):
             self.lives -= 1
             self.serves = True
         else:
-            self.world.throw(self.ball, steady(self.world.velocity(self.ball), self.speed))
+            self.world.throw(self.ball, self._velocity_after(impacts))
         if not self.bricks:
             self.level += 1
             if not self.is_over:
@@ -155,17 +176,37 @@ class Breakout(Game):
         self.world.throw(self.paddle, (min(max(speed, -PADDLE_SPEED), PADDLE_SPEED), 0.0))
 
     def touched(self, touch: Touch) -> None:
-        """Break a brick, or let the paddle turn the ball."""
+        """Note which brick the ball strikes."""
         numbers = {touch.body_a, touch.body_b}
-        if self.ball not in numbers:
-            return
-        for number in numbers & self.bricks.keys():
-            self._hit(number)
-        if self.paddle in numbers and not self.serves:
-            x, y = self.world.position(self.ball)
-            offset = (x - self.world.position(self.paddle)[0]) / (PADDLE[0] / 2)
-            if y > PADDLE_Y:
-                self.world.throw(self.ball, self._paddle_bounce(offset, self.speed))
+        if self.ball in numbers:
+            self.struck |= numbers & self.bricks.keys()
+
+    def _last_impacts(self) -> list[Impact]:
+        """Return what the ball has hit last in this step; in a corner there are two."""
+        numbers = self.world.numbers
+        ball, rows = numbers.index(self.ball), self.world.impulses.tolist()
+        mine = [row for row in rows if ball in row[1:3]]
+        impacts = []
+        for time, a, b, x, _, nx, ny, *_ in mine:
+            if time == mine[-1][0]:
+                other, sign = (a, 1) if b == ball else (b, -1)
+                impacts.append(Impact(numbers[int(other)], x, (sign * nx, sign * ny)))
+        return impacts
+
+    def _velocity_after(self, impacts: list[Impact]) -> XY:
+        """Return how the ball goes on: as the paddle or the level wants it, and into nothing.
+
+        The engine takes two bodies that overlap for a contact it has dealt with. So the rules must
+        not send the ball back into what it has just hit: there it would end up within it.
+        """
+        velocity = steady(self.world.velocity(self.ball), self.speed)
+        for impact in impacts:
+            if impact.body == self.paddle and self.world.position(self.ball)[1] > PADDLE_Y:
+                offset = (impact.x - self.world.position(self.paddle)[0]) / (PADDLE[0] / 2)
+                velocity = self._paddle_bounce(offset, self.speed)
+        for impact in impacts:
+            velocity = bounce(velocity, impact.normal, 1.0)
+        return float(velocity[0]), float(velocity[1])
 
     def _hit(self, number: int) -> None:
         """Take a hit from a brick, and the brick away with its last."""
@@ -208,16 +249,12 @@ def draw(game: Breakout, picture: Picture, effects: Effects) -> None:
         effects.trails.step(moving)
         effects.trails.draw(picture, SKY)
     picture.disc(game.world.position(game.ball), RADIUS, ORANGE)
-    if game.is_over:
-        picture.notice(
-            "All levels done: R plays again" if game.lives else "Game over: R plays again"
-        )
-    elif game.serves:
-        picture.text("SPACE or click to serve", (WIDTH / 2, 1.4))
+    if game.serves and not game.is_over:
+        picture.text("SPACE or click to serve", (WIDTH / 2, 1.6))
         for offset in (-1.0, -0.5, 0.0, 0.5, 1.0):
             x = place[0] + offset * PADDLE[0] / 2
             angle = offset * STEEPEST
-            tail = (x, PADDLE_Y + 0.32)
+            tail = (x, PADDLE_Y + 0.45)
             picture.arrow(tail, (0.4 * math.sin(angle), 0.4 * math.cos(angle)), SKY, 2.0)
 
 

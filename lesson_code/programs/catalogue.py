@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 SUMMARIES = {
     "simulator": "Launch balls, and watch momentum and energy: elastic, partial, inelastic.",
     "demo": "Circles, a triangle and a square in a box: everything of the course at once.",
+    "billiards": "One ball, four cushions, a bumper at 45 degrees.",
     "pool": "A cue that gives spin, cushions with friction, six pockets.",
     "cradle": "Newton's cradle: k balls in, k balls out, for 1 to 9 balls.",
     "breakout": "Bricks, a paddle that decides the angle, five levels.",
@@ -18,7 +19,7 @@ SUMMARIES = {
     "asteroids": "Varying masses that burst, thrust and recoil, and a ledger of momentum.",
     "soft_body": "Rings of masses and springs that deform where they collide.",
 }
-"""Name and a sentence, of every program that is played in the shared frame."""
+"""Name and a sentence, of every program."""
 
 
 def load(name: str) -> Program:

@@ -173,7 +173,7 @@ PROGRAM = Program(
         ("E", "restitution 1 or 0.9"),
         ("R", "reset"),
     ),
-    camera=Camera(left=-4.0, bottom=0.0, scale=100.0),
+    camera=Camera(left=-5.4, bottom=-0.6, scale=74.0),  # nine balls swing within it
     tour=((0, Input("press", "2")),),
     effects=lambda: Effects(Flashes(least_impulse=0.3), sounds=Sounds("steel", 0.3, 3.0)),
 )

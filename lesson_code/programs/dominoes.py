@@ -141,8 +141,8 @@ def draw(game: Dominoes, picture: Picture, effects: Effects) -> None:
         picture.body(game.world.body(number), place, angle, effects.colour(number, colour))
     for rank, number in enumerate(game.order, start=1):
         x, _ = game.world.body(number).position
-        ground = FLOOR - 0.3 if number in game.below else SHELF - 0.25
-        picture.text(f"{rank}", (x, ground), colour=INK)
+        height = FLOOR - 0.3 if number in game.below else SHELF + SIZE[1] + 0.25
+        picture.text(f"{rank}", (x, height), colour=INK)
     if not game.pushed:
         picture.text("SPACE pushes the first domino", (2.0, 2.6))
 

@@ -6,31 +6,37 @@ next frame, so that a world does not depend on how fast it is drawn.
 
 from __future__ import annotations
 
+import inspect
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
 from lesson_code.engine.scene import XY
 from lesson_code.formulas.arithmetic import whole_parts
-from lesson_code.programs.game import Game, Input, Keys, Program
-from lesson_code.programs.live_world import TIME_STEP
+from lesson_code.programs.game import Effects, Game, Input, Keys, Program, Readings
+from lesson_code.programs.live_world import TIME_STEP, WORTH_COMPILING, LiveWorld
 from lesson_code.programs.recording import Recording
+from lesson_code.view.gif import MOST_SECONDS, Gif
 from lesson_code.view.panel import PROGRAM_SIZE, Panel
 from lesson_code.view.picture import FIELD_SIZE, Picture
-from lesson_code.view.pygame_view import open_window, pygame
+from lesson_code.view.pygame_view import YELLOW, open_window, pygame
 
 LONGEST_FRAME = 0.1
 """s: a longer one counts as this. A machine that is too slow shows slow motion, and not jerks."""
 
+FILM_SIZE = (720, 400)
+"""px: two thirds of the window; its small letters can still be read."""
+
 SLOW_MOTION = 0.2
 """Of the usual speed."""
-
-WORTH_COMPILING = 100
-"""Bodies: plain Python moves fewer of them in half a frame."""
 
 SHARED_KEYS: Keys = (
     ("P   O", "pause   one step"),
@@ -48,17 +54,27 @@ class Outcome:
     ----------
     game : Game
         As it was at the end.
-    frames, steps : int
-        How many pictures were drawn, and how many steps the world made.
-    step_seconds, draw_seconds : float
-        Of processor time, for a frame, on average; 0 where there was none.
+    steps : int
+        How many the world has made.
+    seconds : ndarray, shape (frames, 2)
+        Processor time of each frame, s: for its steps, and for its picture.
+    film : Gif, optional
+        What was filmed, where that was asked for.
     """
 
     game: Game
-    frames: int
     steps: int
-    step_seconds: float
-    draw_seconds: float
+    seconds: NDArray[np.float64]
+    film: Gif | None = None
+
+    @property
+    def frames(self) -> int:
+        """How many pictures were drawn after the first."""
+        return len(self.seconds)
+
+    def within(self, part: float) -> float:
+        """Return the time that so large a part of the frames keeps within, s: 0.5 is the median."""
+        return float(np.quantile(self.seconds.sum(axis=1), part)) if self.frames else 0.0
 
 
 class Session:
@@ -112,6 +128,16 @@ class Session:
             self.recording.note(self.steps, given)
             self.game.take(given)
 
+    def switched(self) -> Readings:
+        """Return what the keys that all programs share have changed."""
+        sounds = self.effects.sounds
+        changes = (
+            (self.paused, "PAUSED", "P goes on"),
+            (self.slow, "slow motion", f"{SLOW_MOTION:g} x"),
+            (sounds is not None and sounds.muted, "sound", "muted"),
+        )
+        return [(name, value) for is_on, name, value in changes if is_on]
+
     def tick(self, elapsed: float) -> int:
         """Let the time of one frame pass, s; return how many steps that made."""
         self._left_over += min(elapsed, LONGEST_FRAME) * (SLOW_MOTION if self.slow else 1.0)
@@ -143,16 +169,23 @@ class Session:
             case pygame.K_ESCAPE:
                 self.running = False
             case pygame.K_p:
-                self.paused = not self.paused
+                self._pause(not self.paused)
             case pygame.K_o:
-                self.paused = self._wants_step = True
+                self._pause(True)
+                self._wants_step = True
             case pygame.K_l:
                 self.slow = not self.slow
             case pygame.K_m if self.effects.sounds is not None:
-                self.effects.sounds.muted = not self.effects.sounds.muted
+                self.effects.sounds.mute()
             case _:
                 return False
         return True
+
+    def _pause(self, paused: bool) -> None:
+        """Stop time or let it go on, and sounds with it."""
+        self.paused = paused
+        if self.effects.sounds is not None:
+            self.effects.sounds.hold(paused)
 
     def _world_place(self, pixel: tuple[int, int]) -> XY:
         """Return the point of the world that a pixel's centre shows."""
@@ -170,6 +203,11 @@ class Painter:
         """Wait for the next frame, and return how long the last one took, s."""
         return self._picture.window.wait()
 
+    def show_to(self, film: Gif | None, elapsed: float) -> None:
+        """Let a film see what is drawn, if there is one, so much time after the last picture, s."""
+        if film is not None:
+            film.see(self._picture.window.surface, elapsed)
+
     def draw(self, notice: str = "") -> None:
         """Draw field and panel and show them."""
         session, program, picture = self._session, self._session.program, self._picture
@@ -177,13 +215,10 @@ class Painter:
         program.draw(session.game, picture, session.effects)
         if session.effects.sparks is not None:
             session.effects.sparks.draw(picture)
-        words = notice or ("PAUSED: P goes on, O makes one step" if session.paused else "")
-        if words:
-            picture.notice(words)
+        picture.notice(notice or session.game.notice)
         self._panel.begin()
         self._panel.readings(program.readings(session.game))
-        if session.slow:
-            self._panel.readings([("slow motion", f"{SLOW_MOTION:g} x")])
+        self._panel.readings(session.switched(), YELLOW)
         if program.more is not None:
             program.more(session.game, self._panel)
         self._panel.keys(program.keys + SHARED_KEYS)
@@ -217,9 +252,11 @@ def play(
     screenshot : path, optional
         A .png file for the last picture.
     record : path, optional
-        A .json file for the seed and all inputs.
+        A .json file for seed, settings and all inputs, or a .gif file for what is seen: 20
+        pictures a second, for 30 s at the most.
     replay : path, optional
-        Such a file: its seed and inputs are played again, and the run ends where it did.
+        Such a .json file: seed, settings and inputs are played again, and the run ends where it
+        did.
     tour : bool
         Let the program play itself; what a player does counts too.
     settings : mapping
@@ -228,57 +265,89 @@ def play(
     Raises
     ------
     ValueError
-        `frames` is negative, or missing when headless without a recording; a file's name or
-        content is not what it should be.
+        `frames` is negative, or missing when headless without a recording; the run is longer than
+        a film may be; a file's name, folder or content is not what it should be.
+    OSError
+        A file cannot be read or written.
     RuntimeError
         There is no screen to open a window on.
     """
     _check(frames, headless, screenshot, record, replay)
-    recording = Recording.read(replay, program.name) if replay else Recording(program.name, seed)
-    session = Session(program, program.game(recording.seed, **settings), recording)
+    recording = (
+        Recording.read(replay, program.name) if replay else Recording(program.name, seed, settings)
+    )
+    films = record is not None and _suffix(record) == ".gif"
+    if films:
+        _check_length(recording.steps if frames is None else frames)
+    session = Session(program, _new_game(program, recording, settings), recording)
     session.tour = program.tour if tour else ()
-    with open_window(PROGRAM_SIZE, program.title, headless=headless) as window:
+    with (
+        open_window(PROGRAM_SIZE, program.title, headless=headless) as window,
+        Gif(record, FILM_SIZE) if films and record else nullcontext() as film,
+        _loudspeaker(session.effects, headless),
+    ):
         painter = Painter(session, Picture(window, program.camera))
-        _compile_if_large(session.game, painter)
-        if session.effects.sounds is not None and not headless:
-            session.effects.sounds.open()
-        try:
-            outcome = _run(session, painter, frames, waits=not headless)
-        finally:
-            if session.effects.sounds is not None:
-                session.effects.sounds.close()
+        outcome = _run(session, painter, film, frames, waits=not headless)
         if screenshot is not None:
             window.save(screenshot)
-    if record is not None:
+    if record is not None and not films:
         recording.write(record, session.steps)
     return outcome
 
 
-def _run(session: Session, painter: Painter, frames: int | None, *, waits: bool) -> Outcome:
+def _new_game(program: Program, recording: Recording, settings: Mapping[str, Any]) -> Game:
+    """Return a game as it begins; what a recording was made with goes before other settings."""
+    all_settings = {**settings, **recording.settings}
+    try:
+        inspect.signature(program.game).bind(recording.seed, **all_settings)
+    except TypeError as error:
+        raise ValueError(f"settings must be those of {program.name}: {error}") from None
+    return program.game(recording.seed, **all_settings)
+
+
+@contextmanager
+def _loudspeaker(effects: Effects, headless: bool) -> Iterator[None]:
+    """Hold the audio device, if anything is to be heard."""
+    if effects.sounds is None or headless:
+        yield
+        return
+    effects.sounds.open()
+    try:
+        yield
+    finally:
+        effects.sounds.close()
+
+
+def _run(
+    session: Session, painter: Painter, film: Gif | None, frames: int | None, *, waits: bool
+) -> Outcome:
     """Turn events and time into steps and pictures until somebody or something ends it."""
-    drawn, stepping, drawing = 0, 0.0, 0.0
+    seconds: list[tuple[float, float]] = []
+    _compile_if_large(session.game.world, painter)
     painter.draw()
-    while session.running and (frames is None or drawn < frames):
-        elapsed = painter.wait() if waits else TIME_STEP
+    painter.show_to(film, 0.0)
+    while session.running and (frames is None or len(seconds) < frames):
+        waited = painter.wait() if waits else TIME_STEP
+        elapsed = waited if frames is None else TIME_STEP
         if not session.handle_all(pygame.event.get()):
             break
+        _compile_if_large(session.game.world, painter)
         start = time.process_time()
-        session.tick(elapsed if frames is None and waits else TIME_STEP)
+        session.tick(elapsed)
         between = time.process_time()
         painter.draw()
-        stepping, drawing = stepping + between - start, drawing + time.process_time() - between
-        drawn += 1
-    share = max(drawn, 1)
-    return Outcome(session.game, drawn, session.steps, stepping / share, drawing / share)
+        seconds.append((between - start, time.process_time() - between))
+        painter.show_to(film, elapsed)
+    return Outcome(session.game, session.steps, np.reshape(seconds, (-1, 2)), film)
 
 
-def _compile_if_large(game: Game, painter: Painter) -> None:
-    """Let a large world go on in machine code; say so where that takes a while."""
-    if len(game.world) < WORTH_COMPILING or why_no_compiler():
+def _compile_if_large(world: LiveWorld, painter: Painter) -> None:
+    """Let a world go on in machine code once it is large; say so where that takes a while."""
+    if world.compiled or len(world) < WORTH_COMPILING or why_no_compiler():
         return
-    if not is_kept(game.world.source):
+    if not is_kept(world.source):
         painter.draw("Making machine code: half a minute, and only this once")
-    game.world.compile()
+    world.compile()
 
 
 def _check(
@@ -291,8 +360,23 @@ def _check(
     """Refuse a run that could not end, or could not save its files."""
     if frames is None and headless and replay is None:
         raise ValueError("frames must be given when headless: nobody can close the window")
-    if frames is not None and frames < 0:
+    if frames is not None and (not isinstance(frames, int) or frames < 0):
         raise ValueError(f"frames must be a whole number >= 0, got {frames}")
-    for name, path, suffix in (("screenshot", screenshot, ".png"), ("record", record, ".json")):
-        if path is not None and Path(path).suffix.lower() != suffix:
-            raise ValueError(f"{name} must end in {suffix}, got {str(path)!r}")
+    endings = (("screenshot", screenshot, (".png",)), ("record", record, (".json", ".gif")))
+    for name, path, suffixes in endings:
+        if path is not None and _suffix(path) not in suffixes:
+            raise ValueError(f"{name} must end in {' or '.join(suffixes)}, got {str(path)!r}")
+        if path is not None and not Path(path).parent.is_dir():
+            raise ValueError(f"{name} must lie in a folder that there is, got {str(path)!r}")
+
+
+def _check_length(frames: int) -> None:
+    """Refuse a run that is longer than a film may be."""
+    most = round(MOST_SECONDS / TIME_STEP)
+    if frames > most:
+        raise ValueError(f"frames must be <= {most} for a film ({MOST_SECONDS} s), got {frames}")
+
+
+def _suffix(path: str | Path) -> str:
+    """Return how a file's name ends, in small letters."""
+    return Path(path).suffix.lower()

@@ -12,6 +12,9 @@ from dataclasses import dataclass
 from random import Random
 from typing import TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 from lesson_code.engine.callbacks import Callbacks, Touch
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Segment
@@ -61,20 +64,19 @@ class Game:
     Attributes
     ----------
     world : LiveWorld
-        The bodies.
+        The bodies; none in a game whose own function moves everything.
     held : set of str
         The keys that are down.
     listeners : list of callable
         Told of each touch that begins; effects and sound are among them.
     """
 
-    world: LiveWorld
-
     def __init__(self, seed: int = 0) -> None:
         self.seed = seed
         self.random = Random(seed)  # noqa: S311 - a game, no secret
         self.held: set[str] = set()
         self.listeners: list[Callable[[Touch], None]] = []
+        self.world = LiveWorld()
         self.reset()
 
     @property
@@ -98,9 +100,18 @@ class Game:
         else:
             {"down": self.down, "move": self.drag, "up": self.let_go}[given.kind](given.place)
 
+    @property
+    def notice(self) -> str:
+        """What the player has to be told in the middle of the field; mostly nothing."""
+        return ""
+
     def step(self) -> None:
         """Let one time step pass."""
         self.world.step()
+
+    def snapshot(self) -> NDArray[np.float64]:
+        """Return where everything is and how it moves: the same in two games, and they are one."""
+        return self.world.states()
 
     # What a game may do
 

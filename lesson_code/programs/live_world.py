@@ -33,6 +33,9 @@ from lesson_code.programs.touch_teller import TouchTeller
 TIME_STEP = 1 / 60
 """s: one frame of a program, and one step of its world."""
 
+WORTH_COMPILING = 100
+"""Bodies: plain Python moves fewer of them in half a frame."""
+
 IMPULSE = attrgetter(*(field.name for field in fields(ImpulseRow)))
 """All fields of a row of impulses; many times faster than :func:`dataclasses.astuple`."""
 
@@ -67,6 +70,8 @@ class LiveWorld:
     ----------
     steps : int
         How many steps have been made.
+    pipeline : Pipeline
+        The stages in plain Python; machine code always has the grid.
     impulses : ndarray, shape (K, 10)
         Of the last step: time, body a, body b, point x and y, normal x and y (a to b), normal
         and tangent impulse on b in N s, penetration in m. Bodies by their places in `numbers`.
@@ -93,7 +98,7 @@ class LiveWorld:
         callbacks: Callbacks = Callbacks(),  # noqa: B008 - it never changes
     ) -> None:
         self.gravity, self.damping, self.dt = gravity, damping, dt
-        self._iterations, self._combine = iterations, combine
+        self.combine, self._iterations = combine, iterations
         self._teller = TouchTeller(callbacks, combine)
         self.steps = 0
         self.compiled = False
@@ -129,6 +134,17 @@ class LiveWorld:
     def items(self) -> Iterator[tuple[int, Body]]:
         """Yield number and body of all."""
         return iter(self._bodies.items())
+
+    def bodies(self) -> list[Body]:
+        """Return all bodies as they are: where they have got to, and how they move."""
+        return [
+            body
+            if body.is_static and (x, y) == body.position and (vx, vy, w) == (0.0, 0.0, 0.0)
+            else replace(body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w)
+            for body, (x, y, angle, vx, vy, w) in zip(
+                self._bodies.values(), self.states().tolist(), strict=True
+            )
+        ]
 
     def add(self, body: Body) -> int:
         """Let a body join, and return its number."""
@@ -295,9 +311,9 @@ class LiveWorld:
     def _build(self) -> None:
         """Make the engine's tables of the bodies as they are."""
         scene = Scene(self._bodies.values(), self.gravity, self.damping)
-        self._tables = world_of(scene, self.dt, self._iterations, self._combine)
+        self._tables = world_of(scene, self.dt, self._iterations, self.combine)
         self._index = {number: place for place, number in enumerate(self._bodies)}
-        self._pipeline = ANY_SCENE._replace(broad_phase=BROAD_PHASES[broad_phase_for(scene)])
+        self.pipeline = ANY_SCENE._replace(broad_phase=BROAD_PHASES[broad_phase_for(scene)])
         self.impulses = NO_IMPULSES
         if self.compiled:
             self._program = compiled_function(self.source, "advance")
@@ -313,21 +329,13 @@ class LiveWorld:
         """Make the steps that are left; return whether all are made."""
         if self.compiled:
             return bool(self._program(self._ready()))
-        return advance(self._ready(), self._pipeline)
+        return advance(self._ready(), self.pipeline)
 
     def _write_back(self) -> None:
         """Note down where all bodies are, before the tables are given up."""
-        if self._tables is None:
-            return
-        states = self.states().tolist()
-        for (number, body), (x, y, angle, vx, vy, w) in zip(
-            list(self._bodies.items()), states, strict=True
-        ):
-            if not body.is_static or (vx, vy, w) != (0.0, 0.0, 0.0) or (x, y) != body.position:
-                self._bodies[number] = replace(
-                    body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w
-                )
-        self._tables = None
+        if self._tables is not None:
+            self._bodies = dict(zip(self._bodies, self.bodies(), strict=True))
+            self._tables = None
 
     def _column(self, name: str) -> NDArray[np.float64]:
         """Return one field of all bodies, shape (N,)."""

@@ -223,8 +223,10 @@ def is_in_pocket(place: XY) -> bool:
 
 
 def ball_colour(number: int) -> Colour:
-    """Return the colour of a ball by its number: the cue ball white, 1 to 15 in turn."""
-    return INK if number == 0 or number > 15 else COLOURS[(number - 1) % len(COLOURS)]
+    """Return the colour of a ball: the cue ball white, 8 black, 1 to 7 and 9 to 15 in turn."""
+    if number == 8:
+        return HOLE
+    return INK if number == 0 or number > 15 else COLOURS[(number - 1) % 8]
 
 
 def draw(game: Pool, picture: Picture, effects: Effects) -> None:
@@ -233,17 +235,22 @@ def draw(game: Pool, picture: Picture, effects: Effects) -> None:
     if effects.trails is not None:
         moving = [b for b in game.balls if math.hypot(*game.world.velocity(b)) > 0.1]
         effects.trails.step({ball: game.world.position(ball) for ball in moving})
-        effects.trails.draw(picture, INK)
+        effects.trails.draw(picture, INK, CLOTH)
     for ball in game.balls:
         place = game.world.position(ball)
-        picture.disc(place, RADIUS, effects.colour(ball, ball_colour(ball)))
-        if 8 < ball <= 15:
-            picture.disc(place, 0.5 * RADIUS, INK)
+        _draw_ball(picture, place, ball, effects.colour(ball, ball_colour(ball)))
     _draw_potted(game, picture)
     if game.aim is not None:
         _draw_cue(game, picture)
     elif game.is_at_rest:
         picture.ring(game.world.position(game.cue), 1.6 * RADIUS, ORANGE)
+
+
+def _draw_ball(picture: Picture, place: XY, number: int, colour: Colour) -> None:
+    """Draw a ball; from 8 on it has a white middle."""
+    picture.disc(place, RADIUS, colour)
+    if 8 <= number <= 15:
+        picture.disc(place, 0.5 * RADIUS, INK)
 
 
 def _draw_table(picture: Picture) -> None:
@@ -260,9 +267,7 @@ def _draw_table(picture: Picture) -> None:
 def _draw_potted(game: Pool, picture: Picture) -> None:
     """Draw the potted balls in a row below the table."""
     for k, ball in enumerate(game.potted):
-        picture.disc((0.1 + 0.08 * k, -0.22), RADIUS, ball_colour(ball))
-        if ball > 8:
-            picture.disc((0.1 + 0.08 * k, -0.22), 0.5 * RADIUS, INK)
+        _draw_ball(picture, (0.1 + 0.08 * k, -0.22), ball, ball_colour(ball))
 
 
 def _draw_cue(game: Pool, picture: Picture) -> None:

@@ -1,10 +1,12 @@
-"""A recording: the seed of a game and all inputs, each with the step that it came before."""
+"""A recording: seed and settings of a game and all inputs, each with the step it came before."""
 
 from __future__ import annotations
 
 import json
 from collections import defaultdict
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from lesson_code.programs.game import Input
@@ -22,6 +24,15 @@ class Recording:
         The program's name.
     seed : int
         Of the game.
+    settings : mapping, optional
+        What else the game is made with; a player's functions are not written down.
+
+    Attributes
+    ----------
+    is_played : bool
+        Whether it comes from a file and is played again.
+    steps : int
+        How long it is then; 0 before.
 
     Examples
     --------
@@ -31,11 +42,14 @@ class Recording:
     [[7, 'press', 'r', 0.0, 0.0]]
     """
 
-    def __init__(self, program: str, seed: int) -> None:
+    def __init__(
+        self, program: str, seed: int, settings: Mapping[str, Any] = MappingProxyType({})
+    ) -> None:
         self.program, self.seed = program, seed
+        self.settings = {name: value for name, value in settings.items() if isinstance(value, int)}
         self.is_played = False
         self._inputs: dict[int, list[Input]] = defaultdict(list)
-        self._steps = 0
+        self.steps = 0
 
     def note(self, step: int, given: Input) -> None:
         """Write down an input that came before a step."""
@@ -47,7 +61,7 @@ class Recording:
 
     def is_over(self, step: int) -> bool:
         """Return whether a recording that is played has come to its end."""
-        return self.is_played and step >= self._steps
+        return self.is_played and step >= self.steps
 
     def as_dict(self, steps: int) -> dict[str, Any]:
         """Return all of it as plain values."""
@@ -55,6 +69,7 @@ class Recording:
             "version": VERSION,
             "program": self.program,
             "seed": self.seed,
+            "settings": self.settings,
             "steps": steps,
             "inputs": [
                 [step, given.kind, given.key, *given.place]
@@ -81,13 +96,14 @@ class Recording:
         text = Path(path).read_text(encoding="utf-8")
         try:
             stored = json.loads(text)
-            recording = cls(str(stored["program"]), int(stored["seed"]))
-            recording._steps = int(stored["steps"])
+            settings = {str(name): int(n) for name, n in stored.get("settings", {}).items()}
+            recording = cls(str(stored["program"]), int(stored["seed"]), settings)
+            recording.steps = int(stored["steps"])
             for step, kind, key, x, y in stored["inputs"]:
                 if kind not in KINDS:
                     raise ValueError(f"there is no input {kind!r}")
                 recording.note(int(step), Input(kind, str(key), (float(x), float(y))))
-        except (ValueError, TypeError, KeyError) as error:
+        except (ValueError, TypeError, KeyError, AttributeError) as error:
             raise ValueError(f"replay must be a recording, got {path} ({error})") from None
         if recording.program != program:
             raise ValueError(

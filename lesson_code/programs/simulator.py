@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import deque
 
+from lesson_code.engine.plan import Plan
 from lesson_code.engine.scene import XY, Body, Material
 from lesson_code.geometry.shapes import Circle
 from lesson_code.programs.game import (
@@ -21,10 +22,12 @@ from lesson_code.programs.game import (
     motion_readings,
     room,
 )
+from lesson_code.programs.live_plan import FORCED, live_plan
 from lesson_code.programs.live_world import LiveWorld
 from lesson_code.view.effects import Flashes
 from lesson_code.view.panel import Panel
 from lesson_code.view.picture import COLOURS, Picture
+from lesson_code.view.plan_page import draw_plan
 from lesson_code.view.pygame_view import INK, ORANGE, SKY, VERMILION, YELLOW
 from lesson_code.view.sound import Sounds
 
@@ -36,7 +39,7 @@ MODES = {"1": ("elastic", 1.0), "2": ("partial", 0.6), "3": ("perfectly inelasti
 
 BALLS, MANY = 12, 50
 MOST_BALLS = 600
-"""The most balls that there may be: 600 still leave a third of the frame's time."""
+"""The most balls that there may be: in machine code 600 leave half of the frame's time."""
 
 DENSITY = 10.0
 """kg/m^2."""
@@ -57,9 +60,12 @@ class Simulator(Game):
     """Balls in a room, launched by hand."""
 
     def __init__(self, seed: int = 0, balls: int = BALLS) -> None:
+        if not 0 <= balls <= MOST_BALLS:
+            raise ValueError(f"balls must be a whole number from 0 to {MOST_BALLS}, got {balls}")
         self.ball_count = balls
         self.mode = "1"
-        self.falls = self.shows_impulses = self.shows_plan = False
+        self.falls = self.shows_impulses = False
+        self.plan: tuple[float, Plan] | None = None
         super().__init__(seed)
 
     def reset(self) -> None:
@@ -67,7 +73,7 @@ class Simulator(Game):
         self.random.seed(self.seed)
         self.aim: tuple[int, XY] | None = None
         self.history: deque[tuple[float, float]] = deque(maxlen=HISTORY)
-        compiled = getattr(self, "world", None) is not None and self.world.compiled
+        compiled = self.world.compiled
         self.world = LiveWorld(
             room(0, 0, WIDTH, HEIGHT, self._material),
             gravity=FALL if self.falls else (0.0, 0.0),
@@ -129,8 +135,14 @@ class Simulator(Game):
             self.aim = None
         elif key == "i":
             self.shows_impulses = not self.shows_impulses
-        elif key == "f":
-            self.shows_plan = not self.shows_plan
+        if key == "f":
+            self.plan = self._made_plan() if self.plan is None else None
+        elif self.plan is not None:
+            self.plan = self._made_plan()
+
+    def _made_plan(self) -> tuple[float, Plan]:
+        """Return the time, s, and the plan for the scene as it is now."""
+        return self.world.time, live_plan(self.world)
 
     def _pour(self, count: int) -> None:
         """Add small balls where there is room; where there is none, none is added."""
@@ -151,6 +163,8 @@ class Simulator(Game):
 
     def down(self, place: XY) -> None:
         """Take hold of the ball under the mouse, or of a new one."""
+        if self.plan is not None:
+            return  # its page is in front of the balls
         for ball in self.balls:
             if math.dist(place, self.world.position(ball)) <= self._radius(ball):
                 self.aim = ball, place
@@ -200,7 +214,7 @@ def draw(game: Simulator, picture: Picture, effects: Effects) -> None:
     """Draw balls, and what is asked for of arrows and contacts."""
     picture.grid(1.0)
     if len(game.world) > 100:
-        _draw_many(game, picture, effects)
+        _draw_many(game, picture)
     else:
         draw_bodies(game.world, picture, effects)
     if len(game.balls) <= CLOSE_UP:
@@ -213,16 +227,20 @@ def draw(game: Simulator, picture: Picture, effects: Effects) -> None:
         ball, place = game.aim
         vx, vy = game.launch_velocity(ball, place)
         picture.arrow(game.world.position(ball), (vx / LAUNCH_RATE, vy / LAUNCH_RATE), ORANGE)
+    if game.plan is not None:
+        time, plan = game.plan
+        title = f"Plan for the scene as it was at {time:.1f} s (F closes it)"
+        draw_plan(picture.window, plan, title, FORCED)
 
 
-def _draw_many(game: Simulator, picture: Picture, effects: Effects) -> None:
-    """Draw all balls at once, and leave out the spokes: they would be too small to see."""
+def _draw_many(game: Simulator, picture: Picture) -> None:
+    """Draw all balls at once, without spokes, too small to see, and flashes: all would be white."""
     walls = len(game.walls)
     balls = list(game.world.items())[walls:]
     picture.discs(
         game.world.states()[walls:, :2],
         [body.shape.bounding_radius for _, body in balls],
-        [effects.colour(number, COLOURS[number % len(COLOURS)]) for number, _ in balls],
+        [COLOURS[number % len(COLOURS)] for number, _ in balls],
     )
 
 
@@ -247,29 +265,9 @@ def readings(game: Simulator) -> Readings:
 
 
 def more(game: Simulator, panel: Panel) -> None:
-    """Draw the history of momentum and energy, or the plan of effects."""
-    if game.shows_plan:
-        panel.lines(plan_lines(game))
-    else:
-        panel.curve("size of the momentum, 4 s", [p for p, _ in game.history], SKY)
-        panel.curve("kinetic energy, 4 s", [e for _, e in game.history], ORANGE)
-
-
-def plan_lines(game: Simulator) -> list[str]:
-    """Return what is simulated and what is left out, with the reasons."""
-    world, restitution = game.world, MODES[game.mode][1]
-    return [
-        "",
-        "solver: sequential impulses",
-        f"code: {'machine code' if world.compiled else 'plain Python'}, {len(world)} bodies",
-        f"broad phase: {world.broad_phase}",
-        "contacts: one point, balls are round",
-        f"restitution: {restitution:g}" if restitution else "restitution: none, nothing bounces",
-        "friction: none, so nothing spins",
-        f"gravity: {'9.81 m/s2' if game.falls else 'none'}",
-        "damping: none",
-        "fast balls: steps split at impacts",
-    ]
+    """Draw the history of momentum and energy."""
+    panel.curve("size of the momentum, 4 s", [p for p, _ in game.history], SKY)
+    panel.curve("kinetic energy, 4 s", [e for _, e in game.history], ORANGE)
 
 
 PROGRAM = Program(

@@ -7,7 +7,6 @@ disc, so that rings meet the floor, steps and each other like any other bodies.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,17 @@ from lesson_code.programs.live_world import LiveWorld
 from lesson_code.programs.soft_body_rules import pressure_forces, ring_area, spring_forces
 from lesson_code.view.effects import Sparks
 from lesson_code.view.picture import WALL, Camera, Picture
-from lesson_code.view.pygame_view import BACKGROUND, GREEN, INK, ORANGE, PURPLE, SKY, Colour, blend
+from lesson_code.view.pygame_view import (
+    BACKGROUND,
+    GREEN,
+    INK,
+    ORANGE,
+    PURPLE,
+    SKY,
+    YELLOW,
+    Colour,
+    blend,
+)
 from lesson_code.view.sound import Sounds
 
 WIDTH, HEIGHT = 8.0, 6.0
@@ -47,20 +56,20 @@ AIR = 0.15
 FALL = (0.0, -9.81)
 RUBBER = Material(restitution=0.0, friction=0.5)
 PLACES: tuple[XY, ...] = ((2.4, 4.6), (4.3, 3.2), (5.9, 4.9))
-COLOURS: tuple[Colour, ...] = (SKY, ORANGE, GREEN, PURPLE)
-MOST_BODIES = 5
+COLOURS: tuple[Colour, ...] = (SKY, ORANGE, GREEN, PURPLE, YELLOW)
+MOST_BODIES = len(COLOURS)
+NUMBER_SIZE = 34
+"""px: height of a body's number, as the panel counts them."""
+
 GRIP = 30.0
 """1/s^2: how hard the mouse pulls, for 1 kg and 1 m."""
 
 
-@dataclass
-class Ring:
-    """A soft body: its masses in the world, its springs, and its area at rest, m^2."""
-
-    beads: list[int]
-    springs: list[tuple[int, int]]
-    lengths: Any
-    area: float
+SPRINGS = np.array(
+    [(k, (k + step) % MASSES) for step in (1, 2) for k in range(MASSES)]
+    + [(k, k + MASSES // 2) for k in range(MASSES // 2)]
+)
+"""The masses that each spring of a body ties: to the next, to the next but one, and across."""
 
 
 class SoftBody(Game):
@@ -68,7 +77,9 @@ class SoftBody(Game):
 
     def reset(self) -> None:
         """Let the bodies fall anew."""
-        self.rings: list[Ring] = []
+        self.rings: list[list[int]] = []  # the numbers of their masses
+        self._springs = np.empty((0, 2), dtype=int)  # of all bodies, one after the other
+        self._lengths, self._areas = np.empty(0), np.empty(0)
         self.grip: tuple[int, XY] | None = None
         ledges = [((0.0, 0.9), (2.2, 0.5)), ((6.0, 0.7), (8.0, 0.7))]
         self.world = LiveWorld(
@@ -92,10 +103,11 @@ class SoftBody(Game):
             self.world.add(Body(Circle(BEAD), position=(x, y), mass=BEAD_MASS, material=RUBBER))
             for x, y in points.tolist()
         ]
-        springs = [(k, (k + step) % MASSES) for step in (1, 2) for k in range(MASSES)]
-        springs += [(k, k + MASSES // 2) for k in range(MASSES // 2)]
-        lengths = np.array([math.dist(points[a], points[b]) for a, b in springs])
-        self.rings.append(Ring(beads, springs, lengths, ring_area(points)))
+        lengths = [math.dist(points[a], points[b]) for a, b in SPRINGS]
+        self._springs = np.concatenate([self._springs, SPRINGS + MASSES * len(self.rings)])
+        self._lengths = np.concatenate([self._lengths, lengths])
+        self._areas = np.append(self._areas, ring_area(points))
+        self.rings.append(beads)
 
     def press(self, key: str) -> None:
         """Begin anew, add a body, or kick them all."""
@@ -105,19 +117,17 @@ class SoftBody(Game):
         elif key == "space":
             for ring in self.rings:
                 kick = self.random.uniform(-2, 2), self.random.uniform(2, 5)
-                for bead in ring.beads:
+                for bead in ring:
                     self.world.push(bead, (BEAD_MASS * kick[0], BEAD_MASS * kick[1]))
 
     def _has_room_above(self) -> bool:
         """Return whether a new body would overlap no other one."""
         place, least = (WIDTH / 2, HEIGHT - 1.0), RADIUS + 2 * BEAD
-        return all(
-            math.dist(place, self.world.position(b)) > least for r in self.rings for b in r.beads
-        )
+        return bool((np.hypot(*(self.points() - place).T) > least).all())
 
     def down(self, place: XY) -> None:
         """Take hold of the nearest mass of the body under the mouse."""
-        beads = [bead for ring in self.rings for bead in ring.beads]
+        beads = [bead for ring in self.rings for bead in ring]
         nearest = min(beads, key=lambda bead: math.dist(place, self.world.position(bead)))
         if math.dist(place, self.world.position(nearest)) < RADIUS:
             self.grip = nearest, place
@@ -139,14 +149,12 @@ class SoftBody(Game):
 
     def forces(self) -> Any:
         """Return what springs, pressure and the mouse do to every body, N, shape (N, 2)."""
-        states, first = self.world.states(), len(self.walls)
+        states = self.world.states()
         forces = np.zeros((len(states), 2))
-        for ring in self.rings:
-            part = slice(first, first + MASSES)
-            p, v = states[part, 0:2], states[part, 3:5]
-            forces[part] = spring_forces(p, v, ring.springs, ring.lengths, STIFFNESS, DAMPING)
-            forces[part] += pressure_forces(p, ring.area, PRESSURE)
-            first += MASSES
+        p, v = states[len(self.walls) :, 0:2], states[len(self.walls) :, 3:5]
+        pulls = spring_forces(p, v, self._springs, self._lengths, STIFFNESS, DAMPING)
+        pushes = pressure_forces(p.reshape(-1, MASSES, 2), self._areas, PRESSURE)
+        forces[len(self.walls) :] = pulls + pushes.reshape(-1, 2)
         if self.grip is not None:
             bead, place = self.grip
             x, y = self.world.position(bead)
@@ -154,25 +162,26 @@ class SoftBody(Game):
             forces[self.world.numbers.index(bead)] += pull * (place[0] - x), pull * (place[1] - y)
         return forces
 
-    def points(self, ring: Ring) -> Any:
-        """Return where the masses of a body are, shape (MASSES, 2)."""
-        return np.array([self.world.position(bead) for bead in ring.beads])
+    def points(self) -> Any:
+        """Return where the masses of all bodies are, m, shape (bodies, MASSES, 2)."""
+        return self.world.states()[len(self.walls) :, 0:2].reshape(-1, MASSES, 2)
 
-    def area_ratio(self, ring: Ring) -> float:
-        """Return a body's area as a part of that at rest."""
-        return ring_area(self.points(ring)) / ring.area
+    def area_ratios(self) -> Any:
+        """Return the areas of all bodies as parts of that at rest, shape (bodies,)."""
+        return ring_area(self.points()) / self._areas
 
 
 def draw(game: SoftBody, picture: Picture, effects: Effects) -> None:
     """Draw ledges, skins, springs and masses."""
     for number in game.walls:
         picture.body(game.world.body(number), game.world.position(number), 0.0, WALL)
-    for k, ring in enumerate(game.rings):
-        points, colour = game.points(ring), COLOURS[k % len(COLOURS)]
+    for k, points in enumerate(game.points()):
+        colour = COLOURS[k % len(COLOURS)]
         picture.polygon([(x, y) for x, y in points.tolist()], blend(colour, BACKGROUND, 0.6))
-        for a, b in ring.springs[MASSES:]:
-            picture.line(tuple(points[a]), tuple(points[b]), blend(colour, BACKGROUND, 0.35))
+        inner = SPRINGS[MASSES:]
+        picture.lines(points[inner[:, 0]], points[inner[:, 1]], blend(colour, BACKGROUND, 0.35))
         picture.discs(points, [BEAD] * MASSES, [colour] * MASSES)
+        picture.text(f"{k + 1}", tuple(points.mean(axis=0)), size=NUMBER_SIZE)
     if game.grip is not None:
         bead, place = game.grip
         picture.line(game.world.position(bead), place, INK)
@@ -182,8 +191,8 @@ def readings(game: SoftBody) -> Readings:
     """Return areas and energy."""
     return [
         *[
-            (f"area of body {k}", f"{100 * game.area_ratio(ring):.1f} %")
-            for k, ring in enumerate(game.rings, start=1)
+            (f"area of body {k}", f"{100 * ratio:.1f} %")
+            for k, ratio in enumerate(game.area_ratios().tolist(), start=1)
         ],
         ("kinetic energy", f"{game.world.kinetic_energy():.2f} J"),
     ]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lesson_code.formulas.validation import Vector
 
@@ -14,7 +15,7 @@ from lesson_code.formulas.validation import Vector
 def spring_forces(
     positions: Vector,
     velocities: Vector,
-    springs: Sequence[tuple[int, int]],
+    springs: Sequence[tuple[int, int]] | NDArray[np.int64],
     lengths: Vector,
     stiffness: float,
     damping: float,
@@ -31,7 +32,7 @@ def spring_forces(
     ----------
     positions, velocities : array_like, shape (N, 2)
         m and m/s.
-    springs : sequence of (int, int)
+    springs : sequence of (int, int), or ndarray of shape (S, 2)
         The masses a and b of each.
     lengths : array_like, shape (S,)
         m, at rest.
@@ -56,20 +57,34 @@ def spring_forces(
     return forces
 
 
-def ring_area(positions: Vector) -> float:
+def ring_area(positions: Vector) -> Any:
     """Return the area inside a ring of points, m^2; positive counter-clockwise.
 
     area = 1/2 sum(x_k y_{k+1} - x_{k+1} y_k)
 
+    Parameters
+    ----------
+    positions : array_like, shape (..., N, 2)
+        m; several rings give as many areas.
+
+    Examples
+    --------
     >>> ring_area([(0, 0), (2, 0), (2, 3), (0, 3)])
     6.0
     """
-    x, y = np.asarray(positions, dtype=float).T
-    return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)
+    p = np.asarray(positions, dtype=float)
+    following = _following(p)
+    area = (p[..., 0] * following[..., 1] - following[..., 0] * p[..., 1]).sum(axis=-1) / 2
+    return area if area.ndim else float(area)
 
 
-def pressure_forces(positions: Vector, area: float, stiffness: float) -> Any:
-    """Return the forces of a gas inside a ring of points, N, shape (N, 2).
+def _following(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the next point of a ring for each of its points."""
+    return np.concatenate([points[..., 1:, :], points[..., :1, :]], axis=-2)
+
+
+def pressure_forces(positions: Vector, area: Vector, stiffness: float) -> Any:
+    """Return the forces of a gas inside a ring of points, N, shape (..., N, 2).
 
     The pressure is stiffness (area / ring_area - 1), and less than 0 where the ring is too large.
     Each edge is pushed outward by pressure times its length, half of it at each end. The ring is
@@ -77,9 +92,9 @@ def pressure_forces(positions: Vector, area: float, stiffness: float) -> Any:
 
     Parameters
     ----------
-    positions : array_like, shape (N, 2)
-        m.
-    area : float
+    positions : array_like, shape (..., N, 2)
+        m; of one ring, or of several.
+    area : float, or array_like of shape (...)
         m^2, at rest.
     stiffness : float
         N/m: the pressure that would halve the area.
@@ -90,11 +105,11 @@ def pressure_forces(positions: Vector, area: float, stiffness: float) -> Any:
     [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]
     """
     p = np.asarray(positions, dtype=float)
-    pressure = stiffness * (area / ring_area(p) - 1)
-    edges = np.roll(p, -1, axis=0) - p
-    outward = np.column_stack([edges[:, 1], -edges[:, 0]])
-    push = pressure * outward / 2
-    return push + np.roll(push, 1, axis=0)
+    pressure = np.asarray(stiffness * (area / ring_area(p) - 1))
+    edges = _following(p) - p
+    outward = np.stack([edges[..., 1], -edges[..., 0]], axis=-1)
+    push = pressure[..., None, None] * outward / 2
+    return push + np.concatenate([push[..., -1:, :], push[..., :-1, :]], axis=-2)
 
 
 def ring_forces(

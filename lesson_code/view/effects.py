@@ -140,19 +140,18 @@ class Trails:
         self.places: dict[int, deque[XY]] = {}
 
     def step(self, positions: Mapping[int, XY]) -> None:
-        """Note where bodies are; those that are not named lose their trail."""
+        """Note where bodies have got to; those that are not named lose their trail."""
         self.places = {
             number: self.places.get(number, deque(maxlen=TRAIL_STEPS)) for number in positions
         }
         for number, position in positions.items():
-            self.places[number].append(position)
+            if not self.places[number] or self.places[number][-1] != position:
+                self.places[number].append(position)
 
-    def draw(self, picture: Picture, colour: Colour) -> None:
-        """Draw all trails."""
+    def draw(self, picture: Picture, colour: Colour, ground: Colour = BACKGROUND) -> None:
+        """Draw all trails, out of the colour of the ground."""
         for places in self.places.values():
-            way = list(places)
-            for k in range(1, len(way)):
-                picture.line(way[k - 1], way[k], blend(BACKGROUND, colour, 0.6 * k / len(way)))
+            picture.trail(list(places), blend(ground, colour, 0.6), ground)
 
 
 def _quarters(left: float, whole: float) -> float:

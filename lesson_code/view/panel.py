@@ -11,7 +11,7 @@ PANEL_WIDTH = 280
 """px."""
 
 PROGRAM_SIZE = (FIELD_SIZE[0] + PANEL_WIDTH, FIELD_SIZE[1])
-"""px: the window of every program but the billiards."""
+"""px: the window of every program."""
 
 PANEL: Colour = (30, 36, 44)
 MARGIN = 16
@@ -52,20 +52,15 @@ class Panel:
         self._window.text(self._title, (self._left, MARGIN), size=TITLE_SIZE)
         self._y = MARGIN + 36
 
-    def readings(self, readings: Sequence[tuple[str, str]]) -> None:
-        """Write names at the left and values at the right."""
+    def readings(self, readings: Sequence[tuple[str, str]], colour: Colour | None = None) -> None:
+        """Write names at the left and values at the right, perhaps in a colour of their own."""
         for name, value in readings:
-            place = (self._left, self._y)
-            self._window.text(name, place, colour=FADED_INK, size=READING_SIZE)
-            self._window.text(value, (self._right, self._y), size=READING_SIZE, anchor="topright")
+            left, right = (self._left, self._y), (self._right, self._y)
+            self._window.text(name, left, colour=colour or FADED_INK, size=READING_SIZE)
+            self._window.text(
+                value, right, colour=colour or INK, size=READING_SIZE, anchor="topright"
+            )
             self._y += LINE
-
-    def lines(self, lines: Sequence[str]) -> None:
-        """Write small lines."""
-        for words in lines:
-            place = (self._left, self._y)
-            self._window.text(words, place, colour=FADED_INK, size=KEY_SIZE)
-            self._y += KEY_LINE
 
     def curve(self, name: str, values: Sequence[float], colour: Colour) -> None:
         """Draw the history of a quantity, from 0 at the bottom to its largest at the top."""

@@ -68,6 +68,8 @@ class Camera:
         px/m, > 0.
     height : float
         px, of the picture.
+    up : int
+        1 where y points up, as everywhere but on the billiard table; there it is -1.
 
     Examples
     --------
@@ -82,18 +84,18 @@ class Camera:
     bottom: float
     scale: float
     height: float = float(FIELD_SIZE[1])
+    up: int = 1
 
     def world_to_screen(self, point: XY) -> Place:
         """Return the place of a point of the world in the window, px."""
         x = (point[0] - self.left) * self.scale
-        y = self.height - (point[1] - self.bottom) * self.scale
+        y = self.height - (point[1] - self.bottom) * self.scale * self.up
         return min(max(x, -FAR), FAR), min(max(y, -FAR), FAR)
 
     def screen_to_world(self, place: Place) -> XY:
         """Return the point of the world that is seen at a place of the window, m."""
-        return place[0] / self.scale + self.left, (
-            self.height - place[1]
-        ) / self.scale + self.bottom
+        x = place[0] / self.scale + self.left
+        return x, self.up * (self.height - place[1]) / self.scale + self.bottom
 
 
 class Picture:
@@ -137,7 +139,8 @@ class Picture:
     def discs(self, centres: Vector, radii: Iterable[float], colours: Iterable[Colour]) -> None:
         """Draw many discs at centres of shape (N, 2), m; faster than one by one."""
         camera = self.camera
-        places = (np.asarray(centres, dtype=float) - (camera.left, camera.bottom)) * camera.scale
+        corner, scales = (camera.left, camera.bottom), (camera.scale, camera.scale * camera.up)
+        places = (np.asarray(centres, dtype=float) - corner) * scales
         places = np.clip(np.round(places), -FAR, FAR).astype(int)
         height, sprites = round(camera.height), []
         for (x, y), radius, colour in zip(places.tolist(), radii, colours, strict=True):
@@ -167,8 +170,13 @@ class Picture:
         pygame.draw.circle(self._field, colour, place, r, width)
 
     def polygon(self, points: Sequence[XY], colour: Colour) -> None:
-        """Draw a filled polygon with smooth edges."""
+        """Draw a filled polygon with smooth edges; an upright rectangle has sharp ones."""
         places = [self.camera.world_to_screen(point) for point in points]
+        if is_upright(places):
+            xs, ys = zip(*places, strict=True)
+            left, top, right, bottom = map(round, (min(xs), min(ys), max(xs), max(ys)))
+            self._field.fill(colour, (left, top, right - left, bottom - top))
+            return
         pygame.draw.aalines(self._field, colour, True, places)
         pygame.draw.polygon(self._field, colour, places)
 
@@ -182,6 +190,26 @@ class Picture:
         """Draw a thin line."""
         a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
         pygame.draw.line(self._field, colour, a, b, 2)
+
+    def lines(self, starts: Vector, ends: Vector, colour: Colour) -> None:
+        """Draw many thin lines between points of shape (N, 2), m; faster than one by one."""
+        camera, scale = self.camera, self.camera.scale
+        shift, scales = (camera.left, camera.bottom), np.array((scale, -scale * camera.up))
+        for a, b in zip(
+            *(
+                np.clip((np.asarray(points) - shift) * scales + (0, camera.height), -FAR, FAR)
+                for points in (starts, ends)
+            ),
+            strict=True,
+        ):
+            pygame.draw.line(self._field, colour, a, b, 2)
+
+    def trail(self, places: Sequence[XY], colour: Colour, ground: Colour = BACKGROUND) -> None:
+        """Draw the way that something has come, out of the ground into its colour."""
+        way = [self.camera.world_to_screen(place) for place in places]
+        for k in range(1, len(way)):
+            faded = blend(ground, colour, k / len(way))
+            pygame.draw.line(self._field, faded, way[k - 1], way[k], 2)
 
     def arrow(self, tail: XY, along: XY, colour: Colour, width: float = 3.0) -> None:
         """Draw an arrow from `tail` to `tail` + `along`, m."""
@@ -203,12 +231,24 @@ class Picture:
         self.window.text(words, place, colour=colour, size=size, anchor=anchor)
 
     def notice(self, words: str) -> None:
-        """Write a line in a box in the middle of the field, over everything."""
+        """Write a line in a box in the middle of the field, over everything; no words, no box."""
+        if not words:
+            return
         centre = FIELD_SIZE[0] / 2, FIELD_SIZE[1] / 3
         box = self.window.text(words, centre, anchor="center").inflate(28, 18)
         pygame.draw.rect(self._field, BACKGROUND, box)
         pygame.draw.rect(self._field, FADED_INK, box, 1)
         self.window.text(words, centre, anchor="center")
+
+
+def is_upright(corners: Sequence[Place]) -> bool:
+    """Return whether corners are those of a rectangle with upright and level sides.
+
+    >>> is_upright([(0, 0), (2, 0), (2, 1), (0, 1)]), is_upright([(0, 0), (2, 0.5), (2, 1), (0, 1)])
+    (True, False)
+    """
+    xs, ys = ({round(corner[axis], 6) for corner in corners} for axis in (0, 1))
+    return len(corners) == 4 and len(xs) == len(ys) == 2 and len(set(corners)) == 4
 
 
 def moved(point: XY, position: XY, angle: float) -> XY:

@@ -14,6 +14,7 @@ import os
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
@@ -64,6 +65,12 @@ INK: Colour = (240, 240, 236)
 FADED_INK: Colour = (176, 184, 188)
 BACKGROUND: Colour = (22, 27, 34)
 
+KEPT_LINES = 256
+"""Lines whose pictures are kept: most of them are the same from frame to frame."""
+
+RIM = 1.5
+"""px, round an arrow."""
+
 FRAMES_PER_SECOND = 60
 """1/s: what the programs ask for; the clock says what they got."""
 
@@ -93,6 +100,7 @@ class Window:
         self.surface = surface
         self._clock = pygame.time.Clock()
         self._fonts: dict[int, pygame.font.Font] = {}
+        self._written = lru_cache(KEPT_LINES)(self._write)
 
     def text(
         self,
@@ -108,20 +116,44 @@ class Window:
         `anchor` is the name of the point of that rectangle which comes to lie at `place`:
         "topleft", "center", "midright" and so on.
         """
-        if size not in self._fonts:
-            self._fonts[size] = pygame.font.Font(None, size)
-        written = self._fonts[size].render(words, True, colour)
+        written = self._written(words, size, colour)
         rectangle = written.get_rect(**{anchor: (round(place[0]), round(place[1]))})
         return self.surface.blit(written, rectangle)
 
+    def wrapped(self, words: str, width: float, size: int = TEXT_SIZE) -> list[str]:
+        """Return words in lines that are no wider than so many px; a long word has its own line."""
+        lines: list[str] = []
+        for word in words.split():
+            longer = f"{lines[-1]} {word}" if lines else word
+            if lines and self._font(size).size(longer)[0] <= width:
+                lines[-1] = longer
+            else:
+                lines.append(word)
+        return lines
+
+    def _write(self, words: str, size: int, colour: Colour) -> pygame.Surface:
+        """Return the picture of a line."""
+        return self._font(size).render(words, True, colour)
+
+    def _font(self, size: int) -> pygame.font.Font:
+        """Return the letters of a size, px, loaded once."""
+        if size not in self._fonts:
+            self._fonts[size] = pygame.font.Font(None, size)
+        return self._fonts[size]
+
     def arrow(self, tail: Place, along: Place, colour: Colour, *, width: float = 3.0) -> None:
-        """Draw an arrow from `tail` to `tail` + `along`; one shorter than a pixel is left out."""
+        """Draw an arrow from `tail` to `tail` + `along`; one shorter than a pixel is left out.
+
+        A dark rim sets it off from light bodies; on the dark ground it shows by itself.
+        """
         length = math.hypot(*along)
         if length < 1:
             return
-        corners = _arrow_outline(tail, (along[0] / length, along[1] / length), length, width)
-        pygame.draw.polygon(self.surface, colour, corners)
-        pygame.draw.aalines(self.surface, colour, True, corners)
+        direction = along[0] / length, along[1] / length
+        for ink, rim in ((BACKGROUND, RIM), (colour, 0.0)):
+            corners = _arrow_outline(tail, direction, length, width, rim)
+            pygame.draw.polygon(self.surface, ink, corners)
+            pygame.draw.aalines(self.surface, ink, True, corners)
 
     def show(self) -> None:
         """Bring what was drawn to the screen."""
@@ -154,8 +186,8 @@ def open_window(size: tuple[int, int], caption: str, *, headless: bool = False) 
     Parameters
     ----------
     size : (int, int)
-        Width and height, px. The user may resize the window; its picture is then scaled, and
-        the mouse still speaks in these pixels.
+        Width and height, px. The user may make the window larger, not smaller; its picture is
+        then scaled by a whole number, and the mouse still speaks in these pixels.
     caption : str
         The window's title.
     headless : bool
@@ -305,21 +337,24 @@ def _open_surface(size: tuple[int, int], caption: str, headless: bool) -> pygame
     return surface
 
 
-def _arrow_outline(tail: Place, direction: Place, length: float, width: float) -> list[Place]:
-    """Return the seven corners of an arrow, from its tail round its tip and back."""
-    head = min(4 * width, length)
+def _arrow_outline(
+    tail: Place, direction: Place, length: float, width: float, rim: float
+) -> list[Place]:
+    """Return the seven corners of an arrow, from its tail round its tip and back; with a rim."""
+    head = min(4 * width, length)  # as wide as it is long, so that its half angle is atan(1/2)
+    half_shaft, half_head = width / 2 + rim, (head + (1 + math.sqrt(5)) * rim) / 2
+    neck, tip = length - head - rim, length + math.sqrt(5) * rim
     (x, y), (ux, uy) = tail, direction
 
     def corner(along: float, across: float) -> Place:
         return x + along * ux - across * uy, y + along * uy + across * ux
 
-    neck = length - head
     return [
-        corner(0, width / 2),
-        corner(neck, width / 2),
-        corner(neck, head / 2),
-        corner(length, 0),
-        corner(neck, -head / 2),
-        corner(neck, -width / 2),
-        corner(0, -width / 2),
+        corner(-rim, half_shaft),
+        corner(neck, half_shaft),
+        corner(neck, half_head),
+        corner(tip, 0),
+        corner(neck, -half_head),
+        corner(neck, -half_shaft),
+        corner(-rim, -half_shaft),
     ]

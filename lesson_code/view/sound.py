@@ -127,7 +127,7 @@ class Sounds:
         self._material, self._size, self._full = material, size, full_impulse
         self._kept: dict[int, pygame.mixer.Sound] = {}
         self._begun = 0
-        self.muted = False
+        self.muted = self.held = False
         self.audible = False
 
     def open(self) -> None:
@@ -146,6 +146,18 @@ class Sounds:
         self._kept.clear()
         pygame.mixer.quit()
 
+    def mute(self) -> None:
+        """Be silent at once, or no longer."""
+        self.muted = not self.muted
+        if self.muted and self.audible:
+            pygame.mixer.stop()
+
+    def hold(self, held: bool) -> None:
+        """Hold all sounds in the midst of what they are, or let them go on; held, none begins."""
+        self.held = held
+        if self.audible:
+            (pygame.mixer.pause if held else pygame.mixer.unpause)()
+
     def step(self) -> None:
         """Begin a new step: sounds may be played again."""
         self._begun = 0
@@ -160,7 +172,7 @@ class Sounds:
         if level == 0 or self._begun >= MOST_A_STEP:
             return 0
         self._begun += 1
-        if self.audible and not self.muted:
+        if self.audible and not self.muted and not self.held:
             if level not in self._kept:
                 self._kept[level] = self._made(level)
             self._kept[level].play()

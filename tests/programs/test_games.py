@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
+from random import Random
 
 import numpy as np
 import pytest
 
-from lesson_code.programs import demo, simulator
+from lesson_code.engine.constants import IMPACT_DEPTH, SLOP
+from lesson_code.programs import demo
 from lesson_code.programs.asteroids import Asteroids
-from lesson_code.programs.breakout import BRICK, RADIUS, Breakout, steady
+from lesson_code.programs.breakout import BRICK, PADDLE, PADDLE_SPEED, RADIUS, Breakout, steady
 from lesson_code.programs.cradle import Cradle
 from lesson_code.programs.demo import Demo
 from lesson_code.programs.dominoes import Dominoes
 from lesson_code.programs.game import Game, Input
+from lesson_code.programs.live_world import TIME_STEP
 from lesson_code.programs.pool import HEAD, MASS, Pool
 from lesson_code.programs.pool import Rules as PoolRules
 from lesson_code.programs.simulator import Simulator
@@ -77,6 +81,44 @@ def test_simulator_drag_launches_the_ball_that_was_taken() -> None:
     assert game.world.velocity(ball) == pytest.approx((2.0, -1.0), rel=ROUNDING)
 
 
+def test_simulator_plan_is_that_of_the_scene_as_it_is() -> None:
+    """It is made when its page is opened, made anew by each key, and closed by the same key."""
+    game = Simulator(0)
+    run(game, 30)
+    game.press("f")
+    assert game.plan is not None
+    assert game.plan[0] == pytest.approx(0.5)
+    assert game.plan[1].effect("gravity").verdict == "forced"
+    game.press("g")
+    assert game.plan[1].effect("gravity").verdict == "used"
+    game.press("3")
+    assert game.plan[1].effect("restitution").verdict == "forced"
+    game.press("f")
+    assert game.plan is None
+
+
+def test_simulator_plan_changes_nothing() -> None:
+    """A world whose plan is looked at in the midst of a pile goes on bit for bit like another."""
+    games = [Simulator(1), Simulator(1)]
+    for game in games:
+        game.press("g")
+        game.press("2")
+        run(game, 100)
+        if game is games[0]:
+            game.press("f")
+        run(game, 100)
+    assert (games[0].snapshot() == games[1].snapshot()).all()
+
+
+def test_simulator_page_in_front_takes_no_clicks() -> None:
+    """Nobody adds a ball where it cannot be seen."""
+    game = Simulator(0, balls=0)
+    for key, balls in (("f", 0), ("f", 1)):
+        game.press(key)
+        game.take(Input("down", place=(4.0, 3.0)))
+        assert len(game.balls) == balls
+
+
 def test_simulator_press_on_free_ground_adds_a_ball() -> None:
     """And none where it would overlap a wall."""
     game = Simulator(0, balls=0)
@@ -100,13 +142,6 @@ def test_simulator_balls_never_overlap_at_the_start() -> None:
         ]
         assert min(gaps) > 0
         assert len(places) > count
-
-
-def test_simulator_plan_says_what_is_simulated() -> None:
-    """Solver, code, broad phase, and why."""
-    lines = " ".join(simulator.plan_lines(Simulator(0)))
-    for words in ("sequential impulses", "plain Python", "all_pairs", "gravity: none"):
-        assert words in lines
 
 
 # The complete demo
@@ -293,19 +328,90 @@ def test_cradle_keeps_most_of_its_energy() -> None:
 
 @pytest.mark.parametrize("speed", [5.0, 200.0, 20_000.0])
 def test_breakout_no_ball_passes_a_brick_at_any_speed(speed: float) -> None:
-    """A ball shot straight up comes back below the bricks, and has broken one."""
+    """A ball shot straight up comes back below the bricks, and has struck one."""
     game = Breakout(0)
     game.serves = False
     game.world.move(game.ball, (4.39, 3.5))
     game.world.throw(game.ball, (0.0, speed))
-    bricks = len(game.bricks)
     for _ in range(60):
         game.world.step()
-        if len(game.bricks) < bricks:
+        if game.struck:
             break
-    assert len(game.bricks) == bricks - 1
+    assert len(game.struck) == 1
     lowest = min(game.world.position(brick)[1] for brick in game.bricks) - BRICK[1] / 2
     assert game.world.position(game.ball)[1] < lowest
+
+
+def depths(game: Breakout) -> tuple[float, float]:
+    """Return how deep the ball is in bricks and walls, and in the paddle, m; < 0 outside."""
+
+    def depth(number: int, size: tuple[float, float]) -> float:
+        dx, dy = (
+            abs(ball - box) - side / 2
+            for ball, box, side in zip((x, y), game.world.position(number), size, strict=True)
+        )
+        return RADIUS - (math.hypot(max(dx, 0.0), max(dy, 0.0)) or max(dx, dy))
+
+    x, y = game.world.position(game.ball)
+    walls = (RADIUS - x, x + RADIUS - 8.0, y + RADIUS - 6.0) if y > 0 else ()
+    bricks = (depth(brick, BRICK) for brick in game.bricks)
+    return max(-1.0, *walls, *bricks), depth(game.paddle, PADDLE)
+
+
+@pytest.mark.parametrize("level", range(1, 6))
+def test_breakout_ball_is_never_deeper_than_the_way_of_a_step(level: int) -> None:
+    """In what stands still; in the paddle, than the ways of both.
+
+    The engine looks for impacts in the midst of a step for bodies that move by more than half of
+    their width. A slower ball is seen to overlap when the step is over, and turned round then.
+    """
+    game = Breakout(level)
+    game.level = level
+    game._build()
+    for k in range(900):
+        game.press("space")
+        game.drag((game.random.uniform(0.0, 8.0) if k % 20 == 0 else game.target, 0.0))
+        run(game, 1)
+        if game.is_over:
+            break
+        still, paddle = depths(game)
+        assert still <= game.speed * TIME_STEP
+        assert paddle <= (game.speed + PADDLE_SPEED) * TIME_STEP
+
+
+def test_breakout_ball_of_any_speed_ends_a_step_outside_of_bricks_and_walls() -> None:
+    """At 20,000 m/s, with up to 64 impacts in a step: no deeper than impacts are let in.
+
+    From there the rules give it the speed of the level, and never back into what it has hit.
+    """
+    stream = Random(6)  # noqa: S311 - a test
+    for _ in range(120):
+        game = Breakout(0)
+        game.level = 2
+        game._build()
+        game.serves = False
+        heading = stream.choice((stream.uniform(0, 2 * math.pi), stream.gauss(math.pi / 2, 0.05)))
+        game.world.move(game.ball, (stream.uniform(0.2, 7.8), stream.uniform(0.8, 3.3)))
+        game.world.throw(game.ball, (20_000 * math.cos(heading), 20_000 * math.sin(heading)))
+        run(game, 1)
+        if not game.serves:
+            assert depths(game)[0] <= IMPACT_DEPTH * SLOP * 2 * RADIUS + 1e-9
+            run(game, 1)
+            assert depths(game)[0] <= game.speed * TIME_STEP
+
+
+def test_breakout_rules_do_not_send_the_ball_into_a_wall() -> None:
+    """In a corner of paddle and wall the paddle's angle is reflected by the wall."""
+    game = Breakout(0)
+    game.serves = False
+    game.world.move(game.paddle, (PADDLE[0] / 2 + 0.05, 0.4))
+    game.target = PADDLE[0] / 2 + 0.05
+    game.world.move(game.ball, (RADIUS + 0.02, 0.4 + PADDLE[1] / 2 + RADIUS + 0.02))
+    game.world.throw(game.ball, (-3.0, -3.0))
+    run(game, 1)
+    vx, vy = game.world.velocity(game.ball)
+    assert vx > 0
+    assert vy > 0
 
 
 def test_breakout_paddle_decides_the_angle() -> None:
@@ -404,12 +510,72 @@ def test_asteroids_burst_keeps_the_mass() -> None:
     assert sum(pieces) == pytest.approx(whole, rel=ROUNDING)
 
 
-def test_asteroids_stay_in_the_field() -> None:
-    """What leaves on one side comes back on the other."""
+@pytest.mark.parametrize("seed", range(8))
+def test_asteroids_pieces_begin_where_there_is_room(seed: int) -> None:
+    """Beside another asteroid, which a piece in the wrong direction would overlap by its radius.
+
+    Directions are tried 30 degrees apart; what is missing to the best is a tenth of a radius.
+    """
+    game = Asteroids(seed)
+    rock, neighbour, *rest = sorted(game.rocks, key=game.mass, reverse=True)
+    for other in [*rest, game.ship]:
+        game.world.remove(other)
+    reach = game.radius(rock)
+    game.world.move(rock, (3.0, 3.0))
+    game.world.move(neighbour, (3.0 + reach + game.radius(neighbour), 3.0))
+    game._burst(rock)
+    for piece in game.rocks:
+        if piece != neighbour:
+            apart = math.dist(game.world.position(piece), game.world.position(neighbour))
+            assert game.radius(piece) + game.radius(neighbour) - apart <= 0.1 * reach
+
+
+def test_asteroids_come_back_on_the_other_side() -> None:
+    """A ship that has flown out of the field is just outside of the opposite edge, unseen."""
     game = Asteroids(5)
-    run(game, 400)
-    x, y = game.world.states()[:, 0], game.world.states()[:, 1]
-    assert ((x >= 0) & (x < 8) & (y >= 0) & (y < 6)).all()
+    for rock in game.rocks:
+        game.world.remove(rock)
+    reach = game.radius(game.ship)
+    for start, velocity, back in (
+        ((8.0 + reach - 0.01, 3.0), (6.0, 0.0), (-reach, 3.0)),
+        ((4.0, 0.01 - reach), (0.0, -6.0), (4.0, 6.0 + reach)),
+    ):
+        game.world.move(game.ship, start)
+        game.world.throw(game.ship, velocity)
+        run(game, 1)
+        assert game.world.position(game.ship) == pytest.approx(back)
+        assert game.world.velocity(game.ship) == velocity
+
+
+def test_asteroid_waits_outside_as_long_as_its_place_is_taken() -> None:
+    """It comes back when the other one has moved on, and not onto it."""
+    game = Asteroids(5)
+    waiting, other, *rest = game.rocks
+    for rock in [*rest, game.ship]:
+        game.world.remove(rock)
+    game.world.move(waiting, (9.0, 3.0))
+    game.world.throw(waiting, (0.1, 0.0))
+    game.world.move(other, (0.2, 3.0))
+    game.world.throw(other, (0.0, 0.0))
+    game.ship = other  # somebody has to steer
+    run(game, 2)
+    assert game.world.position(waiting)[0] > 9.0
+    game.world.move(other, (4.0, 3.0))
+    run(game, 1)
+    assert game.world.position(waiting)[0] == -game.radius(waiting)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_asteroids_overlap_by_no_more_than_they_approach_in_a_step(seed: int) -> None:
+    """Nor when they come back at an edge: half a minute, and the way of a step is the bound."""
+    game, fastest = Asteroids(seed), 0.0
+    for _ in range(1800):
+        game.step()
+        speeds = [math.hypot(*game.world.velocity(rock)) for rock in game.rocks]
+        fastest = max(fastest, *speeds)
+        for a, b in combinations(game.rocks, 2):
+            apart = math.dist(game.world.position(a), game.world.position(b))
+            assert game.radius(a) + game.radius(b) - apart <= 2 * fastest * TIME_STEP
 
 
 # Soft bodies
@@ -421,7 +587,7 @@ def test_soft_bodies_deform_keep_their_area_and_come_to_rest() -> None:
     areas, energies = [], []
     for _ in range(600):
         game.step()
-        areas += [game.area_ratio(ring) for ring in game.rings]
+        areas += game.area_ratios().tolist()
         energies.append(game.world.kinetic_energy())
     assert 1 - AREA_KEPT < min(areas) < 0.95
     assert max(areas) < 1 + AREA_KEPT
@@ -440,7 +606,7 @@ def test_soft_body_follows_the_mouse() -> None:
     """A body that is pulled up rises against its weight."""
     game = SoftBody(0)
     run(game, 300)
-    bead = game.rings[1].beads[4]
+    bead = game.rings[1][4]
     x, y = game.world.position(bead)
     game.take(Input("down", place=(x, y)))
     game.take(Input("move", place=(x, y + 2.0)))

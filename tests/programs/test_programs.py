@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code.programs import own_worlds, simulator
+from lesson_code.programs import own_worlds
 from lesson_code.programs.catalogue import SUMMARIES, load
 from lesson_code.programs.frame import SHARED_KEYS, Painter, Session, play
 from lesson_code.programs.game import Effects, Program
@@ -47,18 +47,18 @@ def test_program_same_seed_gives_the_same_world_with_and_without_a_window(
     alone = program.game(7)
     for _ in range(60):
         alone.step()
-    assert (shown.world.states() == alone.world.states()).all()
+    assert (shown.snapshot() == alone.snapshot()).all()
 
 
 @EVERY
 def test_program_without_effects_has_the_same_world(program: Program) -> None:
     """Flashes, sparks, trails and sound may be left out."""
     bare = replace(program, effects=Effects)
-    worlds = [play(p, frames=80, headless=True, tour=True).game.world for p in (program, bare)]
-    assert (worlds[0].states() == worlds[1].states()).all()
+    games = [play(p, frames=80, headless=True, tour=True).game for p in (program, bare)]
+    assert (games[0].snapshot() == games[1].snapshot()).all()
 
 
-@pytest.mark.parametrize("name", ["simulator", "breakout", "asteroids"])
+@pytest.mark.parametrize("name", ["simulator", "billiards", "breakout", "asteroids"])
 def test_program_another_seed_gives_another_world(name: str) -> None:
     """What is drawn by lot depends on the seed."""
     program = load(name)
@@ -67,7 +67,7 @@ def test_program_another_seed_gives_another_world(name: str) -> None:
         game.press("space")
         for _ in range(40):
             game.step()
-    assert (games[0].world.states() != games[1].world.states()).any()
+    assert (games[0].snapshot() != games[1].snapshot()).any()
 
 
 @AND_OWN
@@ -96,14 +96,14 @@ def mash(program: Program, window: Window, count: int, every: int) -> None:
             session.step()
         if k % (10 * every) == 0:
             painter.draw()
-    assert np.isfinite(session.game.world.states()).all()
+    assert np.isfinite(session.game.snapshot()).all()
 
 
 @EVERY
 def test_program_reset_is_the_beginning(program: Program) -> None:
     """R gives the bodies that there were at first, and no more of them."""
     game = program.game(2)
-    first = game.world.states()
+    first = game.snapshot()
     for key in ("space", "b", "up"):
         game.press(key)
     for _ in range(30):
@@ -111,7 +111,7 @@ def test_program_reset_is_the_beginning(program: Program) -> None:
     if program.name == "cradle":
         game.press("down")  # its number of balls outlives a reset
     game.press("r")
-    assert game.world.states().shape == first.shape
+    assert game.snapshot().shape == first.shape
 
 
 @AND_OWN
@@ -134,11 +134,36 @@ def width(words: str, size: int) -> int:
 
 
 @AND_OWN
-def test_panel_lines_do_not_overlap(program: Program) -> None:
-    """Read-outs and curves end above the keys."""
-    lines = len(program.readings(program.game(0))) + (1 + 4 if program.more else 1)
-    keys = len(program.keys + SHARED_KEYS)
-    assert MARGIN + 36 + 24 * lines + 20 * keys + MARGIN <= FIELD_SIZE[1]
+@pytest.mark.parametrize("steps", [0, 150])
+def test_texts_stand_in_the_window_and_apart(
+    program: Program, program_window: Window, monkeypatch: pytest.MonkeyPatch, steps: int
+) -> None:
+    """In field and panel, at the start and in the midst of the tour, with all that keys add.
+
+    The number of an asteroid that is leaving the field is cut as the asteroid is.
+    """
+    session = Session(program, program.game(0), Recording(program.name, 0))
+    session.tour = program.tour
+    painter = Painter(session, Picture(program_window, program.camera))
+    for _ in range(steps):
+        session.step()
+    for key in (pygame.K_p, pygame.K_l, pygame.K_m):
+        session.handle(pygame.event.Event(pygame.KEYDOWN, key=key))
+    boxes: list[pygame.Rect] = []
+    real_text = Window.text
+
+    def noted(self: Window, words: str, *args: Any, **kwargs: Any) -> pygame.Rect:
+        boxes.append(real_text(self, words, *args, **kwargs))
+        return boxes[-1]
+
+    monkeypatch.setattr(Window, "text", noted)
+    painter.draw()
+    assert len(boxes) > len(program.keys)
+    whole = program_window.surface.get_rect()
+    assert all(whole.contains(box) for box in boxes) or program.name == "asteroids"
+    for k, box in enumerate(boxes):
+        assert box.inflate(4, -4).collidelist(boxes[:k]) == -1
+    assert painter._panel._y <= FIELD_SIZE[1] - MARGIN - 20 * len(program.keys + SHARED_KEYS)
 
 
 @EVERY
@@ -225,13 +250,3 @@ def _window(stream: Random) -> Any:
         pygame.QUIT,
     )
     return pygame.event.Event(stream.choice(kinds), size=_place(stream), w=1, h=1)
-
-
-def test_lines_of_the_plan_fit_the_panel(program_window: Window) -> None:
-    """None of them is cut, and they end above the keys."""
-    game = simulator.Simulator(0)
-    lines = simulator.plan_lines(game)
-    assert max(width(line, KEY_SIZE) for line in lines) <= PANEL_WIDTH - 2 * MARGIN
-    above = MARGIN + 36 + 24 * len(simulator.readings(game)) + 20 * len(lines)
-    keys = len(simulator.PROGRAM.keys + SHARED_KEYS)
-    assert above + 20 * keys + MARGIN <= FIELD_SIZE[1]

@@ -248,8 +248,9 @@ def test_collide_all_keeps_momentum_and_the_energy_of_elastic_bodies() -> None:
 
 def test_wrap_joins_the_edges() -> None:
     """Inside nothing changes; outside the other side is meant."""
-    assert wrap((3.0, 2.0), (8.0, 6.0)) == (3.0, 2.0)
-    assert wrap((-1.0, 6.5), (8.0, 6.0)) == (7.0, 0.5)
+    assert wrap((3.0, 2.0), (8.0, 6.0), 0.5) == (3.0, 2.0)
+    assert wrap((-0.4, 6.4), (8.0, 6.0), 0.5) == (-0.4, 6.4)  # a part of it is still seen
+    assert wrap((-0.6, 6.6), (8.0, 6.0), 0.5) == (8.5, -0.5)
 
 
 # Soft bodies
@@ -267,6 +268,16 @@ def test_ring_area_is_shapelys() -> None:
     ring = uneven_ring()
     assert ring_area(ring) == pytest.approx(ShapelyPolygon(ring).area, rel=ROUNDING)
     assert ring_area(ring[::-1]) == pytest.approx(-ring_area(ring), rel=ROUNDING)
+
+
+def test_several_rings_at_once_are_each_alone() -> None:
+    """Areas and pressure forces of many rings are, to the last bit, those of one after another."""
+    rings = np.random.default_rng(8).uniform(1, 2, (3, 16, 2))
+    areas = np.array([0.2, 0.3, 0.4])
+    assert ring_area(rings).tolist() == [ring_area(ring) for ring in rings]
+    together = pressure_forces(rings, areas, 50.0)
+    for ring, area, forces in zip(rings, areas, together, strict=True):
+        assert (pressure_forces(ring, area, 50.0) == forces).all()
 
 
 def test_ring_forces_are_the_slope_of_the_springs_energy() -> None:

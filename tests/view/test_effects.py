@@ -100,3 +100,14 @@ def test_effects_are_drawn(window: Window) -> None:
         before = pygame.surfarray.array2d(window.surface)
         draw()
         assert (pygame.surfarray.array2d(window.surface) != before).any()
+
+
+def test_trail_stays_while_nothing_moves() -> None:
+    """A picture that is drawn again while the game is paused keeps its trails."""
+    trails = Trails()
+    for k in range(5):
+        trails.step({1: (0.1 * k, 0.0)})
+    before = list(trails.places[1])
+    for _ in range(100):
+        trails.step({1: before[-1]})
+    assert list(trails.places[1]) == before

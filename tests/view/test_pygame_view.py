@@ -11,9 +11,11 @@ import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from lesson_code.view.pygame_view import (
+    BACKGROUND,
     BLUE,
     GREEN,
     INK,
@@ -22,6 +24,7 @@ from lesson_code.view.pygame_view import (
     SKY,
     VERMILION,
     YELLOW,
+    Colour,
     Window,
     blend,
     draw_capsule,
@@ -31,6 +34,9 @@ from lesson_code.view.pygame_view import (
     smooth_disc,
     warn_if_both_installed,
 )
+
+LEAST_CONTRAST = 3.0
+"""Of what is drawn to what it is drawn on, as WCAG 2.2 asks of graphics."""
 
 
 @pytest.fixture
@@ -182,6 +188,30 @@ def test_arrow_points_from_tail_to_tip(window: Window) -> None:
     assert painted[0].left == pytest.approx(20, abs=1)
     assert painted[0].right == pytest.approx(120, abs=2)
     assert painted[0].height >= 14
+
+
+@pytest.mark.parametrize("ground", [(255, 255, 255), INK, YELLOW, SKY, ORANGE, BLUE, BACKGROUND])
+@pytest.mark.parametrize("colour", [INK, YELLOW, SKY, ORANGE, BLUE])
+def test_arrow_stands_out_from_whatever_it_is_drawn_on(
+    window: Window, ground: Colour, colour: Colour
+) -> None:
+    """Shaft or rim has three times the ground's luminance or a third, and so has rim to shaft."""
+    window.surface.fill(ground)
+    window.arrow((20, 50), (100, 0), colour, width=4)
+    across = [tuple(window.surface.get_at((60, y)))[:3] for y in range(40, 60)]
+    assert colour in across
+    assert max(contrast(one, ground) for one in across) >= LEAST_CONTRAST
+    assert contrast(colour, BACKGROUND) >= LEAST_CONTRAST
+
+
+def contrast(a: tuple[int, ...], b: tuple[int, ...]) -> float:
+    """Return the contrast ratio of two colours as WCAG 2.2 defines it, 1 to 21."""
+    linear = [
+        [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in np.array(c) / 255]
+        for c in (a, b)
+    ]
+    dark, light = sorted(float(np.dot((0.2126, 0.7152, 0.0722), one)) for one in linear)
+    return (light + 0.05) / (dark + 0.05)
 
 
 def test_arrow_of_no_length_draws_nothing(window: Window) -> None:

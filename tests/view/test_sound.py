@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -100,6 +102,30 @@ def test_sounds_are_played_on_a_device_and_muted() -> None:
     finally:
         sounds.close()
     assert not sounds.audible
+
+
+def test_sounds_are_held_and_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Held, what is heard stops where it is, and nothing begins; it goes on when it is let go."""
+    done: list[str] = []
+    for name in ("pause", "unpause", "stop"):
+        monkeypatch.setattr(sound_module.pygame.mixer, name, partial(done.append, name))
+    sounds = Sounds("wood", 0.1, 1.0)
+    sounds.hold(True)
+    sounds.hold(False)
+    assert done == []  # no device is open
+    sounds.open()
+    try:
+        sounds.hold(True)
+        sounds.play(1.0)
+        assert sounds._kept == {}
+        sounds.hold(False)
+        sounds.play(1.0)
+        assert list(sounds._kept) == [LEVELS]
+        sounds.mute()
+        sounds.mute()
+        assert done == ["pause", "unpause", "stop"]
+    finally:
+        sounds.close()
 
 
 def test_sounds_without_a_device_are_silent(monkeypatch: pytest.MonkeyPatch) -> None:
