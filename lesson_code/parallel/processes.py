@@ -128,9 +128,7 @@ class _Worker:
 
     def end(self, within: float = GRACE) -> int | None:
         """End the process, by force if it takes longer than `within`, s; return its exit code."""
-        self._pipe.close()
-        if self.is_busy:
-            self._process.terminate()
+        self.part()
         self._process.join(max(within, 0.0))
         if self._process.exitcode is None:
             self._process.kill()
@@ -140,10 +138,15 @@ class _Worker:
         return code
 
     def part(self) -> None:
-        """Let it end, without waiting for it."""
-        self._pipe.close()
+        """Let it end, without waiting for it.
+
+        It is told once: a second signal could meet it when it has left all that catches the first.
+        """
+        if self._pipe.closed:
+            return
         if self.is_busy:
             self._process.terminate()
+        self._pipe.close()
 
     def _send(self, message: bytes) -> None:
         """Write to the pipe; that a worker is gone is found out by its silence."""

@@ -1,6 +1,6 @@
 """A picture of a world in metres, y up, in a window in pixels, y down.
 
-`Camera.world_to_screen` is the only place where the one becomes the other.
+`Camera` is the only place where the one becomes the other.
 """
 
 from __future__ import annotations
@@ -92,6 +92,12 @@ class Camera:
         y = self.height - (point[1] - self.bottom) * self.scale * self.up
         return min(max(x, -FAR), FAR), min(max(y, -FAR), FAR)
 
+    def places_of(self, points: Vector) -> Vector:
+        """Return the places of many points, shape (N, 2), px; faster than one by one."""
+        scales = self.scale, -self.scale * self.up
+        places = (np.asarray(points, dtype=float) - (self.left, self.bottom)) * scales
+        return np.clip(places + (0.0, self.height), -FAR, FAR)
+
     def screen_to_world(self, place: Place) -> XY:
         """Return the point of the world that is seen at a place of the window, m."""
         x = place[0] / self.scale + self.left
@@ -138,14 +144,11 @@ class Picture:
 
     def discs(self, centres: Vector, radii: Iterable[float], colours: Iterable[Colour]) -> None:
         """Draw many discs at centres of shape (N, 2), m; faster than one by one."""
-        camera = self.camera
-        corner, scales = (camera.left, camera.bottom), (camera.scale, camera.scale * camera.up)
-        places = (np.asarray(centres, dtype=float) - corner) * scales
-        places = np.clip(np.round(places), -FAR, FAR).astype(int)
-        height, sprites = round(camera.height), []
+        places = np.round(self.camera.places_of(centres)).astype(int)
+        sprites = []
         for (x, y), radius, colour in zip(places.tolist(), radii, colours, strict=True):
-            sprite, half = _disc(round(radius * camera.scale, 1), colour)
-            sprites.append((sprite, (x - half, height - y - half)))
+            sprite, half = _disc(round(radius * self.camera.scale, 1), colour)
+            sprites.append((sprite, (x - half, y - half)))
         self._field.blits(sprites, False)
 
     def disc(self, centre: XY, radius: float, colour: Colour, angle: float | None = None) -> None:
@@ -193,15 +196,7 @@ class Picture:
 
     def lines(self, starts: Vector, ends: Vector, colour: Colour) -> None:
         """Draw many thin lines between points of shape (N, 2), m; faster than one by one."""
-        camera, scale = self.camera, self.camera.scale
-        shift, scales = (camera.left, camera.bottom), np.array((scale, -scale * camera.up))
-        for a, b in zip(
-            *(
-                np.clip((np.asarray(points) - shift) * scales + (0, camera.height), -FAR, FAR)
-                for points in (starts, ends)
-            ),
-            strict=True,
-        ):
+        for a, b in zip(self.camera.places_of(starts), self.camera.places_of(ends), strict=True):
             pygame.draw.line(self._field, colour, a, b, 2)
 
     def trail(self, places: Sequence[XY], colour: Colour, ground: Colour = BACKGROUND) -> None:

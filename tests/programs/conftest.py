@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
 from lesson_code.view.panel import PROGRAM_SIZE
-from lesson_code.view.pygame_view import Window, open_window
+from lesson_code.view.pygame_view import Window, open_window, pygame
 
 
 @pytest.fixture(autouse=True)
@@ -25,3 +26,17 @@ def program_window() -> Iterator[Window]:
     """Return an open headless window of the size that programs have."""
     with open_window(PROGRAM_SIZE, "test", headless=True) as opened:
         yield opened
+
+
+@pytest.fixture
+def text_boxes(monkeypatch: pytest.MonkeyPatch) -> list[pygame.Rect]:
+    """Return where each text stands that is drawn in a window from now on, px."""
+    boxes: list[pygame.Rect] = []
+    real_text = Window.text
+
+    def noted(self: Window, words: str, *args: Any, **kwargs: Any) -> pygame.Rect:
+        boxes.append(real_text(self, words, *args, **kwargs))
+        return boxes[-1]
+
+    monkeypatch.setattr(Window, "text", noted)
+    return boxes

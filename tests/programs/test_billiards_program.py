@@ -297,7 +297,7 @@ def test_picture_shows_the_bumper_where_the_physics_has_it(picture: Picture) -> 
 
 @pytest.mark.parametrize("aiming", [False, True])
 def test_picture_no_two_texts_overlap(
-    program_window: Window, monkeypatch: pytest.MonkeyPatch, aiming: bool
+    program_window: Window, text_boxes: list[pygame.Rect], aiming: bool
 ) -> None:
     """All texts lie in the window and apart, with every count at 999 and everything shown."""
     one = game()
@@ -308,18 +308,11 @@ def test_picture_no_two_texts_overlap(
     session = Session(PROGRAM, one, Recording("billiards", 0))
     session.slow = True
     painter = Painter(session, Picture(program_window, PROGRAM.camera))
-    boxes: list[pygame.Rect] = []
-    real_text = Window.text
-
-    def noted(self: Window, words: str, *args: Any, **kwargs: Any) -> pygame.Rect:
-        boxes.append(real_text(self, words, *args, **kwargs))
-        return boxes[-1]
-
-    monkeypatch.setattr(Window, "text", noted)
     painter.draw()
-    assert len(boxes) > 30
-    assert all(program_window.surface.get_rect().contains(box) for box in boxes)
-    assert all(box.inflate(8, 0).collidelist(boxes[:i]) == -1 for i, box in enumerate(boxes))
+    assert len(text_boxes) > 30
+    assert all(program_window.surface.get_rect().contains(box) for box in text_boxes)
+    for k, box in enumerate(text_boxes):
+        assert box.inflate(8, 0).collidelist(text_boxes[:k]) == -1
 
 
 def test_picture_a_ball_that_flew_away_is_no_crash(picture: Picture) -> None:

@@ -136,7 +136,7 @@ def width(words: str, size: int) -> int:
 @AND_OWN
 @pytest.mark.parametrize("steps", [0, 150])
 def test_texts_stand_in_the_window_and_apart(
-    program: Program, program_window: Window, monkeypatch: pytest.MonkeyPatch, steps: int
+    program: Program, program_window: Window, text_boxes: list[pygame.Rect], steps: int
 ) -> None:
     """In field and panel, at the start and in the midst of the tour, with all that keys add.
 
@@ -149,20 +149,12 @@ def test_texts_stand_in_the_window_and_apart(
         session.step()
     for key in (pygame.K_p, pygame.K_l, pygame.K_m):
         session.handle(pygame.event.Event(pygame.KEYDOWN, key=key))
-    boxes: list[pygame.Rect] = []
-    real_text = Window.text
-
-    def noted(self: Window, words: str, *args: Any, **kwargs: Any) -> pygame.Rect:
-        boxes.append(real_text(self, words, *args, **kwargs))
-        return boxes[-1]
-
-    monkeypatch.setattr(Window, "text", noted)
     painter.draw()
-    assert len(boxes) > len(program.keys)
+    assert len(text_boxes) > len(program.keys)
     whole = program_window.surface.get_rect()
-    assert all(whole.contains(box) for box in boxes) or program.name == "asteroids"
-    for k, box in enumerate(boxes):
-        assert box.inflate(4, -4).collidelist(boxes[:k]) == -1
+    assert all(whole.contains(box) for box in text_boxes) or program.name == "asteroids"
+    for k, box in enumerate(text_boxes):
+        assert box.inflate(4, -4).collidelist(text_boxes[:k]) == -1
     assert painter._panel._y <= FIELD_SIZE[1] - MARGIN - 20 * len(program.keys + SHARED_KEYS)
 
 

@@ -94,6 +94,16 @@ def test_camera_may_have_y_pointing_down() -> None:
 
 
 @pytest.mark.parametrize("up", [1, -1])
+def test_places_of_many_points_are_those_of_each(up: int) -> None:
+    """The same formula, to the rounding of one operation; far away both stop at the limit."""
+    camera = Camera(left=-4.0, bottom=1.0, scale=87.0, up=up)
+    points = [*np.random.default_rng(1).uniform(-9, 9, (100, 2)).tolist(), [1e300, -1e300]]
+    one_by_one = [camera.world_to_screen((x, y)) for x, y in points]
+    assert camera.places_of(points) == pytest.approx(np.array(one_by_one), rel=1e-12, abs=1e-9)
+    assert np.abs(camera.places_of(points)).max() == FAR
+
+
+@pytest.mark.parametrize("up", [1, -1])
 def test_disc_is_drawn_at_its_centre_either_way_up(picture: Picture, up: int) -> None:
     """One by one and many at once."""
     picture.camera = Camera(left=-4.0, bottom=4.0 - 3.0 * up, scale=100.0, up=up)

@@ -14,6 +14,7 @@ from __future__ import annotations
 import ast
 from collections import Counter
 from functools import cache
+from typing import NamedTuple
 
 MOST_NODES = 3000
 """Nodes of the syntax tree that a function may have in all its places together.
@@ -40,20 +41,20 @@ def inlined(source: str) -> frozenset[str]:
     frozenset({'double'})
     """
     functions = {f.name: f for f in ast.parse(source).body if isinstance(f, ast.FunctionDef)}
-    calls = {name: _calls(function, functions) for name, function in functions.items()}
-    repeated = _repeated(functions, calls)
-    sites = sum(calls.values(), Counter[str]())
+    looks = {name: _look(function) for name, function in functions.items()}
+    repeated = _repeated(looks)
+    sites = sum((look.calls for look in looks.values()), Counter[str]())
     lengths: dict[str, int] = {}
     chosen: set[str] = set()
 
     def settle(name: str) -> None:
         """Decide on a function, after those that it calls."""
-        for callee in calls[name]:
+        nodes, calls, _ = looks[name]
+        known = calls.keys() & looks.keys()
+        for callee in known:
             if callee not in lengths:
                 settle(callee)
-        lengths[name] = sum(1 for _ in ast.walk(functions[name])) + sum(
-            count * lengths[callee] for callee, count in calls[name].items() if callee in chosen
-        )
+        lengths[name] = nodes + sum(calls[callee] * lengths[callee] for callee in known & chosen)
         if name in repeated and sites[name] * lengths[name] <= MOST_NODES:
             chosen.add(name)
 
@@ -63,29 +64,35 @@ def inlined(source: str) -> frozenset[str]:
     return frozenset(chosen)
 
 
-def _repeated(
-    functions: dict[str, ast.FunctionDef], calls: dict[str, Counter[str]]
-) -> frozenset[str]:
+class _Look(NamedTuple):
+    """What counts of a function: its length, and which names it calls, also only in for loops."""
+
+    nodes: int
+    calls: Counter[str]
+    calls_in_loops: set[str]
+
+
+def _look(function: ast.FunctionDef) -> _Look:
+    """Return it, from one walk through the function."""
+    nodes, calls, in_loops = 0, Counter[str](), set[str]()
+    ahead: list[tuple[ast.AST, bool]] = [(function, False)]
+    while ahead:
+        node, is_in_loop = ahead.pop()
+        nodes += 1
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            calls[node.func.id] += 1
+            if is_in_loop:
+                in_loops.add(node.func.id)
+        within = is_in_loop or isinstance(node, ast.For)
+        ahead.extend((child, within) for child in ast.iter_child_nodes(node))
+    return _Look(nodes, calls, in_loops)
+
+
+def _repeated(looks: dict[str, _Look]) -> set[str]:
     """Return what a for loop calls, and what that calls in turn."""
     found: set[str] = set()
-    new = {
-        name
-        for function in functions.values()
-        for loop in ast.walk(function)
-        if isinstance(loop, ast.For)
-        for name in _calls(loop, functions)
-    }
+    new = {name for look in looks.values() for name in look.calls_in_loops} & looks.keys()
     while new:
         found |= new
-        new = {callee for name in new for callee in calls[name]} - found
-    return frozenset(found)
-
-
-def _calls(function: ast.AST, known: dict[str, ast.FunctionDef]) -> Counter[str]:
-    """Return which functions of the program a function calls, and from how many places."""
-    names = [
-        node.func.id
-        for node in ast.walk(function)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
-    ]
-    return Counter(name for name in names if name in known)
+        new = {callee for name in new for callee in looks[name].calls} & looks.keys() - found
+    return found
