@@ -94,9 +94,9 @@ class Camera:
 
     def places_of(self, points: Vector) -> Vector:
         """Return the places of many points, shape (N, 2), px; faster than one by one."""
-        scales = self.scale, -self.scale * self.up
-        places = (np.asarray(points, dtype=float) - (self.left, self.bottom)) * scales
-        return np.clip(places + (0.0, self.height), -FAR, FAR)
+        steps = np.asarray(points, dtype=float) - (self.left, self.bottom)
+        corner, scales = np.array((0.0, self.height)), (self.scale, -self.scale * self.up)
+        return np.clip(corner + steps * scales, -FAR, FAR)
 
     def screen_to_world(self, place: Place) -> XY:
         """Return the point of the world that is seen at a place of the window, m."""
