@@ -34,11 +34,11 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from lesson_code.engine.constants import (
-    FEWEST_FOR_STREAMS,
+    FEWEST_FOR_STRIDE,
     LEAST_EXCESS,
     PUSH_SHARE,
     SLOP,
-    STREAMS,
+    STRIDE,
 )
 from lesson_code.engine.contact_frame import (
     apply_central_impulse,
@@ -206,8 +206,8 @@ def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> 
 
 
 def stride_of_visits(count: int) -> int:
-    """Return how many contacts lie between two visits of a sweep; few are visited in order."""
-    return count if count < FEWEST_FOR_STREAMS else (count + STREAMS - 1) // STREAMS
+    """Return how far it is in the table from one visit to the next; few are visited in order."""
+    return 1 if count < FEWEST_FOR_STRIDE else STRIDE
 
 
 def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

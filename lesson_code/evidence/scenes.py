@@ -125,13 +125,16 @@ def box_stack(count: int, friction: float = 0.6) -> Scene:
     return Scene([level_ground(), *boxes], gravity=(0, -GRAVITY))
 
 
-def box_pyramid(rows: int, friction: float = 0.6, gap: float = 0.1) -> Scene:
-    """Return boxes of 1 m and 1 kg in rows, each one shorter than the one below."""
+def box_pyramid(rows: int, friction: float = 0.6, gap: float = 0.1, overlap: float = 0.0) -> Scene:
+    """Return boxes of 1 m and 1 kg in rows, each one shorter than the one below.
+
+    Boxes in a row are `gap` apart, m, and each row stands in what is below by `overlap`, m.
+    """
     surface = Material(0.0, friction)
     boxes = [
         Body(
             Polygon.box(1, 1),
-            position=((n - (rows - row - 1) / 2) * (1 + gap), 0.5 + row),
+            position=((n - (rows - row - 1) / 2) * (1 + gap), 0.5 + row - (row + 1) * overlap),
             mass=1.0,
             material=surface,
         )

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Scene
 from lesson_code.engine import contact_solver
-from lesson_code.engine.constants import FEWEST_FOR_STREAMS, STREAMS
+from lesson_code.engine.constants import FEWEST_FOR_STRIDE, STRIDE
 from lesson_code.engine.contact_frame import (
     apply_impulses,
     apply_push,
@@ -158,9 +158,9 @@ def test_visit_is_the_normal_impulse_and_then_friction(
 # All visits
 
 COUNTS = [
-    *(0, 1, 2, STREAMS, FEWEST_FOR_STREAMS - 1),
-    *range(FEWEST_FOR_STREAMS, FEWEST_FOR_STREAMS + 2 * STREAMS + 1),
-    *(10 * FEWEST_FOR_STREAMS - 1, 10 * FEWEST_FOR_STREAMS + 3),
+    *(0, 1, 2, STRIDE, FEWEST_FOR_STRIDE - 1),
+    *range(FEWEST_FOR_STRIDE, FEWEST_FOR_STRIDE + 2 * STRIDE + 1),
+    *(10 * FEWEST_FOR_STRIDE - 1, 10 * FEWEST_FOR_STRIDE + 3),
 ]
 
 
@@ -193,25 +193,27 @@ def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[st
 def test_sweep_visits_every_contact_once(
     monkeypatch: pytest.MonkeyPatch, count: int, sweep: str, visit: str
 ) -> None:
-    """Few in their order; many in four streams, which need not be equally long."""
+    """Few in their order; many with a stride that need not divide their number."""
     visited = visits(monkeypatch, with_contacts(count), sweep)[visit]
     assert sorted(visited) == list(range(count))
-    if count < FEWEST_FOR_STREAMS:
+    if count < FEWEST_FOR_STRIDE:
         assert visited == sorted(visited)
 
 
-def test_streams_of_a_sweep_are_far_apart_in_the_table(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of 101 contacts, 26 lie between two visits: 0, 26, 52, 78, then 1, 27, ..."""
-    visited = visits(monkeypatch, with_contacts(101), "solve")["solve_contact"]
-    assert visited[:6] == [0, 26, 52, 78, 1, 27]
-    assert stride_of_visits(101) == 26
+def test_sweep_goes_through_the_table_in_strides(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 68 contacts: 0, 6, ... 66, then 1, 7, ... 67, then 2, 8, ... 62."""
+    visited = visits(monkeypatch, with_contacts(68), "solve")["solve_contact"]
+    assert visited[:12] == list(range(0, 68, 6))
+    assert visited[12:24] == list(range(1, 68, 6))
+    assert visited[24:35] == list(range(2, 68, 6))
+    assert stride_of_visits(68) == 6
 
 
-@pytest.mark.parametrize("count", [10, FEWEST_FOR_STREAMS, FEWEST_FOR_STREAMS + 5])
+@pytest.mark.parametrize("count", [10, FEWEST_FOR_STRIDE, FEWEST_FOR_STRIDE + 5])
 def test_sweep_solves_the_two_points_of_a_block_together(
     monkeypatch: pytest.MonkeyPatch, count: int
 ) -> None:
-    """Also where the two would belong to different streams; neither is visited alone."""
+    """Though the second is not the next one in the stride; neither is visited alone."""
     world = with_contacts(count)
     for k in range(1, count - 1, 3):
         world.contacts[k].is_block = True

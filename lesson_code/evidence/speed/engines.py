@@ -15,7 +15,6 @@ box2d           Box2D, 8 velocity and 3 position iterations: its manual's advice
 from __future__ import annotations
 
 import importlib.util
-import inspect
 from collections.abc import Callable
 from typing import Any, Literal, Protocol, TypeAlias
 
@@ -62,11 +61,8 @@ class ExactStepper:
     """The exact solver, asked for its states at the ends of steps."""
 
     def __init__(self, scene: Scene, dt: float) -> None:
-        options: dict[str, Any] = {}
-        if "compiled" in inspect.signature(ExactSolver).parameters:
-            options = {"compiled": True}
         self._dt, self._steps = dt, 0
-        self.solver = ExactSolver(scene, combine=Combination(), keep_impulses=False, **options)
+        self.solver = ExactSolver(scene, combine=Combination(), keep_impulses=False, compiled=True)
 
     def advance(self, steps: int) -> None:
         """Advance by so many steps."""
