@@ -73,12 +73,18 @@ it is far from.
 LEAST_MARGIN, MOST_MARGIN = 0.05, 0.35
 """Of a body's width: the margin of its box, at the least and at the most."""
 
-STRIDE = 6
-"""Contacts in the table from one visit of a sweep to the next; it goes through the table six times.
+STREAMS = 4
+"""Places in the table of contacts that a sweep works on in turn, where no two are one manifold.
 
 Contacts side by side share a body, and a processor has to wait for the first before it can begin
-with the second: at 1 a heap of discs takes half as long again. With a quarter of the table for a
-stride it is as fast, but the load of a pyramid of 20 rows is not handed down: it never rests.
+with the second: in one stream a heap of discs takes half as long again.
+"""
+
+STRIDE = 6
+"""Contacts from visit to visit where some are; a sweep goes through the table six times.
+
+It is as fast as four streams. In those the load of a pyramid of 20 rows is not handed down, and it
+never rests; in strides a heap of 10,000 discs comes to rest later.
 """
 
 FEWEST_FOR_STRIDE = 64

@@ -38,6 +38,7 @@ from lesson_code.engine.constants import (
     LEAST_EXCESS,
     PUSH_SHARE,
     SLOP,
+    STREAMS,
     STRIDE,
 )
 from lesson_code.engine.contact_frame import (
@@ -93,6 +94,7 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None:
     """Compute the effective masses, and the overlaps to undo."""
+    world.state.has_blocks = False
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -102,7 +104,9 @@ def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None
         if effects.manifolds:
             c.is_block = False
             if k > 0:
-                join_points(world.contacts[k - 1], c, a, b, effects)
+                before = world.contacts[k - 1]
+                join_points(before, c, a, b, effects)
+                world.state.has_blocks = world.state.has_blocks or before.is_block
 
 
 def join_points(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, effects: Effects) -> None:
@@ -194,7 +198,7 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
 def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> None:
     """Visit all contacts; the two points of a manifold together."""
     count = world.state.contact_count
-    stride = stride_of_visits(count)
+    stride = stride_of_visits(world)
     for first in range(stride):
         for k in range(first, count, stride):
             c = world.contacts[k]
@@ -205,9 +209,13 @@ def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> 
                 visit(c, a, b)
 
 
-def stride_of_visits(count: int) -> int:
+def stride_of_visits(world: World) -> int:
     """Return how far it is in the table from one visit to the next; few are visited in order."""
-    return 1 if count < FEWEST_FOR_STRIDE else STRIDE
+    if world.state.contact_count < FEWEST_FOR_STRIDE:
+        return 1
+    if world.state.has_blocks:
+        return STRIDE
+    return (world.state.contact_count + STREAMS - 1) // STREAMS
 
 
 def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

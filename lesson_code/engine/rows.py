@@ -220,6 +220,7 @@ class State:
 
     pair_count: int = 0  # rows in use
     contact_count: int = 0
+    has_blocks: bool = False  # whether any two contacts are solved together
     static_count: int = 0
     memory_count: int = 0
     impulse_count: int = 0

@@ -221,7 +221,7 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     pass alone a box of mu = 0.578 on a slope of 30 degrees still creeps at 4 mm/s after 2 s.
     """
     count = world.state.contact_count
-    stride = stride_of_visits(count)
+    stride = stride_of_visits(world)
     for first in range(stride):
         for k in range(first, count, stride):
             c = world.contacts[k]

@@ -164,11 +164,12 @@ COUNTS = [
 ]
 
 
-def with_contacts(count: int) -> World:
-    """Return tables with so many contacts."""
+def with_contacts(count: int, *, has_blocks: bool = True) -> World:
+    """Return tables with so many contacts; those that are blocks are still to be marked."""
     world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
     world.contacts.extend(ContactRow(a=0, b=1, feature=k) for k in range(count))
     world.state.contact_count = count
+    world.state.has_blocks = has_blocks
     return world
 
 
@@ -190,11 +191,12 @@ def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[st
     ("sweep", "visit"), [("solve", "solve_contact"), ("correct", "solve_push")]
 )
 @pytest.mark.parametrize("count", COUNTS)
+@pytest.mark.parametrize("has_blocks", [True, False])
 def test_sweep_visits_every_contact_once(
-    monkeypatch: pytest.MonkeyPatch, count: int, sweep: str, visit: str
+    monkeypatch: pytest.MonkeyPatch, has_blocks: bool, count: int, sweep: str, visit: str
 ) -> None:
     """Few in their order; many with a stride that need not divide their number."""
-    visited = visits(monkeypatch, with_contacts(count), sweep)[visit]
+    visited = visits(monkeypatch, with_contacts(count, has_blocks=has_blocks), sweep)[visit]
     assert sorted(visited) == list(range(count))
     if count < FEWEST_FOR_STRIDE:
         assert visited == sorted(visited)
@@ -202,11 +204,20 @@ def test_sweep_visits_every_contact_once(
 
 def test_sweep_goes_through_the_table_in_strides(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of 68 contacts: 0, 6, ... 66, then 1, 7, ... 67, then 2, 8, ... 62."""
-    visited = visits(monkeypatch, with_contacts(68), "solve")["solve_contact"]
+    world = with_contacts(68)
+    visited = visits(monkeypatch, world, "solve")["solve_contact"]
     assert visited[:12] == list(range(0, 68, 6))
     assert visited[12:24] == list(range(1, 68, 6))
     assert visited[24:35] == list(range(2, 68, 6))
-    assert stride_of_visits(68) == 6
+    assert stride_of_visits(world) == 6
+
+
+def test_streams_of_a_sweep_without_blocks_are_far_apart(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 101 contacts, 26 lie between two visits: 0, 26, 52, 78, then 1, 27, ..."""
+    world = with_contacts(101, has_blocks=False)
+    visited = visits(monkeypatch, world, "solve")["solve_contact"]
+    assert visited[:6] == [0, 26, 52, 78, 1, 27]
+    assert stride_of_visits(world) == 26
 
 
 @pytest.mark.parametrize("count", [10, FEWEST_FOR_STRIDE, FEWEST_FOR_STRIDE + 5])
