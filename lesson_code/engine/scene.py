@@ -194,6 +194,12 @@ class Scene:
         object.__setattr__(self, "callbacks", callbacks)
 
 
+def body_at(body: Body, state: Any) -> Body:
+    """Return a body as it is by now: x, y, angle, vx, vy, w."""
+    x, y, angle, vx, vy, w = state
+    return replace(body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w)
+
+
 def scene_at(scene: Scene, states: Any, gravity: XY | None = None) -> Scene:
     """Return a scene with its bodies as they are by now.
 
@@ -212,10 +218,7 @@ def scene_at(scene: Scene, states: Any, gravity: XY | None = None) -> Scene:
     >>> scene_at(scene, [[1, 2, 0, 3, 4, 0]]).bodies[0].position
     (1.0, 2.0)
     """
-    bodies = [
-        replace(body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w)
-        for body, (x, y, angle, vx, vy, w) in zip(scene.bodies, states, strict=True)
-    ]
+    bodies = [body_at(body, state) for body, state in zip(scene.bodies, states, strict=True)]
     chosen = scene.gravity if gravity is None else gravity
     return Scene(bodies, chosen, scene.damping, scene.callbacks)
 

@@ -196,8 +196,7 @@ class Breakout(Game):
     def _velocity_after(self, impacts: list[Impact]) -> XY:
         """Return how the ball goes on: as the paddle or the level wants it, and into nothing.
 
-        The engine takes two bodies that overlap for a contact it has dealt with. So the rules must
-        not send the ball back into what it has just hit: there it would end up within it.
+        The rules must not send the ball back into what it has just hit: it would strike it again.
         """
         velocity = steady(self.world.velocity(self.ball), self.speed)
         for impact in impacts:

@@ -23,7 +23,7 @@ from lesson_code.engine.continuous import advance, rigid_part
 from lesson_code.engine.recording import EVENT_NUMBERS
 from lesson_code.engine.room import make_room
 from lesson_code.engine.rows import ImpulseRow
-from lesson_code.engine.scene import XY, Body, Scene
+from lesson_code.engine.scene import XY, Body, Scene, body_at
 from lesson_code.engine.stepper import SOLVERS, STATE_FIELDS
 from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.world import Pipeline
@@ -138,12 +138,8 @@ class LiveWorld:
     def bodies(self) -> list[Body]:
         """Return all bodies as they are: where they have got to, and how they move."""
         return [
-            body
-            if body.is_static and (x, y) == body.position and (vx, vy, w) == (0.0, 0.0, 0.0)
-            else replace(body, position=(x, y), angle=angle, velocity=(vx, vy), angular_velocity=w)
-            for body, (x, y, angle, vx, vy, w) in zip(
-                self._bodies.values(), self.states().tolist(), strict=True
-            )
+            body if _stands_where_it_was_put(body, state) else body_at(body, state)
+            for body, state in zip(self._bodies.values(), self.states().tolist(), strict=True)
         ]
 
     def add(self, body: Body) -> int:
@@ -375,3 +371,9 @@ class LiveWorld:
             told = as_numbers(rows) if self.compiled else np.array([IMPULSE(row) for row in rows])
             self.impulses = np.concatenate([self.impulses, told])
         tables.state.impulse_count = 0
+
+
+def _stands_where_it_was_put(body: Body, state: list[float]) -> bool:
+    """Return whether a body that nothing can push has not been moved, and does not move."""
+    x, y, _, *motion = state
+    return body.is_static and (x, y) == body.position and motion == [0.0, 0.0, 0.0]

@@ -50,7 +50,7 @@ def folder() -> Path:
 
 def is_kept(source: str) -> bool:
     """Return whether a program has been compiled before, so that it only needs to be loaded."""
-    return any((folder() / "__pycache__").glob(f"{_name_of(source)}.*.nbc"))
+    return any((folder() / "__pycache__").glob(f"{_name_of(_program_of(source))}.*.nbc"))
 
 
 @cache
@@ -86,7 +86,7 @@ def compiled_function(source: str, entry: str) -> Callable[..., Any]:
 def _load(source: str) -> tuple[types.ModuleType, bool]:
     """Return a program as a module, and whether its machine code can be kept."""
     program = _program_of(source)
-    name = _name_of(source)
+    name = _name_of(program)
     try:
         path = _written(folder(), name, program)
         keeps = os.access(path.parent, os.W_OK)  # else Numba finds no place for machine code
@@ -101,9 +101,9 @@ def _load(source: str) -> tuple[types.ModuleType, bool]:
     return module, keeps
 
 
-def _name_of(source: str) -> str:
+def _name_of(program: str) -> str:
     """Return a name for a program: another text, another name."""
-    return "program_" + hashlib.sha256(_program_of(source).encode()).hexdigest()[:20]
+    return "program_" + hashlib.sha256(program.encode()).hexdigest()[:20]
 
 
 def _program_of(source: str) -> str:
