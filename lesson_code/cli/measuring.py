@@ -129,7 +129,7 @@ def measure_grading(
 def measure_speed(
     only: Annotated[
         list[str] | None,
-        typer.Option(help="Only such scenes or parts: gas-100, gas, standing, memory, ..."),
+        typer.Option(help="Only such scenes or parts: gas-100, gas, held-50, memory, ..."),
     ] = None,
     quick: Annotated[
         bool, typer.Option("--quick", help="Small scenes and few repeats: under a minute.")

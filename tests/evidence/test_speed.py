@@ -17,8 +17,9 @@ from lesson_code.evidence import speed_scenes
 from lesson_code.evidence.speed import few_bodies, measure, measure_speed, processes, quality
 from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for
 from lesson_code.evidence.speed.few_bodies import FewBodies
-from lesson_code.evidence.speed.limits import Limit, standing_limits
+from lesson_code.evidence.speed.limits import Limit, pile_limits
 from lesson_code.evidence.speed.measure import KEYS, chosen, parts
+from lesson_code.evidence.speed.piles import PILES, Held, Pile, PileRace, race_with_pile
 from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.profile import profile_scene, stage_calls
 from lesson_code.evidence.speed.race import (
@@ -30,7 +31,6 @@ from lesson_code.evidence.speed.race import (
     with_head_start,
 )
 from lesson_code.evidence.speed.report import Speed, Verdict
-from lesson_code.evidence.speed.standing import Standing, measure_standing, stands
 from lesson_code.evidence.speed.statistics import (
     Quality,
     growth_exponent,
@@ -317,16 +317,40 @@ def test_stack_stands_until_a_box_has_left_its_place() -> None:
     """By half a width."""
     scene = speed_scenes.stack(3).scene
     states = quality.states_of(scene)
-    assert stands(scene, states)
+    assert PILES[0].holds(scene, states, overlap=0.3)
     states[2, 0] += 0.51
-    assert not stands(scene, states)
+    assert not PILES[0].holds(scene, states, overlap=0.0)
 
 
-def test_standing_names_the_cheapest_setting() -> None:
-    """Two boxes stand for a fifth of a second with the least that is tried."""
-    measured = measure_standing(1, boxes=2, duration=0.2)
-    assert all(row.stood for row in measured)
-    assert {row.engine: row.setting for row in measured}["sequential"] == 8
+def test_pyramid_is_held_while_no_overlap_is_deep() -> None:
+    """Two slops are the limit."""
+    scene = speed_scenes.pyramid(3).scene
+    states = quality.states_of(scene)
+    assert PILES[1].holds(scene, states, overlap=0.01)
+    assert not PILES[1].holds(scene, states, overlap=0.0101)
+
+
+def pile_of_two(**options: Any) -> Pile:
+    """Return two boxes that have to hold for a fifth of a second."""
+    return Pile("standing", "two", lambda: speed_scenes.stack(2), 0.2, 0.5, **options)
+
+
+def test_pile_names_the_cheapest_setting_that_holds() -> None:
+    """Two boxes hold with the least that is tried."""
+    raced = race_with_pile(pile_of_two(), 1)
+    assert all(row.held for row in raced.rows)
+    settings = {row.engine: row.setting for row in raced.rows}
+    assert (settings["sequential"], settings["substep"]) == (3, 2)
+    assert raced.ratio("pymunk") is not None
+
+
+def test_pile_that_no_setting_holds_is_said_not_to_hold() -> None:
+    """Bodies that rest on each other overlap by something."""
+    raced = race_with_pile(pile_of_two(deepest=0.0), 1)
+    assert {(row.held, row.setting) for row in raced.rows if row.engine == "sequential"} == {
+        (False, 60)
+    }
+    assert raced.ratio("pymunk") is None
 
 
 def test_few_bodies_are_off_by_rounding_in_the_exact_solver_alone() -> None:
@@ -415,10 +439,10 @@ def test_parts_are_chosen_by_name_or_by_its_beginning(only: list[str], expected:
 
 
 def test_all_parts_are_measured_unless_some_are_named() -> None:
-    """Every scene in every size, and four more."""
-    assert len(chosen(parts(7), [])) == sum(map(len, SIZES.values())) + 4
+    """Every scene in every size, and six more."""
+    assert len(chosen(parts(7), [])) == sum(map(len, SIZES.values())) + 6
     quick = [part.key for part in parts(7, quick=True)]
-    assert quick == [*measure.QUICK, *measure.OTHERS]
+    assert quick == [*measure.QUICK, "standing", *measure.OTHERS]
 
 
 @pytest.mark.parametrize(
@@ -440,18 +464,29 @@ def test_measurement_without_a_compiler_is_refused(monkeypatch: pytest.MonkeyPat
         measure_speed(only=["gas-10"])
 
 
+def piles(ours: float = 1.0) -> PileRace:
+    """Return a made-up race with a stack; ours: the time of the sequential solver, s."""
+    rows = (
+        Held("sequential", 8, True, 0.005, ours),
+        Held("substep", 2, False, 0.3, 0.1),
+        Held("pymunk, tree", 30, True, 0.005, 3.0),
+        Held("pymunk, hash", 60, False, 0.3, 0.1),
+    )
+    return PileRace("standing", "a free stack of 20 for 60 s", rows)
+
+
 def everything() -> Speed:
     """Return a report with made-up numbers in every part."""
     races = (
         race("gas-1000", 1_000, sequential=1e-6, exact=2e-6, tree=5e-6, hash=4e-6, box2d=2e-5),
         race("gas-100000", 100_000, sequential=1e-4, exact=2e-4, tree=5e-4, hash=4e-4, box2d=2e-3),
-        race("pyramid-20", 210, sequential=1e-4, substep=1e-4, tree=1.6e-4),
+        race("bin-500", 500, sequential=1e-4, substep=1e-4, tree=1.6e-4),
     )
     bad = Quality(0.5, 0.5, "drift")
     return Speed(
         7,
         (with_quality(races[0], "sequential", bad), *races[1:]),
-        (Standing("sequential", 8, True, 0.04), Standing("pymunk, tree", 60, False, 0.1)),
+        (piles(),),
         (FewBodies("three", 1.0, 9, 1e-5, 0.0, (60, 600), (0.1, 1.0), (0.1, 0.1)),),
         Memory(1_000, 400.0, None),
         Start(0.2, ("numba",), 9.0, 0.9),
@@ -461,7 +496,7 @@ def everything() -> Speed:
 def test_json_holds_every_part_without_infinity() -> None:
     """One object with a version, the facts of the machine, and whether targets are reached."""
     report = json.loads(json.dumps(everything().as_dict(), allow_nan=False))
-    assert (report["version"], report["command"]) == (1, "measure speed")
+    assert (report["version"], report["command"]) == (2, "measure speed")
     assert {"python", "cores", "packages"} <= set(report["machine"])
     first = report["scenes"][0]
     assert {"key", "name", "bodies", "steps", "batches", "engines", "ratios"} == set(first)
@@ -509,14 +544,10 @@ def test_limit_says_whether_it_is_reached(limit: Limit, wanted: str, reached: bo
 
 def test_stack_that_fell_does_not_count() -> None:
     """However little time it took."""
-    rows = (
-        Standing("sequential", 8, True, 1.0),
-        Standing("substep", 2, False, 0.1),
-        Standing("pymunk, tree", 30, True, 3.0),
-        Standing("pymunk, hash", 60, False, 0.1),
-    )
-    assert [limit.value for limit in standing_limits(rows)] == [3.0]
-    assert list(standing_limits(rows[1:])) == []
+    (limit,) = pile_limits((piles(),))
+    assert (limit.value, limit.wanted, limit.reached) == (3.0, "at least 2", True)
+    fell = replace(piles(), rows=piles().rows[1:])
+    assert list(pile_limits((fell,))) == []
 
 
 def test_empty_report_prints_nothing() -> None:

@@ -199,3 +199,20 @@ def test_scene_of_pymunk_and_ours_give_the_same_run_until_contacts_are_shared() 
         theirs.contacts.normal_impulse, abs=ROUNDING
     )
     assert ours.contacts.point == pytest.approx(theirs.contacts.point, abs=ROUNDING)
+
+
+def test_forgotten_contacts_are_gone() -> None:
+    """Boxes that lay on each other have none left."""
+    run = stepper(scenes.box_stack(2, 0.5))
+    run.advance(5)
+    assert touching(run) > 0
+    run.forget_contacts()
+    assert touching(run) == 0
+
+
+def touching(run: PymunkStepper) -> int:
+    """Return how many contacts the space keeps, each counted for either body."""
+    found: list[Any] = []
+    for body in run.bodies:
+        body.each_arbiter(found.append)
+    return len(found)

@@ -9,7 +9,6 @@ from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.lib.recfunctions import structured_to_unstructured
 from numpy.typing import NDArray
 
 Tables = TypeVar("Tables", bound=tuple[Any, ...])
@@ -69,7 +68,7 @@ def as_numbers(table: Any) -> NDArray[np.float64]:
     [[1.0, 2.0], [1.0, 3.0]]
     """
     if isinstance(table, np.ndarray):
-        return structured_to_unstructured(table, dtype=float)
+        return np.stack([table[name] for name in table.dtype.names or ()], axis=-1, dtype=float)
     return np.array([dataclasses.astuple(row) for row in table], dtype=float)
 
 

@@ -100,11 +100,11 @@ class _Program:
         if key not in self._names:
             name = self._free_name(function)
             self._names[key] = name
-            text, tree = _definition(function)
-            before = ast.dump(tree)
+            text, before = _functions_of(function.__module__)[function.__name__]
+            tree = _definition(text)
             tree.name = name
             _Specialised(self, function, bound, tree).rewrite()
-            self._functions[name] = text if ast.dump(tree) == before else ast.unparse(tree)
+            self._functions[name] = text if _are_alike(tree, before) else ast.unparse(tree)
         return self._names[key]
 
     def use(self, name: str, value: Any, user: str) -> None:
@@ -236,8 +236,7 @@ class _Specialised(ast.NodeTransformer):
         if not (found and isinstance(found.value, types.FunctionType) and _is_ours(found.value)):
             return self.generic_visit(node)
         called = inspect.unwrap(found.value)
-        parameters = inspect.signature(called).parameters
-        given = list(zip(parameters, node.args, strict=False))
+        given = list(zip(_parameters_of(called), node.args, strict=False))
         bound = {name: self._value(arg).value for name, arg in given if self._is_stage(arg)}
         by_name = {word.arg: word.value for word in node.keywords if word.arg}
         bound |= {n: self._value(arg).value for n, arg in by_name.items() if self._is_stage(arg)}
@@ -282,10 +281,9 @@ class _Specialised(ast.NodeTransformer):
 
 def _stages_by_default(function: Any, given: set[str]) -> dict[str, Any]:
     """Return the stages that a function takes for parameters that are not given."""
-    parameters = inspect.signature(inspect.unwrap(function)).parameters
     return {
         name: parameter.default
-        for name, parameter in parameters.items()
+        for name, parameter in _parameters_of(function).items()
         if name not in given and parameter.default is not parameter.empty
         if is_stage(parameter.default)
     }
@@ -309,25 +307,47 @@ def _names_set_in(tree: ast.AST) -> Iterator[str]:
             yield node.id
 
 
-def _definition(function: Any) -> tuple[str, ast.FunctionDef]:
-    """Return a function's source from its `def` on, and its tree."""
-    text = _functions_of(function.__module__)[function.__name__]
-    (tree,) = ast.parse(text).body
-    if not isinstance(tree, ast.FunctionDef):  # pragma: no cover - it was found as one
-        raise TypeError(f"{function.__name__} must be a function")
-    return text, tree
-
-
 @functools.cache
-def _functions_of(module: str) -> dict[str, str]:
-    """Return the sources of a module's functions, without decorators, by name."""
+def _functions_of(module: str) -> dict[str, tuple[str, ast.FunctionDef]]:
+    """Return the source of each of a module's functions, without decorators, and its tree."""
     text = inspect.getsource(sys.modules[module])
     lines = text.splitlines()
     return {
-        node.name: "\n".join(lines[node.lineno - 1 : node.end_lineno])
+        node.name: ("\n".join(lines[node.lineno - 1 : node.end_lineno]), _bare(node))
         for node in ast.parse(text).body
         if isinstance(node, ast.FunctionDef)
     }
+
+
+def _bare(definition: ast.FunctionDef) -> ast.FunctionDef:
+    """Take away a function's decorators."""
+    definition.decorator_list = []
+    return definition
+
+
+def _definition(text: str) -> ast.FunctionDef:
+    """Return the tree of a function's source."""
+    (tree,) = ast.parse(text).body
+    if not isinstance(tree, ast.FunctionDef):  # pragma: no cover - it was found as one
+        raise TypeError(f"{text.splitlines()[0]} must define a function")
+    return tree
+
+
+def _are_alike(one: Any, other: Any) -> bool:
+    """Return whether two trees, or parts of them, say the same."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, ast.AST):
+        return all(_are_alike(getattr(one, f), getattr(other, f)) for f in one._fields)
+    if isinstance(one, list):
+        return len(one) == len(other) and all(map(_are_alike, one, other))
+    return bool(one == other)
+
+
+@functools.cache
+def _parameters_of(function: Any) -> Mapping[str, inspect.Parameter]:
+    """Return a function's parameters by name."""
+    return inspect.signature(inspect.unwrap(function)).parameters
 
 
 def _text(value: Any) -> str:

@@ -7,7 +7,7 @@ module          what it does
 ``quality``     measures how deep bodies stand in each other, and what energy does
 ``clock``       what they are compared by
 ``race``        runs the engines in turns, and times them
-``standing``    looks for what lets a stack of 20 stand for a minute, and times that
+``piles``       looks for the least that lets a pile hold in each engine, and times that
 ``few_bodies``  compares the exact solver with pymunk at equal error
 ``processes``   measures in fresh processes: imports, first runs, memory
 ``statistics``  medians, growth, and whether two runs are of equal quality

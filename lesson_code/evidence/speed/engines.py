@@ -127,6 +127,12 @@ def refuse_without_compiler() -> None:
         raise RuntimeError(f"speed can be measured only with compiled code: {reason}")
 
 
+def let_go(engine: Engine) -> None:
+    """Prepare an engine for being thrown away, which may take long otherwise."""
+    if isinstance(engine, PymunkStepper):
+        engine.forget_contacts()
+
+
 def bytes_of(engine: Engine) -> int | None:
     """Return how large all tables of one of our engines are; None where they are no arrays."""
     if isinstance(engine, EngineStepper):

@@ -7,14 +7,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from lesson_code.evidence.speed.few_bodies import FewBodies
+from lesson_code.evidence.speed.piles import PileRace
 from lesson_code.evidence.speed.processes import Memory, Start
-from lesson_code.evidence.speed.standing import Standing
 from lesson_code.evidence.speed.targets import (
     FEW_BODIES_RATIO,
     MOST_BYTES,
     MOST_GROWTH,
     MOST_SECONDS,
-    STANDING_RATIO,
+    PILE_RATIOS,
 )
 
 
@@ -62,14 +62,13 @@ def growth_limits(growth: Mapping[str, Mapping[str, float]]) -> Iterator[Limit]:
             yield Limit(what, exponents["sequential"], most=MOST_GROWTH)
 
 
-def standing_limits(standing: tuple[Standing, ...]) -> Iterator[Limit]:
-    """Yield pymunk's least time for a stack that stands over ours."""
-    stood = [row for row in standing if row.stood]
-    ours = [row.seconds for row in stood if row.engine in ("sequential", "substep")]
-    theirs = [row.seconds for row in stood if row.engine.startswith("pymunk")]
-    if ours and theirs:
-        what = "stack that stands, pymunk's time over ours"
-        yield Limit(what, min(theirs) / min(ours), least=STANDING_RATIO)
+def pile_limits(piles: tuple[PileRace, ...]) -> Iterator[Limit]:
+    """Yield each peer's time over ours, each with the least work that lets a pile hold."""
+    for pile in piles:
+        for peer, wanted in PILE_RATIOS[pile.key].items():
+            ratio = pile.ratio(peer)
+            if ratio is not None:
+                yield Limit(f"{pile.key}, {peer}'s time over ours", ratio, least=wanted)
 
 
 def few_bodies_limits(scenes: tuple[FewBodies, ...]) -> Iterator[Limit]:

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 from lesson_code.evidence import speed_scenes
 from lesson_code.evidence.speed.engines import refuse_without_compiler
 from lesson_code.evidence.speed.few_bodies import STEPS_A_SECOND, measure_few_bodies
+from lesson_code.evidence.speed.piles import PILES, Pile, race_with_pile
 from lesson_code.evidence.speed.processes import measure_memory, measure_start
 from lesson_code.evidence.speed.race import run_race
 from lesson_code.evidence.speed.report import Speed
-from lesson_code.evidence.speed.standing import measure_standing
 from lesson_code.evidence.speed_scenes import SIZES, SpeedScene
 
 REPEATS, QUICK_REPEATS = 7, 3
@@ -39,6 +39,9 @@ QUICK_RATES = STEPS_A_SECOND[:-2]
 BASE_SECONDS, SECONDS_PER_BODY = 3.0, 1e-3
 """s, roughly: a scene takes so long; the progress bar needs no more."""
 
+PILE_SECONDS = 60.0
+"""s, roughly: what a pile takes."""
+
 Told = Callable[[str], None]
 
 
@@ -60,9 +63,10 @@ def parts(repeats: int, *, quick: bool = False) -> list[Part]:
     ]
     rates = QUICK_RATES if quick else STEPS_A_SECOND
     discs = QUICK_MEMORY if quick else ALL_MEMORY
+    piles = [_pile_part(pile, repeats) for pile in (PILES[:1] if quick else PILES)]
     return [
         *scenes,
-        Part("standing", 10.0, lambda told: measure_standing(repeats, told=told)),
+        *piles,
         Part("few_bodies", 5.0 if quick else 60.0, lambda t: measure_few_bodies(repeats, rates, t)),
         Part("memory", 5.0 if quick else 30.0, lambda told: measure_memory(discs, told)),
         Part("start", 5.0 if quick else 30.0, lambda _: measure_start(repeats, cold=not quick)),
@@ -130,11 +134,12 @@ def measure_speed(
         done += part.cost
     told("done", 1.0)
     others = {key: found.pop(key) for key in OTHERS if key in found}
-    return Speed(count, races=tuple(found.values()), **others)
+    piles = tuple(found.pop(pile.key) for pile in PILES if pile.key in found)
+    return Speed(count, races=tuple(found.values()), piles=piles, **others)
 
 
-OTHERS = ("standing", "few_bodies", "memory", "start")
-"""Parts that are no races."""
+OTHERS = ("few_bodies", "memory", "start")
+"""Parts that are measured once."""
 
 
 def _tell(told: Callable[[str, float], None], share: float, what: str) -> None:
@@ -147,6 +152,11 @@ def _scene_part(build: Callable[[int], SpeedScene], size: int, repeats: int) -> 
     key = f"{KEYS[build]}-{size}"
     cost = BASE_SECONDS + SECONDS_PER_BODY * size
     return Part(key, cost, lambda told: run_race(key, build(size), repeats, told))
+
+
+def _pile_part(pile: Pile, repeats: int) -> Part:
+    """Return the part of one pile that has to hold."""
+    return Part(pile.key, PILE_SECONDS, lambda told: race_with_pile(pile, repeats, told))
 
 
 def _fits(key: str, name: str) -> bool:

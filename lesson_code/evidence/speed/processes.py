@@ -154,7 +154,7 @@ def _resident() -> int | None:
 def _output(code: str) -> str:
     """Return what some code prints in a process of its own."""
     done = subprocess.run(  # noqa: S603
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=_environment()
     )
     return done.stdout.strip()
 
@@ -163,6 +163,14 @@ def _seconds(code: str, folder: str) -> float:
     """Return how long a process lives that runs some code, its programs kept in a folder, s."""
     start = time.perf_counter()
     subprocess.run(  # noqa: S603
-        [sys.executable, "-c", code], check=True, env=os.environ | {FOLDER_VARIABLE: folder}
+        [sys.executable, "-c", code], check=True, env=_environment() | {FOLDER_VARIABLE: folder}
     )
     return time.perf_counter() - start
+
+
+def _environment() -> dict[str, str]:
+    """Return this process's environment, but for the order to write no byte code.
+
+    Where it stands every start would read and translate all modules anew.
+    """
+    return {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}

@@ -27,6 +27,7 @@ from lesson_code.evidence.speed.engines import (
     builder,
     bytes_of,
     engines_for,
+    let_go,
 )
 from lesson_code.evidence.speed.quality import (
     Gauge,
@@ -179,6 +180,8 @@ def run_race(
         for runner in runners:
             runner.readings.append(gauge.read(runner.engine.states()))
     gc.unfreeze()
+    for runner in runners:
+        let_go(runner.engine)
     bodies = sum(not body.is_static for body in scene.bodies)
     started = gauge.energy(states_of(scene))
     timings = tuple(_timing(runner, scene, bodies, started) for runner in runners)

@@ -19,17 +19,17 @@ from lesson_code.evidence.speed.limits import (
     few_bodies_limits,
     growth_limits,
     memory_limits,
-    standing_limits,
+    pile_limits,
     start_limits,
 )
+from lesson_code.evidence.speed.piles import PileRace
 from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.race import Race, Timing
-from lesson_code.evidence.speed.standing import Standing
 from lesson_code.evidence.speed.statistics import growth_exponent
 from lesson_code.evidence.speed.targets import Target, targets_of
 from lesson_code.parallel.tasks import usable_cores
 
-VERSION = 1
+VERSION = 2
 """Version of the form that :meth:`Speed.as_dict` writes; it grows when a key changes."""
 
 GROWTH_FROM = 1_000
@@ -71,8 +71,8 @@ class Speed:
         Batches of each engine in each scene.
     races : tuple of Race
         One for each scene.
-    standing : tuple of Standing
-        The stack that stands for a minute.
+    piles : tuple of PileRace
+        What has to hold, each engine with the least work that lets it.
     few_bodies : tuple of FewBodies
         The exact solver and pymunk at equal error.
     memory : Memory or None
@@ -83,7 +83,7 @@ class Speed:
 
     repeats: int
     races: tuple[Race, ...] = ()
-    standing: tuple[Standing, ...] = ()
+    piles: tuple[PileRace, ...] = ()
     few_bodies: tuple[FewBodies, ...] = ()
     memory: Memory | None = None
     start: Start | None = None
@@ -120,7 +120,7 @@ class Speed:
         """Return what is wanted besides the ratios of single scenes."""
         return [
             *growth_limits(self.growth()),
-            *standing_limits(self.standing),
+            *pile_limits(self.piles),
             *few_bodies_limits(self.few_bodies),
             *memory_limits(self.memory),
             *start_limits(self.start),
@@ -135,7 +135,7 @@ class Speed:
             "repeats": self.repeats,
             "scenes": [_race_as_dict(race, self.verdicts(race)) for race in self.races],
             "growth_exponents": self.growth(),
-            "standing": [asdict(standing) for standing in self.standing],
+            "piles": [asdict(pile) for pile in self.piles],
             "few_bodies": [_few_as_dict(few) for few in self.few_bodies],
             "memory": None if self.memory is None else asdict(self.memory),
             "start": None if self.start is None else asdict(self.start),
@@ -150,8 +150,7 @@ class Speed:
         growth = self.growth()
         if growth:
             yield _growth_table(growth)
-        if self.standing:
-            yield _standing_table(self.standing)
+        yield from map(_pile_table, self.piles)
         if self.few_bodies:
             yield _few_table(self.few_bodies)
         limits = self.limits()
@@ -279,17 +278,18 @@ def _growth_table(growth: dict[str, dict[str, float]]) -> Table:
     return table
 
 
-def _standing_table(standing: tuple[Standing, ...]) -> Table:
-    """Return the table of stacks that stand."""
+def _pile_table(pile: PileRace) -> Table:
+    """Return the table of one pile that has to hold."""
     table = Table(
-        *("engine", "iterations or sub-steps", "stood", "CPU ms", "pymunk/this"),
-        title="A stack of 20 for 60 s, each with the least that lets it stand",
+        *("engine", "iterations or sub-steps", "held", "overlap", "CPU ms", "this/our best"),
+        title=f"Each with the least that it needs for {pile.name}",
     )
-    theirs = min((s.seconds for s in standing if s.engine.startswith("pymunk")), default=math.nan)
-    for row in standing:
-        stood = "yes" if row.stood else "no"
-        ratio = _digits(theirs / row.seconds)
-        table.add_row(row.engine, str(row.setting), stood, _digits(row.seconds * 1e3), ratio)
+    ours = min((row.seconds for row in pile.rows if row.held and row.engine in OURS), default=None)
+    for row in pile.rows:
+        held = "yes" if row.held else "no"
+        ratio = "" if ours is None or not row.held else _digits(row.seconds / ours)
+        numbers = f"{row.overlap:.4f}", _digits(row.seconds * 1e3), ratio
+        table.add_row(row.engine, str(row.setting), held, *numbers)
     return table
 
 
