@@ -73,23 +73,22 @@ it is far from.
 LEAST_MARGIN, MOST_MARGIN = 0.05, 0.35
 """Of a body's width: the margin of its box, at the least and at the most."""
 
-STREAMS = 4
-"""Places in the table of contacts that a sweep works on in turn, where no two are one manifold.
+STRIDE = 6
+"""Contacts from visit to visit; a sweep goes through a part of the table six times.
 
 Contacts side by side share a body, and a processor has to wait for the first before it can begin
-with the second: in one stream a heap of discs takes half as long again.
+with the second: one after the other a heap of discs takes half as long again. From 7 on the load of
+a pyramid of 20 rows is not handed down well enough for it to rest.
 """
 
-STRIDE = 6
-"""Contacts from visit to visit where some are; a sweep goes through the table six times.
+PART_OF_SWEEP = 1_024
+"""Contacts: so many at a time a sweep goes through in strides, that they stay near the processor.
 
-It is as fast as four streams. In those the load of a pyramid of 20 rows is not handed down, and it
-never rests; in strides a heap of 10,000 discs comes to rest later.
+With 100,000 discs and all contacts at once a step takes nearly twice as long.
 """
 
 FEWEST_FOR_STRIDE = 64
-"""Contacts: a sweep over fewer visits them in their order, from the ground up in a tower that is
-built so."""
+"""Contacts: fewer are visited in their order, from the ground up in a tower that is built so."""
 
 PAIRS_PER_BODY, PAIRS_ANYWAY = 50, 10_000
 """More candidate pairs than 50 N + 10,000 are refused: discs that do not overlap have 3 N.

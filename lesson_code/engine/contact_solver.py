@@ -36,9 +36,9 @@ from typing import TypeAlias
 from lesson_code.engine.constants import (
     FEWEST_FOR_STRIDE,
     LEAST_EXCESS,
+    PART_OF_SWEEP,
     PUSH_SHARE,
     SLOP,
-    STREAMS,
     STRIDE,
 )
 from lesson_code.engine.contact_frame import (
@@ -94,7 +94,6 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None:
     """Compute the effective masses, and the overlaps to undo."""
-    world.state.has_blocks = False
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -104,9 +103,7 @@ def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None
         if effects.manifolds:
             c.is_block = False
             if k > 0:
-                before = world.contacts[k - 1]
-                join_points(before, c, a, b, effects)
-                world.state.has_blocks = world.state.has_blocks or before.is_block
+                join_points(world.contacts[k - 1], c, a, b, effects)
 
 
 def join_points(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, effects: Effects) -> None:
@@ -198,24 +195,17 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
 def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> None:
     """Visit all contacts; the two points of a manifold together."""
     count = world.state.contact_count
-    stride = stride_of_visits(world)
-    for first in range(stride):
-        for k in range(first, count, stride):
-            c = world.contacts[k]
-            a, b = world.bodies[c.a], world.bodies[c.b]
-            if effects.manifolds and c.is_block:
-                visit_two(c, world.contacts[k + 1], a, b)
-            elif not (effects.manifolds and is_second_of_block(world, k)):
-                visit(c, a, b)
-
-
-def stride_of_visits(world: World) -> int:
-    """Return how far it is in the table from one visit to the next; few are visited in order."""
-    if world.state.contact_count < FEWEST_FOR_STRIDE:
-        return 1
-    if world.state.has_blocks:
-        return STRIDE
-    return (world.state.contact_count + STREAMS - 1) // STREAMS
+    for begin in range(0, count, PART_OF_SWEEP):
+        end = min(begin + PART_OF_SWEEP, count)
+        stride = STRIDE if end - begin >= FEWEST_FOR_STRIDE else 1
+        for first in range(begin, begin + stride):
+            for k in range(first, end, stride):
+                c = world.contacts[k]
+                a, b = world.bodies[c.a], world.bodies[c.b]
+                if effects.manifolds and c.is_block:
+                    visit_two(c, world.contacts[k + 1], a, b)
+                elif not (effects.manifolds and is_second_of_block(world, k)):
+                    visit(c, a, b)
 
 
 def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

@@ -96,40 +96,45 @@ class IndexRow:
 
 @dataclass(slots=True)
 class ContactRow:
-    """One contact point of two bodies during one step."""
+    """One contact point of two bodies during one step.
+
+    What a sweep reads stands first, eight numbers to a block: for the normal and the pushes, for
+    friction, and for two points of one manifold.
+    """
 
     a: int = 0  # bodies, a < b
     b: int = 0
     nx: float = 0.0  # unit normal from a to b
     ny: float = 0.0
+    ra_x_n: float = 0.0  # m, lever arm on a about its centre of mass, of an impulse along n
+    rb_x_n: float = 0.0  # m, on b
+    normal_mass: float = 0.0  # kg, effective mass along the normal
+    push_speed: float = 0.0  # m/s, speed at which the overlap is still to be undone
+    push_impulse: float = 0.0  # N s, >= 0, of the position correction; never enters v
+
+    ra_x_t: float = 0.0  # m, of an impulse along the tangent, which is n turned by +90 degrees
+    rb_x_t: float = 0.0  # m
+    tangent_mass: float = 0.0  # kg, along the tangent
+    skew: float = 0.0  # 1/kg, the tangent velocity that 1 N s along the normal makes
+    friction: float = 0.0  # of the pair
+    target_vn: float = 0.0  # m/s, relative normal velocity to reach at least: the bounce
+    normal_impulse: float = 0.0  # N s, >= 0, received by b along the normal so far
+    tangent_impulse: float = 0.0  # N s, received by b along the tangent so far
+
+    is_block: bool = False  # whether this row and the next are solved together: one manifold
+    block_mass: float = 0.0  # kg, in a block: 1 m/s at this point alone needs so many N s here
+    shared_mass: float = 0.0  # kg, and so many at the other
+    compliance: float = 0.0  # 1/kg, in a block: the velocity at this point from 1 N s here
+    coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
+    tangent_coupling: float = 0.0  # 1/kg, in a block: the same along the tangent
+
     ax: float = 0.0  # m, lever arm on a: from its centre of mass to the point on its surface
     ay: float = 0.0
     bx: float = 0.0  # m, lever arm on b
     by: float = 0.0
-
-    ra_x_n: float = 0.0  # m, lever arm on a about its centre of mass, of an impulse along n
-    rb_x_n: float = 0.0  # m, on b
-    ra_x_t: float = 0.0  # m, of an impulse along the tangent, which is n turned by +90 degrees
-    rb_x_t: float = 0.0  # m
-    normal_mass: float = 0.0  # kg, effective mass along the normal
-    tangent_mass: float = 0.0  # kg, along the tangent
-    skew: float = 0.0  # 1/kg, the tangent velocity that 1 N s along the normal makes
-    target_vn: float = 0.0  # m/s, relative normal velocity to reach at least: the bounce
-    friction: float = 0.0  # of the pair
-    normal_impulse: float = 0.0  # N s, >= 0, received by b along the normal so far
-    tangent_impulse: float = 0.0  # N s, received by b along the tangent so far
-
-    push_speed: float = 0.0  # m/s, speed at which the overlap is still to be undone
-    push_impulse: float = 0.0  # N s, >= 0, of the position correction; never enters v
     penetration: float = 0.0  # m, > 0
     restitution: float = 0.0  # of the pair
-    coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
-    compliance: float = 0.0  # 1/kg, in a block: the velocity at this point from 1 N s here
-    block_mass: float = 0.0  # kg, in a block: 1 m/s at this point alone needs so many N s here
-    shared_mass: float = 0.0  # kg, and so many at the other
-    tangent_coupling: float = 0.0  # 1/kg, in a block: as coupling, but along the tangent
     feature: int = 0  # which features of the shapes touch; the same in the next step
-    is_block: bool = False  # whether this row and the next are solved together: one manifold
     is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
     case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
@@ -220,7 +225,6 @@ class State:
 
     pair_count: int = 0  # rows in use
     contact_count: int = 0
-    has_blocks: bool = False  # whether any two contacts are solved together
     static_count: int = 0
     memory_count: int = 0
     impulse_count: int = 0
