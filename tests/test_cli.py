@@ -427,7 +427,7 @@ def test_measure_speed_prints_one_json_object() -> None:
     result = workbook("measure", "speed", *options)
     assert result.exit_code == ALL_IS_WELL
     report = json.loads(result.stdout)
-    assert (report["version"], report["command"], report["repeats"]) == (1, "measure speed", 1)
+    assert (report["version"], report["command"], report["repeats"]) == (2, "measure speed", 1)
     assert [scene["key"] for scene in report["scenes"]] == ["gas-10"]
     assert {"sequential", "pymunk, tree"} <= {e["engine"] for e in report["scenes"][0]["engines"]}
 
