@@ -30,6 +30,7 @@ import math
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations_with_replacement
 from typing import NamedTuple, TypeAlias
 
@@ -72,13 +73,18 @@ class Question:
     duration: float = math.inf
     combine: Combination = COMBINATIONS["workbook"]
 
+    @cached_property
+    def has_meeting(self) -> bool:
+        """Whether any two bodies can meet. Most rules want to know, and it takes a look at all."""
+        return can_meet(self.scene, self.duration, self.dt)
+
 
 Rule: TypeAlias = Callable[[Question], Finding]
 
 
 def collisions(question: Question) -> Finding:
     """Ask whether any two bodies can meet."""
-    if can_meet(question.scene, question.duration, question.dt):
+    if question.has_meeting:
         return Finding(True, "two bodies can meet")
     return Finding(False, "no two bodies can meet within the run")
 

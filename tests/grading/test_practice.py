@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -17,15 +18,22 @@ from lesson_code.grading.verdict import Verdict, judge
 SEEDS = range(3)
 
 
+class Practice(NamedTuple):
+    """An exercise, and what a student's copy has of its tasks."""
+
+    exercise: Exercise
+    tasks: tuple[Task, ...]
+    text: str
+
+
 @pytest.fixture(scope="module", params=EXERCISES, ids=lambda exercise: exercise.name)
-def both(
-    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
-) -> tuple[Exercise, tuple[Task, ...]]:
-    """Return an exercise, and its tasks with practice checks, written to a file and read again."""
+def practice(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Practice:
+    """Return an exercise with its practice checks, written to a file and read again."""
     exercise: Exercise = request.param
     path = tmp_path_factory.mktemp("practice") / "tasks.json"
-    path.write_text(practice_of(exercise.tasks), encoding="utf-8")
-    return exercise, practice_tasks(path)
+    text = practice_of(exercise.tasks)
+    path.write_text(text, encoding="utf-8")
+    return Practice(exercise, practice_tasks(path), text)
 
 
 def verdicts(task: Task, answer: KnownAnswer) -> list[Verdict]:
@@ -34,21 +42,21 @@ def verdicts(task: Task, answer: KnownAnswer) -> list[Verdict]:
     return [judge(task, call, seed) for seed in SEEDS]
 
 
-def test_practice_gives_right_answers_full_marks(both: tuple[Exercise, tuple[Task, ...]]) -> None:
+def test_practice_gives_right_answers_full_marks(practice: Practice) -> None:
     """Every unusual right answer of the course passes them."""
-    for own, practice in zip(both[0].tasks, both[1], strict=True):
-        assert (practice.title, practice.points) == (own.title, own.points)
+    for own, checked in zip(practice.exercise.tasks, practice.tasks, strict=True):
+        assert (checked.title, checked.points) == (own.title, own.points)
         for unusual in own.alternatives:
-            assert all(verdict.is_full for verdict in verdicts(practice, unusual)), unusual.name
+            assert all(verdict.is_full for verdict in verdicts(checked, unusual)), unusual.name
 
 
 def test_practice_takes_points_from_wrong_models_and_recognises_them(
-    both: tuple[Exercise, tuple[Task, ...]],
+    practice: Practice,
 ) -> None:
     """Each common mistake loses points and gets its own hint, without its formula being there."""
-    for own, practice in zip(both[0].tasks, both[1], strict=True):
+    for own, checked in zip(practice.exercise.tasks, practice.tasks, strict=True):
         for model in own.wrong_models:
-            for verdict in verdicts(practice, model):
+            for verdict in verdicts(checked, model):
                 assert not verdict.is_full, model.name
                 assert verdict.recognised is not None, model.name
                 assert verdict.recognised.name == model.name
@@ -64,11 +72,11 @@ def test_practice_says_what_the_courses_own_checks_say() -> None:
 
 
 def test_practice_file_can_be_neither_read_nor_searched(
-    both: tuple[Exercise, tuple[Task, ...]],
+    practice: Practice,
 ) -> None:
     """No number of a draw, no hint and no misconception stands in it as it is."""
-    text = practice_of(both[0].tasks)
-    for task in both[0].tasks:
+    text = practice.text
+    for task in practice.exercise.tasks:
         for model in task.wrong_models:
             assert model.hint not in text
             assert model.name not in text

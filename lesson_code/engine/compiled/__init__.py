@@ -7,6 +7,8 @@ module         what it does
 ``known``      works out what is decided before the run
 ``arrays``     turns tables of rows into arrays of records
 ``library``    compiles a module, and keeps the machine code for the next time
+``inlining``     decides which functions are compiled in place of their calls
+``inner``        spares the functions within a program what only its entry needs
 ``choice``     decides whether a run is worth compiling
 =============  ==================================================================
 

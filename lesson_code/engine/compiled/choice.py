@@ -53,11 +53,10 @@ def choose(
     >>> choose(None, 0.1, lambda: "")
     Choice(compiled=False, reason='a small run')
     """
-    never = never or why_no_compiler()
     if asked is None:
         return _by_work(seconds, program, never)
-    if asked and never:
-        raise ValueError(f"compiled must be False or None here: {never}")
+    if asked and (reason := never or why_no_compiler()):
+        raise ValueError(f"compiled must be False or None here: {reason}")
     return Choice(asked, "asked for")
 
 
@@ -65,8 +64,8 @@ def _by_work(seconds: float, program: Callable[[], str], never: str) -> Choice:
     """Return the choice that the work suggests."""
     if seconds < WORTH_LOADING:
         return Choice(False, "a small run")
-    if never:
-        return Choice(False, never)
+    if reason := never or why_no_compiler():
+        return Choice(False, reason)
     if seconds >= WORTH_COMPILING or is_kept(program()):
         return Choice(True, "a large run")
     return Choice(False, "a run too small to wait for a compiler")

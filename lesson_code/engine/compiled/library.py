@@ -71,10 +71,12 @@ def compiled_function(source: str, entry: str) -> Callable[..., Any]:
     """
     from numba import njit
 
+    from lesson_code.engine.compiled.inner import inner_options
+
     module, keeps = _load(source)
     functions = {n: f for n, f in vars(module).items() if isinstance(f, types.FunctionType)}
     options: dict[str, Any] = {"error_model": "numpy", "_nrt": False}
-    inner: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    inner = inner_options()
     for name, function in functions.items():
         if name != entry:
             compiled = njit(**options, **inner, forceinline=name in module.IN_PLACE)(function)

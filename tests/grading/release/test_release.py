@@ -13,6 +13,7 @@ import pytest
 from typer.testing import CliRunner
 
 from lesson_code.cli import app
+from lesson_code.grading import release
 from lesson_code.grading.exercises import EXERCISES
 from lesson_code.grading.release.bundle import Files, bundle_files, write_folder, write_zip
 from lesson_code.grading.release.leaks import HIDDEN_SEEDS, leaks
@@ -173,8 +174,11 @@ def test_instructors_commands_say_that_they_need_the_instructors_copy(
     assert "Traceback" not in ran.stderr
 
 
-def test_release_writes_folder_and_zip_alike(root: Path, tmp_path: Path) -> None:
+def test_release_writes_folder_and_zip_alike(
+    files: Files, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """What is in one is in the other; the command says how many files, and that nothing leaks."""
+    monkeypatch.setattr(release, "bundle_files", lambda _: files)
     ran = CliRunner().invoke(app, ["release", str(tmp_path / "out"), "--json"])
     assert ran.exit_code == 0, ran.stderr
     made = json.loads(ran.stdout)
