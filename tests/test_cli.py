@@ -208,8 +208,10 @@ def test_check_of_a_broken_notebook_ends_with_2(tiny: Path) -> None:
 
 def test_exercises_without_faults_are_said_to_have_none(monkeypatch: pytest.MonkeyPatch) -> None:
     """Exit code 0. That this workbook's have none is shown in tests/grading/test_self_check.py."""
-    monkeypatch.setattr(self_check, "faults", lambda *_, **__: iter(()))
+    looked_at: list[Path] = []
+    monkeypatch.setattr(self_check, "faults", lambda folder, **_: looked_at.append(folder) or ())
     result = workbook("check", "--exercises", "--json")
+    assert looked_at == [ROOT]
     assert json.loads(result.stdout) == {"version": 1, "command": "check --exercises", "faults": []}
     assert result.exit_code == ALL_IS_WELL
 

@@ -32,8 +32,8 @@ from lesson_code.engine.penetration import deepest_overlaps
 from lesson_code.engine.rows import BodyRow, ContactRow, World
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.engine.tables import world_of
+from lesson_code.evidence.speed.quality import Gauge
 from lesson_code.evidence.speed_scenes import settled_discs
-from lesson_code.formulas import disc_inertia
 from lesson_code.formulas.contact import friction_impulse, normal_impulse
 
 ROUNDING = 1e-10
@@ -260,7 +260,5 @@ def test_heap_of_discs_comes_to_rest_with_half_the_usual_sweeps(discs: int) -> N
     )
     engine.advance(600)
     states = engine.states()
-    free = [not body.is_static for body in scene.bodies]
-    vx, vy, w = states[free, 3:].T
-    assert (vx**2 + vy**2 + disc_inertia(1.0, 0.5) * w**2).sum() / 2 < 0.1
+    assert Gauge(scene).energy(states) < 0.1
     assert deepest_overlaps(scene, states[None, :, :2], states[None, :, 2])[0] <= 1.5 * SLOP

@@ -50,9 +50,7 @@ def test_practice_gives_right_answers_full_marks(practice: Practice) -> None:
             assert all(verdict.is_full for verdict in verdicts(checked, unusual)), unusual.name
 
 
-def test_practice_takes_points_from_wrong_models_and_recognises_them(
-    practice: Practice,
-) -> None:
+def test_practice_takes_points_from_wrong_models_and_recognises_them(practice: Practice) -> None:
     """Each common mistake loses points and gets its own hint, without its formula being there."""
     for own, checked in zip(practice.exercise.tasks, practice.tasks, strict=True):
         for model in own.wrong_models:
@@ -71,9 +69,7 @@ def test_practice_says_what_the_courses_own_checks_say() -> None:
     assert "momentum_before_and_after" in json.loads(text)[0]["explain"]
 
 
-def test_practice_file_can_be_neither_read_nor_searched(
-    practice: Practice,
-) -> None:
+def test_practice_file_can_be_neither_read_nor_searched(practice: Practice) -> None:
     """No number of a draw, no hint and no misconception stands in it as it is."""
     text = practice.text
     for task in practice.exercise.tasks:

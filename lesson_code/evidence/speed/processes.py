@@ -18,7 +18,7 @@ from typing import Any
 from lesson_code.engine.combination import COMBINATIONS, Combination
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
 from lesson_code.evidence.speed.engines import PYMUNK, builder, bytes_of
-from lesson_code.evidence.speed.race import FEWEST_STEPS
+from lesson_code.evidence.speed.race import TRIED_STEPS
 from lesson_code.evidence.speed_scenes import gas
 from lesson_code.reference.pymunk_reference import PymunkStepper
 from lesson_code.reference.scene_mapping import own_values, refuse_heap
@@ -112,7 +112,7 @@ def measure_memory(count: int, told: Callable[[str], None] = lambda _: None) -> 
     """Measure the memory for a gas of so many discs."""
     told(f"memory of {count:,} discs")
     engine = builder("sequential", gas(count))()
-    engine.advance(FEWEST_STEPS)
+    engine.advance(TRIED_STEPS)
     growth = json.loads(_output(MEMORY.format(count=count)))
     theirs = None if growth is None else growth / count
     return Memory(count, (bytes_of(engine) or 0) / count, theirs)
@@ -136,7 +136,7 @@ def resident_growth(count: int) -> str:
 def _running_space(scene: Any) -> Any:
     """Return pymunk's space after some steps, and none of our own lists around it."""
     engine = builder(PYMUNK[0], scene)()
-    engine.advance(FEWEST_STEPS)
+    engine.advance(TRIED_STEPS)
     if not isinstance(engine, PymunkStepper):  # pragma: no cover - it was asked for
         raise TypeError("pymunk must run")
     return engine.space

@@ -44,6 +44,9 @@ BODY_STEPS, FEWEST_STEPS = 2_000_000, 100
 A pile begins as it is built: one of 100,000 discs has come to rest in ours after some 60 steps.
 """
 
+TRIED_STEPS = 40
+"""Steps of ours that show how long one takes, and how large the tables become."""
+
 BATCH_SECONDS = 0.02
 """s: our sequential solver works at least so long in a batch, unless that is too many steps."""
 
@@ -236,7 +239,7 @@ def _steps_of_a_batch(speed_scene: SpeedScene, runner: _Runner, own_steps: int) 
     """Return how many steps a batch has: enough to be timed in our engine."""
     most = MOST_STEPS if speed_scene.lasts is None else speed_scene.lasts
     engine = runner.engine if speed_scene.lasts is None else _started(runner.build, own_steps)
-    tried = min(most, FEWEST_STEPS)
+    tried = min(most, TRIED_STEPS)
     start = time.perf_counter()
     engine.advance(tried)
     step = (time.perf_counter() - start) / tried

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lesson_code.engine.compiled.library import FOLDER_VARIABLE
+from lesson_code.engine.compiled.library import FOLDER_VARIABLE, compiled_function
 
 
 @pytest.fixture(scope="session")
@@ -22,3 +22,13 @@ def keep_programs(programs: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(FOLDER_VARIABLE, str(programs))
         yield
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Return an empty folder for programs, and forget what this process has loaded."""
+    chosen = tmp_path / "programs"
+    monkeypatch.setenv(FOLDER_VARIABLE, str(chosen))
+    compiled_function.cache_clear()
+    yield chosen
+    compiled_function.cache_clear()

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 
-from lesson_code.engine.compiled.library import FOLDER_VARIABLE, compiled_function
+from lesson_code.engine.compiled.library import compiled_function
 
 pytest.importorskip("numba")
 
 from lesson_code.engine.compiled import inner
+
+pytestmark = pytest.mark.usefixtures("place")
 
 PROGRAM = """from __future__ import annotations
 
@@ -26,16 +26,6 @@ def twice_third(x: float) -> float:
 def entry(x: float) -> float:
     return twice_third(x) + 0.1
 """
-
-
-@pytest.fixture(autouse=True)
-def nothing_kept(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Compile anew in every test."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv(FOLDER_VARIABLE, str(tmp_path_factory.mktemp("programs")))
-        compiled_function.cache_clear()
-        yield
-        compiled_function.cache_clear()
 
 
 def library_of(function: object) -> object:

@@ -7,7 +7,6 @@ import shutil
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -40,16 +39,6 @@ def entry(x: float) -> float:
     return part(x) + 1.0
 """
 """A program that is compiled in half a second."""
-
-
-@pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Return an empty folder for programs, and forget what this process has loaded."""
-    chosen = tmp_path / "programs"
-    monkeypatch.setenv(FOLDER_VARIABLE, str(chosen))
-    compiled_function.cache_clear()
-    yield chosen
-    compiled_function.cache_clear()
 
 
 def started(code: str, house: Path = HOUSE) -> subprocess.Popen[str]:
