@@ -181,7 +181,7 @@ def advance(position, velocity, elapsed):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.billiards import PROGRAM
-    from lesson_code.programs.frame import play
+    from lesson_code.chapters.billiards.game import PROGRAM
+    from lesson_code.view.pygame.frame import play
 
     play(PROGRAM, settings={"advance": advance})

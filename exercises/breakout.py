@@ -113,7 +113,7 @@ def fly(position, velocity, radius, bricks, duration):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.breakout import PROGRAM, Rules
-    from lesson_code.programs.frame import play
+    from lesson_code.chapters.breakout.game import PROGRAM, Rules
+    from lesson_code.view.pygame.frame import play
 
     play(PROGRAM, settings={"rules": Rules(paddle_bounce)})

@@ -106,7 +106,7 @@ def cradle(angles, rates, length, dt, steps):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.frame import play
-    from lesson_code.programs.own_worlds import CRADLE
+    from lesson_code.chapters.own_worlds import CRADLE
+    from lesson_code.view.pygame.frame import play
 
     play(CRADLE, settings={"move": cradle})

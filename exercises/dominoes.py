@@ -106,7 +106,7 @@ def chain(angles, rates, height, spacing, dt, steps):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.frame import play
-    from lesson_code.programs.own_worlds import DOMINOES
+    from lesson_code.chapters.own_worlds import DOMINOES
+    from lesson_code.view.pygame.frame import play
 
     play(DOMINOES, settings={"move": chain})

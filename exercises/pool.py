@@ -112,7 +112,7 @@ def share_impact(positions, velocities, radius, restitution):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.frame import play
-    from lesson_code.programs.pool import PROGRAM, Rules
+    from lesson_code.chapters.pool.game import PROGRAM, Rules
+    from lesson_code.view.pygame.frame import play
 
     play(PROGRAM, settings={"rules": Rules(rack, strike)})

@@ -1,32 +1,28 @@
 """The code of the collision workbook: what its notebooks explain, its checks and its programs run.
 
-The folders are the wings of the house. Data flows one way, and each wing imports only from
-the wings above it in this list (a test holds it to that):
+The folders are the wings of the house. Data flows one way, and each wing imports only from the
+wings above it in this list (a test holds it to that):
 
 parallel
     independent tasks over several cores, or a cluster
 formulas
     the lesson's equations: pure functions of numbers
 geometry
-    shapes, and where they touch
+    shapes, and where and when they touch
 engine
-    a scene, advanced step by step
+    a scene, advanced step by step or from collision to collision
 reference
-    answers that are not ours: closed forms, and pymunk
+    answers that are not ours: closed forms, pymunk and Box2D
 simulation
     ``simulate()``: one door to every solver
 evidence
     claims compared with what was measured
 view
-    figures, interactive figures and the pygame window
-programs
-    the pygame programs
-quiz
-    one bank of questions, one checker
-notebook_tools
-    notebooks made from their sources, student copies, runs under nbval
-grading
-    the exercises' tasks, wrong models, isolation of student code, reports
+    what figures, films, pages and windows are drawn with
+course
+    any course's machinery: grading, isolation, quiz, notebooks as files, pages; it knows no physics
+chapters
+    a folder for each chapter and program, which knows both the physics and the course
 cli
     the ``workbook`` command
 """
@@ -35,10 +31,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from lesson_code.engine.callbacks import Callbacks
-    from lesson_code.engine.combination import Combination
-    from lesson_code.engine.run import Run
-    from lesson_code.engine.scene import Body, Material, Scene
+    from lesson_code.engine.core.callbacks import Callbacks
+    from lesson_code.engine.core.mixing import Combination
+    from lesson_code.engine.core.run import Run
+    from lesson_code.engine.core.scene import Body, Material, Scene
     from lesson_code.evidence.ensembles import simulate_many
     from lesson_code.geometry.shapes import Circle, Polygon, Segment
     from lesson_code.simulation import simulate
@@ -60,14 +56,14 @@ __all__ = [
 __version__ = "0.1.0"
 
 _WHERE = {
-    "Body": "engine.scene",
-    "Callbacks": "engine.callbacks",
+    "Body": "engine.core.scene",
+    "Callbacks": "engine.core.callbacks",
     "Circle": "geometry.shapes",
-    "Combination": "engine.combination",
-    "Material": "engine.scene",
+    "Combination": "engine.core.mixing",
+    "Material": "engine.core.scene",
     "Polygon": "geometry.shapes",
-    "Run": "engine.run",
-    "Scene": "engine.scene",
+    "Run": "engine.core.run",
+    "Scene": "engine.core.scene",
     "Segment": "geometry.shapes",
     "simulate": "simulation",
     "simulate_many": "evidence.ensembles",

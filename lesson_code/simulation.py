@@ -6,14 +6,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from lesson_code.engine.combination import Combination, combination
-from lesson_code.engine.effect_rules import Question
+from lesson_code.engine.core.mixing import Combination, combination
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.recording import Sample, Stepper, record, step_times
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.effects.rules import Question
 from lesson_code.engine.event_driven import ExactSolver, record_exact
-from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import Sample, Stepper, record, step_times
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Scene
-from lesson_code.engine.solver_choice import SolverChoice, solvers_for
+from lesson_code.engine.solvers.choice import SolverChoice, solvers_for
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.formulas.validation import non_negative, one_number, positive
 

@@ -123,7 +123,7 @@ def collide_all(positions, velocities, masses, radii, restitution):
 
 
 if __name__ == "__main__":
-    from lesson_code.programs.asteroids import PROGRAM, Rules
-    from lesson_code.programs.frame import play
+    from lesson_code.chapters.asteroids.game import PROGRAM, Rules
+    from lesson_code.view.pygame.frame import play
 
     play(PROGRAM, settings={"rules": Rules(split, fire)})

@@ -1,5 +1,152 @@
+"""What tests share: repeatable examples, the texts of a figure, windows without a screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+import pytest
 from hypothesis import settings
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from matplotlib.transforms import Bbox
+
+from lesson_code import Run, Scene
+from lesson_code.engine.compiled.library import FOLDER_VARIABLE
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.run import ImpulseEvents
+from lesson_code.view.pygame.panel import PROGRAM_SIZE
+from lesson_code.view.pygame.window import Window, open_window, pygame
 
 # The same examples on every run and every machine: a red test is red for everybody.
 settings.register_profile("repeatable", derandomize=True, deadline=None, print_blob=True)
 settings.load_profile("repeatable")
+
+TOUCH = 1.0
+"""px by which the boxes of two texts may run into each other: no letter fills its box."""
+
+
+@pytest.fixture
+def texts_of(monkeypatch: pytest.MonkeyPatch) -> Callable[[Figure], dict[Text, Bbox]]:
+    """Return a function that draws a figure and returns its texts and the boxes they fill, px."""
+
+    def look(figure: Figure) -> dict[Text, Bbox]:
+        drawn: list[Text] = []
+        draw = Text.draw
+
+        def remember(text: Text, renderer: object) -> None:
+            if text.get_visible() and text.get_text().strip():
+                drawn.append(text)
+            draw(text, renderer)
+
+        canvas = FigureCanvasAgg(figure)
+        canvas.draw()  # the first time, the layout finds its room
+        with monkeypatch.context() as patch:
+            patch.setattr(Text, "draw", remember)
+            canvas.draw()
+        return {text: Text.get_window_extent(text, canvas.get_renderer()) for text in drawn}
+
+    return look
+
+
+@pytest.fixture
+def assert_texts_are_clear(
+    texts_of: Callable[[Figure], dict[Text, Bbox]],
+) -> Callable[[Figure], None]:
+    """Return a function that fails if a text is cut off by the figure or overlaps another one."""
+
+    def look(figure: Figure) -> None:
+        boxes = texts_of(figure)
+        page = figure.bbox.padded(TOUCH)
+        cut = [text.get_text() for text, box in boxes.items() if not inside(box, page)]
+        overlapping = [
+            (a.get_text(), b.get_text())
+            for (a, box_a), (b, box_b) in combinations(boxes.items(), 2)
+            if box_a.padded(-TOUCH).overlaps(box_b)
+        ]
+        assert boxes, "nothing is written"
+        assert (cut, overlapping) == ([], [])
+
+    return look
+
+
+def inside(box: Bbox, page: Bbox) -> bool:
+    """Return whether a box lies on a page."""
+    return bool(page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1)
+
+
+def run_made_by_hand(
+    scene: Scene,
+    times: Any,
+    positions: Any,
+    *,
+    angles: Any = None,
+    velocities: Any = None,
+    spins: Any = None,
+    contacts: Any = (),
+) -> Run:
+    """Return a run that nobody simulated.
+
+    A contact is (time, body a, body b, point, normal, normal impulse, tangent impulse).
+    """
+    shape = (len(times), len(scene.bodies))
+    table = [(t, a, b, *point, *normal, jn, jt) for t, a, b, point, normal, jn, jt in contacts]
+    time, a, b, px, py, nx, ny, jn, jt = np.array(table, dtype=float).reshape(-1, 9).T
+    return Run(
+        scene=scene,
+        times=np.array(times, dtype=float),
+        positions=np.array(positions, dtype=float).reshape(*shape, 2),
+        velocities=np.zeros((*shape, 2)) if velocities is None else np.array(velocities, float),
+        angles=np.zeros(shape) if angles is None else np.array(angles, dtype=float),
+        angular_velocities=np.zeros(shape) if spins is None else np.array(spins, dtype=float),
+        contacts=ImpulseEvents(
+            time=time,
+            body_a=a.astype(np.int64),
+            body_b=b.astype(np.int64),
+            point=np.stack((px, py), axis=-1),
+            normal=np.stack((nx, ny), axis=-1),
+            normal_impulse=jn,
+            tangent_impulse=jt,
+            penetration=np.full(len(time), 0.01),
+        ),
+        plan=Plan("by hand", "a test"),
+    )
+
+
+@pytest.fixture
+def run_of() -> Callable[..., Run]:
+    """Return what makes a run from the states and impulses that a test names."""
+    return run_made_by_hand
+
+
+@pytest.fixture(autouse=True)
+def _no_screen(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Run on SDL's dummy drivers."""
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    kept = tmp_path_factory.getbasetemp().parent / "collision-workbook-programs"
+    monkeypatch.setenv(FOLDER_VARIABLE, str(kept))
+
+
+@pytest.fixture
+def program_window() -> Iterator[Window]:
+    """Return an open headless window of the size that programs have."""
+    with open_window(PROGRAM_SIZE, "test", headless=True) as opened:
+        yield opened
+
+
+@pytest.fixture
+def text_boxes(monkeypatch: pytest.MonkeyPatch) -> list[pygame.Rect]:
+    """Return where each text stands that is drawn in a window from now on, px."""
+    boxes: list[pygame.Rect] = []
+    real_text = Window.text
+
+    def noted(self: Window, words: str, *args: Any, **kwargs: Any) -> pygame.Rect:
+        boxes.append(real_text(self, words, *args, **kwargs))
+        return boxes[-1]
+
+    monkeypatch.setattr(Window, "text", noted)
+    return boxes

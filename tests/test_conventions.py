@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code.chapters.billiards import rules as billiards_table
 from lesson_code.formulas import (
     bounce,
     collide_1d,
@@ -15,7 +16,6 @@ from lesson_code.formulas import (
 )
 from lesson_code.formulas.arithmetic import cross, perpendicular
 from lesson_code.geometry import circle_against_segment
-from lesson_code.programs import billiards_table
 
 
 def test_normal_of_a_wall_points_to_the_ball() -> None:

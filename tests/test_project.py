@@ -94,9 +94,9 @@ def test_readme_links_lead_to_files() -> None:
 
 def test_readme_points_are_those_of_the_exercises() -> None:
     """Tasks and points in the README's table are those that the grader gives."""
-    from lesson_code.grading.exercises import EXERCISES
+    from lesson_code.course.grading.exercises import exercises
 
-    for exercise in EXERCISES:
+    for exercise in exercises():
         promised = f"{len(exercise.tasks)} tasks, {exercise.points} points"
         assert f"{promised}](exercises/{exercise.name}{exercise.suffix})" in README
 

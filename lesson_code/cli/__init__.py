@@ -60,8 +60,8 @@ def open_workbook(
     """Open the workbook in a browser; without a screen, serve it and print the address."""
     import webbrowser
 
-    from lesson_code.notebook_tools import server
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.notebooks import server
+    from lesson_code.course.notebooks.root import find_root
 
     with clear_errors():
         root = find_root()
@@ -100,8 +100,8 @@ def check(
 
 def _check_notebooks(as_json: bool) -> None:
     """Run all notebooks under nbval, with a progress bar."""
-    from lesson_code.notebook_tools.nbval_run import run_notebooks
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.notebooks.nbval_run import run_notebooks
+    from lesson_code.course.notebooks.root import find_root
 
     root = find_root()
     paths = [p for f in ("notebooks", "solutions") for p in sorted((root / f).glob("*.ipynb"))]
@@ -127,8 +127,8 @@ def _check_notebooks(as_json: bool) -> None:
 
 def _check_exercises(as_json: bool) -> None:
     """Put the exercises to the test, with a line for what is being checked."""
-    from lesson_code.grading.self_check import faults
-    from lesson_code.notebook_tools.root import find_root, require_instructors
+    from lesson_code.course.grading.self_check import faults
+    from lesson_code.course.notebooks.root import find_root, require_instructors
 
     root = find_root()
     require_instructors(root)
@@ -151,8 +151,8 @@ def quiz(
     as_json: AsJson = False,
 ) -> None:
     """Take the quiz here in the terminal."""
-    from lesson_code.quiz.bank import chapter_numbers
-    from lesson_code.quiz.terminal import run_quiz
+    from lesson_code.course.quiz.bank import chapter_numbers
+    from lesson_code.course.quiz.terminal import run_quiz
 
     with clear_errors():
         result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
@@ -168,8 +168,8 @@ def site(
     ] = False,
 ) -> None:
     """Make the workbook's pages: a folder that needs no server and no network."""
-    from lesson_code.notebook_tools.root import find_root
-    from lesson_code.site.build import build
+    from lesson_code.course.notebooks.root import find_root
+    from lesson_code.course.site.build import build
 
     with clear_errors(), share_bar() as told:
         pages = build(find_root(), folder, moving=() if still else None, told=told)
@@ -182,7 +182,7 @@ def pictures(
     only: Annotated[list[str] | None, typer.Option(help="Only the one of this name.")] = None,
 ) -> None:
     """Take the pictures of the README (for those who carry it on); needs Chromium."""
-    from lesson_code.site.readme_pictures import write_pictures
+    from lesson_code.cli.readme_pictures import write_pictures
 
     with clear_errors():
         for file in write_pictures(folder, only or ()):
@@ -197,11 +197,11 @@ def regenerate(
     names: Annotated[list[str] | None, typer.Argument(help="Only files that begin so.")] = None,
 ) -> None:
     """Make every notebook and student copy anew from its source (for those who carry it on)."""
-    from lesson_code.grading.exercises import EXERCISES
-    from lesson_code.notebook_tools.regenerate import derived_files, drifted
-    from lesson_code.notebook_tools.root import find_root, require_instructors
+    from lesson_code.course.grading.exercises import exercises
+    from lesson_code.course.notebooks.regenerate import derived_files, drifted
+    from lesson_code.course.notebooks.root import find_root, require_instructors
 
-    tasks = {exercise.name: exercise.task_ids for exercise in EXERCISES}
+    tasks = {exercise.name: exercise.task_ids for exercise in exercises()}
     with clear_errors():
         root = find_root()
         require_instructors(root)

@@ -21,7 +21,7 @@ from lesson_code.cli.shared import (
 )
 
 if TYPE_CHECKING:
-    from lesson_code.grading.class_run import Gradebook
+    from lesson_code.course.class_run import Gradebook
 
 Isolation = Annotated[
     str | None,
@@ -79,7 +79,7 @@ def grade(
     names = exercise or []
     with clear_errors():
         if submission.is_dir() and not nbval:
-            from lesson_code.grading.class_run import Hands
+            from lesson_code.course.class_run import Hands
 
             place = out or submission.resolve().with_name(f"{submission.resolve().name}-marks")
             hands = Hands(workers, cluster)
@@ -107,8 +107,8 @@ def _grade_one(
     path: Path, exercise: str | None, seed: int | None, isolation: str | None, as_json: bool
 ) -> NoReturn:
     """Grade one submission."""
-    from lesson_code.grading.grader import grade
-    from lesson_code.grading.report import print_report
+    from lesson_code.course.grading.grader import grade
+    from lesson_code.course.grading.report import print_report
 
     graded = grade(path, exercise=exercise, seed=seed, isolation=isolation)
     if as_json:
@@ -131,8 +131,8 @@ def _grade_class(
     as_json: bool,
 ) -> NoReturn:
     """Grade a class; exit code 1 says that some of what was handed in has no marks."""
-    from lesson_code.grading.class_run import exports, grade_class
-    from lesson_code.grading.class_run.roster import read_time
+    from lesson_code.course.class_run import exports, grade_class
+    from lesson_code.course.class_run.roster import read_time
 
     try:
         book = grade_class(
@@ -160,9 +160,9 @@ def _grade_class(
 
 def _print_class(book: Gradebook) -> None:
     """Print how the class did, what to teach next, and about whom there is something to say."""
-    from lesson_code.grading.class_run.exports import remarks_of
-    from lesson_code.grading.class_run.names import shown
-    from lesson_code.grading.class_run.pages import to_teach
+    from lesson_code.course.class_run.exports import remarks_of
+    from lesson_code.course.class_run.names import shown
+    from lesson_code.course.class_run.pages import to_teach
 
     table = Table("task", "function", "mean", "full marks", "not written")
     for summary in book.summary:
@@ -193,8 +193,8 @@ def _print_class(book: Gradebook) -> None:
 
 def _grade_under_nbval(path: Path, exercise: str | None, as_json: bool) -> NoReturn:
     """Grade by nbval alone: a task passes with full marks, or it does not."""
-    from lesson_code.grading.nbval_grading import grade_under_nbval
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.grading.nbval_grading import grade_under_nbval
+    from lesson_code.course.notebooks.root import find_root
 
     submission, chosen = _submission_and_exercise(path, exercise)
     errors.print("nbval runs the submission's code in a kernel without any isolation.")
@@ -228,8 +228,8 @@ def merge(
     ] = None,
 ) -> None:
     """Lay a submission into the solution notebook, to be graded by pytest --nbval-lax."""
-    from lesson_code.grading.nbval_grading import merge as merged
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.grading.nbval_grading import merge as merged
+    from lesson_code.course.notebooks.root import find_root
 
     with clear_errors():
         read, chosen = _submission_and_exercise(submission, exercise)
@@ -240,8 +240,8 @@ def merge(
 
 def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:
     """Return a submission and the exercise it answers."""
-    from lesson_code.grading.exercises import exercise_by_name, exercise_of
-    from lesson_code.grading.submission import read_submission
+    from lesson_code.course.grading.exercises import exercise_by_name, exercise_of
+    from lesson_code.course.grading.submission import read_submission
 
     submission = read_submission(path)
     return submission, exercise_by_name(name) if name else exercise_of(submission)
@@ -253,8 +253,8 @@ def release(
     as_json: AsJson = False,
 ) -> None:
     """Write the students' copy: no solutions, no hidden checks, no keys; and a zip of it."""
-    from lesson_code.grading.release import release as release_to
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.notebooks.root import find_root
+    from lesson_code.course.release import release as release_to
 
     with clear_errors():
         made = release_to(find_root(), folder)

@@ -90,8 +90,8 @@ def measure_isolation(
     as_json: AsJson = False,
 ) -> None:
     """Run hostile submissions on every rung of isolation, and show what each stops."""
-    from lesson_code.grading.measuring.hostile_set import run_hostile_set
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.measuring.hostile_set import run_hostile_set
+    from lesson_code.course.notebooks.root import find_root
 
     with clear_errors(), share_bar() as told:
         measured = run_hostile_set(find_root(), only or (), told)
@@ -112,8 +112,8 @@ def measure_grading(
     as_json: AsJson = False,
 ) -> None:
     """Measure submissions graded a second, by rung of isolation, beside nbgrader."""
-    from lesson_code.grading.measuring import throughput
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.measuring import throughput
+    from lesson_code.course.notebooks.root import find_root
 
     with clear_errors(), share_bar() as told:
         measured = throughput.measure_grading(
@@ -210,7 +210,7 @@ def measure_accuracy(
             before = work_precision.stored() if work_precision.STORED.exists() else result
             work_precision.store(before.merged(result))
         if plot is not None:
-            from lesson_code.view.precision_plots import all_scenes
+            from lesson_code.chapters.ch08_what_accuracy_costs.figures import all_scenes
 
             all_scenes(result).savefig(plot)
     if as_json:
@@ -257,7 +257,7 @@ def measure_effects(
         if store:
             effect_costs.store(result)
         if plot is not None:
-            from lesson_code.view.effect_plots import all_effects
+            from lesson_code.chapters.ch10_only_what_the_scene_needs.figures import all_effects
 
             all_effects(result).savefig(plot)
     if as_json:

@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
+from lesson_code.chapters.programs import program_summaries
 from lesson_code.cli.shared import clear_errors, console
-from lesson_code.programs.catalogue import SUMMARIES
 
 play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 
@@ -26,7 +26,7 @@ Tour = Annotated[bool, typer.Option("--tour", help="Let the program play itself.
 Balls = Annotated[int, typer.Option(min=0, max=600, help="How many there are at the start.")]
 
 
-@play.command("simulator", help=SUMMARIES["simulator"])
+@play.command("simulator", help=program_summaries()["simulator"])
 def play_simulator(
     balls: Balls = 12,
     seed: Seed = 0,
@@ -72,8 +72,8 @@ def _play(
     """Play a program, and say how it went."""
     with clear_errors():
         _require_end(headless, frames, replay)
-        from lesson_code.programs.catalogue import load
-        from lesson_code.programs.frame import play as play_program
+        from lesson_code.chapters.programs import load
+        from lesson_code.view.pygame.frame import play as play_program
 
         outcome = play_program(
             load(name),
@@ -104,6 +104,6 @@ def _require_end(headless: bool, frames: int | None, replay: Path | None) -> Non
         raise ValueError("--headless needs --frames: without a window nobody can close it")
 
 
-for _name, _summary in SUMMARIES.items():
+for _name, _summary in program_summaries().items():
     if _name != "simulator":
         play.command(_name, help=_summary)(_command(_name))

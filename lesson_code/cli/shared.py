@@ -19,7 +19,7 @@ from rich.progress import (
 )
 
 if TYPE_CHECKING:
-    from lesson_code.notebook_tools.nbval_run import CellResult, Watcher
+    from lesson_code.course.notebooks.nbval_run import CellResult, Watcher
 
 console = Console()
 errors = Console(stderr=True)
@@ -52,7 +52,7 @@ def cell_progress() -> Progress:
 
 def cell_watcher(progress: Progress) -> Watcher:
     """Return a watcher of a run under nbval that moves one bar for each notebook."""
-    from lesson_code.notebook_tools.nbval_run import Watcher
+    from lesson_code.course.notebooks.nbval_run import Watcher
 
     bars: dict[str, Any] = {}
 

@@ -12,7 +12,7 @@ import typer
 from lesson_code.cli.shared import clear_errors, console
 
 if TYPE_CHECKING:
-    from lesson_code.grading.watch import Session
+    from lesson_code.course.watch import Session
 
 watching = typer.Typer()
 
@@ -33,15 +33,15 @@ def watch(
     ] = False,
 ) -> None:
     """Check an exercise each time it is saved, with help that goes a step further each time."""
-    from lesson_code.grading.exercises import EXERCISES, exercise_by_name
-    from lesson_code.grading.grader import Grader
-    from lesson_code.grading.watch import Screen, Session
-    from lesson_code.notebook_tools.root import find_root
+    from lesson_code.course.grading.exercises import exercise_by_name, exercises
+    from lesson_code.course.grading.grader import Grader
+    from lesson_code.course.notebooks.root import find_root
+    from lesson_code.course.watch import Screen, Session
 
     with clear_errors():
         if reset and exercise is None:
             raise ValueError("--reset needs the exercise: workbook watch 03 --reset")
-        chosen = EXERCISES if exercise is None else (exercise_by_name(exercise),)
+        chosen = exercises() if exercise is None else (exercise_by_name(exercise),)
         screen = Screen(console, plain=plain or not console.is_terminal)
         with Grader() as grader:
             session = Session(find_root(), chosen, grader, screen)
@@ -57,7 +57,7 @@ def watch(
 
 def _watch(session: Session) -> None:
     """Watch until standard input says to stop, or Ctrl-C does."""
-    from lesson_code.grading.watch import listen
+    from lesson_code.course.watch import listen
 
     lines: queue.Queue[str] = queue.Queue()
     threading.Thread(target=listen, args=(lines, sys.stdin.readline), daemon=True).start()

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine import contact_solver, naive_solver, substep_solver
-from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import (
     Choice,
     as_arrays,
@@ -21,23 +19,33 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
-from lesson_code.engine.continuous import advance, rigid_part
-from lesson_code.engine.direct_solver import direct_solver
-from lesson_code.engine.effect_choice import (
+from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.continuous import advance, rigid_part
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
+from lesson_code.engine.core.scene import Scene, scene_at
+from lesson_code.engine.core.step import ContactSolver, Pipeline
+from lesson_code.engine.core.tables import BROAD_PHASES, world_of
+from lesson_code.engine.core.touches import TouchListener
+from lesson_code.engine.effects.choice import (
     EffectChoice,
     choose_effects,
     flags_of,
     names_used,
 )
-from lesson_code.engine.effect_rules import Question
-from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
-from lesson_code.engine.room import make_room
-from lesson_code.engine.scene import Scene, scene_at
-from lesson_code.engine.soft_step import soft_part
-from lesson_code.engine.tables import BROAD_PHASES, world_of
-from lesson_code.engine.touches import TouchListener
-from lesson_code.engine.world import ContactSolver, Pipeline
+from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.solvers import (
+    naive as naive_solver,
+)
+from lesson_code.engine.solvers import (
+    sequential as contact_solver,
+)
+from lesson_code.engine.solvers import (
+    substep as substep_solver,
+)
+from lesson_code.engine.solvers.direct import direct_solver
+from lesson_code.engine.solvers.soft_step import soft_part
 
 SOLVERS = {
     "sequential": ContactSolver(
@@ -148,7 +156,7 @@ class EngineStepper:
         Whether the stages run as compiled code. They do the same to the last bit. None: if the run
         is large enough to repay it.
     effects : mapping, optional
-        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_choice`.
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effects.choice`.
     duration : float
         s, how long the run will be; ``math.inf``: nobody knows yet.
 

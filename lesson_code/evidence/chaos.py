@@ -24,11 +24,11 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.table import Table
 
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Scene
-from lesson_code.evidence.disc_gas import DIAMETER, disc_gas
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Scene
 from lesson_code.evidence.ensembles import simulate_many
-from lesson_code.evidence.exact_scenes import WALLS
+from lesson_code.evidence.scenes.events import WALLS
+from lesson_code.evidence.scenes.gas import DIAMETER, disc_gas
 from lesson_code.formulas.validation import Vector, one_number, positive
 from lesson_code.simulation import simulate
 
@@ -178,7 +178,7 @@ def measure_chaos(
     runs : int
         Disturbed runs, >= 1.
     side, covered, seed
-        As :func:`lesson_code.evidence.disc_gas.disc_gas` takes them.
+        As :func:`lesson_code.evidence.scenes.gas.disc_gas` takes them.
     duration : float
         Of each run, s, > 0.
     workers, cluster, progress

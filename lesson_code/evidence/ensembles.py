@@ -9,9 +9,9 @@ from dataclasses import fields, replace
 from types import FunctionType
 from typing import Any, TypeAlias, TypeVar, overload
 
-from lesson_code.engine.callbacks import Callbacks
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.callbacks import Callbacks
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Scene
 from lesson_code.parallel import map_tasks
 from lesson_code.simulation import simulate
 

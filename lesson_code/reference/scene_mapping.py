@@ -21,11 +21,11 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from lesson_code.engine import room
-from lesson_code.engine.broad_phase import bound
-from lesson_code.engine.combination import RULES, UNSPECIFIED, Combination, combined
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.core import capacity as room
+from lesson_code.engine.core.broad_phase import bound
+from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, Combination, combined
+from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 
 Pairs: TypeAlias = set[tuple[float, float]]
 

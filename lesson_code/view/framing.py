@@ -13,9 +13,10 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.scene import Scene
 from lesson_code.geometry.shapes import Circle, Shape
-from lesson_code.view import palette, style
+from lesson_code.view import palette
+from lesson_code.view.matplotlib import style
 
 Floats: TypeAlias = NDArray[np.float64]
 

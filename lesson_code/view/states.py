@@ -8,8 +8,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Scene
 
 Floats: TypeAlias = NDArray[np.float64]
 

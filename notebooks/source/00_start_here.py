@@ -25,13 +25,13 @@
 # %%
 import numpy as np
 
+from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import CheckFailedError, check
 from lesson_code.formulas import reflect
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
-from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import diagrams, plots, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import diagrams, plots, style
 
 # %% [markdown]
 # ## 1 Every collision goes through one pipeline

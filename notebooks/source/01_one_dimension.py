@@ -29,15 +29,15 @@ from math import inf
 
 import numpy as np
 
+from lesson_code.chapters.ch01_one_dimension import wrong_answers as wrong
+from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.formulas import collide_1d, elastic_1d, inelastic_1d, momentum
 from lesson_code.formulas.restitution import energy_lost_1d
 from lesson_code.formulas.validation import equation
-from lesson_code.grading.wrong_models import one_dimension as wrong
-from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import plots, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
 
 # %% [markdown]
 # ## 1 A collision hands momentum over; it makes none
@@ -226,7 +226,7 @@ check("v2' in pymunk", (w2[:1000] - engine[:, 1]) / size[:1000], 0, tolerance=1e
 # the two laws will notice?
 
 # %%
-from lesson_code.grading.wrong_models.restitution import doubled_impulse
+from lesson_code.chapters.ch02_restitution.wrong_answers import doubled_impulse
 
 print("The misconception:", doubled_impulse.misconception)
 p_before = momentum([1, 1], [(2, 0), (-2, 0)])

@@ -24,17 +24,17 @@
 # %%
 import numpy as np
 
+from lesson_code.chapters.ch02_restitution import wrong_answers as wrong
+from lesson_code.chapters.ch02_restitution.stepped_ball import drop_in_steps
+from lesson_code.chapters.ch03_reflection import wrong_answers as wrong_bounce
+from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
-from lesson_code.evidence.stepped_ball import drop_in_steps
 from lesson_code.formulas import bounce, collide_1d, energy_lost_1d, restitution_1d
-from lesson_code.grading.wrong_models import reflection as wrong_bounce
-from lesson_code.grading.wrong_models import restitution as wrong
-from lesson_code.quiz.notebook import show_quiz
 from lesson_code.reference.closed_forms import bounce_heights, bouncing_ball, rest_time
 from lesson_code.reference.pymunk_reference import drop_onto_floor
-from lesson_code.view import plots, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
 
 # %% [markdown]
 # ## 1 Restitution is a ratio of speeds

@@ -24,15 +24,15 @@
 # %%
 import numpy as np
 
+from lesson_code.chapters.ch02_restitution.stepped_ball import drop_in_steps
+from lesson_code.chapters.ch03_reflection import wrong_answers as wrong
+from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
-from lesson_code.evidence.stepped_ball import drop_in_steps
 from lesson_code.formulas import bounce, reflect, scaled_reflection
 from lesson_code.formulas.arithmetic import dot, perpendicular
-from lesson_code.grading.wrong_models import reflection as wrong
-from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import plots, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
 
 # %% [markdown]
 # ## 1 The mirror removes the normal part twice
@@ -320,7 +320,7 @@ check("velocities after, ours and pymunk's", np.subtract(ours, theirs), 0, toler
 # pixels, and y points down.
 
 # %%
-from lesson_code.programs import billiards_table
+from lesson_code.chapters.billiards import rules as billiards_table
 
 position, velocity = billiards_table.LAUNCH
 track, hits = [position], []

@@ -29,17 +29,18 @@ from math import inf
 
 import numpy as np
 
+from lesson_code.chapters.ch04_circles import figures as circle_plots
+from lesson_code.chapters.ch04_circles import wrong_answers as wrong
+from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.formulas import angular_momentum, collide_1d, kinetic_energy, momentum
 from lesson_code.formulas.arithmetic import dot, perpendicular
 from lesson_code.formulas.smooth_pair import separating_push, smooth_impulse
 from lesson_code.formulas.validation import equation
 from lesson_code.geometry import Circle, collide
-from lesson_code.grading.wrong_models import circles as wrong
-from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import circle_plots, plots, scene_plots, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, scene_plots, style
 
 # %% [markdown]
 # ## 1 Two discs overlap when their centres are nearer than r1 + r2
@@ -399,7 +400,7 @@ print(f"with the normal before the step: off by up to {late.max():.1f} times the
 # ## 7 A table full of balls
 #
 # Now 32 pool balls on a table, all moving, for three seconds. The scene is made in
-# `lesson_code/evidence/disc_scenes.py`. Four laws are asked about every step:
+# `lesson_code/evidence/scenes/discs.py`. Four laws are asked about every step:
 #
 # - with e = 1 the energy is kept;
 # - with e = 0.8 it never grows;
@@ -407,7 +408,7 @@ print(f"with the normal before the step: off by up to {late.max():.1f} times the
 # - every ball stays on the table.
 
 # %%
-from lesson_code.evidence import disc_scenes
+from lesson_code.evidence.scenes import discs as disc_scenes
 
 fine = {"duration": 3.0, "dt": 1 / 240, "iterations": 30}  # section 8 says why 30
 elastic = simulate(disc_scenes.scattered_balls(restitution=1.0), **fine)
@@ -446,7 +447,7 @@ show(
 )
 
 # %%
-from lesson_code.view.animation import animate
+from lesson_code.view.svg.animation import animate
 
 animate(
     {"sequential impulses": elastic, "the first attempt": naive},

@@ -28,16 +28,23 @@ import inspect
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.evidence import check, slopes, spinning_discs
-from lesson_code.evidence.spinning_discs import Disc, hit, hit_wall, normal_between
+from lesson_code.chapters.ch05_spin_and_friction import figures as friction_plots
+from lesson_code.chapters.ch05_spin_and_friction import wrong_answers as wrong
+from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.evidence import check
+from lesson_code.evidence.scenes import slopes, spinning_discs
+from lesson_code.evidence.scenes.spinning_discs import (
+    Disc,
+    hit,
+    hit_wall,
+    normal_between,
+)
 from lesson_code.formulas import contact_velocity, effective_mass, friction_impulse
-from lesson_code.grading.wrong_models import spin_and_friction as wrong
-from lesson_code.quiz.notebook import show_quiz
 from lesson_code.reference import impact_closed_forms, rigid_body_closed_forms
-from lesson_code.view import friction_plots, plots, scene_plots, style
-from lesson_code.view.animation import animate
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, scene_plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 A point of a spinning body moves with the centre and around it

@@ -28,18 +28,26 @@ from dataclasses import replace
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.evidence import check, corner_impacts, scenes
+from lesson_code.chapters.ch06_sat_and_manifolds import (
+    figures as sat_plots,
+)
+from lesson_code.chapters.ch06_sat_and_manifolds import (
+    manifold_figures as manifold_plots,
+)
+from lesson_code.chapters.ch06_sat_and_manifolds import wrong_answers as wrong
+from lesson_code.chapters.ch06_sat_and_manifolds.drag_polygon import drag_polygon
+from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.evidence import check
+from lesson_code.evidence.scenes import corner_impacts
+from lesson_code.evidence.scenes import known_answers as scenes
 from lesson_code.formulas import reflect
 from lesson_code.formulas.smooth_pair import separating_push
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
-from lesson_code.grading.wrong_models import separating_axes as wrong
-from lesson_code.quiz.notebook import show_quiz
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
-from lesson_code.view import manifold_plots, plots, sat_plots, style
-from lesson_code.view.animation import animate
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.sat_widget import drag_polygon
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 A gap between two shadows is proof
@@ -204,8 +212,8 @@ check("then they only touch", mtv(slab - push / m_a, brick + right + push / m_b)
 # We ask all three about 1,000 random pairs.
 
 # %%
-from lesson_code.evidence.polygons import random_polygon
-from lesson_code.grading.alternatives import separating_axes as unusual
+from lesson_code.chapters.ch06_sat_and_manifolds import right_answers as unusual
+from lesson_code.evidence.scenes.polygons import random_polygon
 from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
 
 rng = np.random.default_rng(seed=6)

@@ -29,17 +29,20 @@ from math import inf
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.evidence import check, disc_gas, exact_scenes
+from lesson_code.chapters.ch07_time_of_impact import figures as impact_plots
+from lesson_code.chapters.ch07_time_of_impact import right_answers as unusual
+from lesson_code.chapters.ch07_time_of_impact import wrong_answers as wrong
+from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.evidence import check
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import gas as disc_gas
 from lesson_code.formulas.smooth_pair import smooth_impulse
 from lesson_code.geometry import collide, time_of_impact
-from lesson_code.grading.alternatives import time_of_impact as unusual
-from lesson_code.grading.wrong_models import time_of_impact as wrong
-from lesson_code.quiz.notebook import show_quiz
 from lesson_code.reference import closed_forms, event_closed_forms
-from lesson_code.view import impact_plots, plots, style
-from lesson_code.view.animation import animate
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 A step can jump over a wall
@@ -724,7 +727,7 @@ for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
 # infinitely many collisions; the solver lets it hop a little. It says no where it cannot help:
 
 # %%
-from lesson_code.evidence import scenes
+from lesson_code.evidence.scenes import known_answers as scenes
 
 try:
     simulate(scenes.box_stack(3), 1.0, solver="exact")

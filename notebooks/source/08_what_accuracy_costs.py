@@ -25,13 +25,16 @@
 import numpy as np
 
 from lesson_code import simulate
-from lesson_code.evidence import check, exact_scenes, scenes
+from lesson_code.chapters.ch08_what_accuracy_costs import figures as precision_plots
+from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.evidence import check
 from lesson_code.evidence import work_precision as wp
-from lesson_code.quiz.notebook import show_quiz
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import known_answers as scenes
 from lesson_code.reference.rigid_body_closed_forms import rolling_begins
-from lesson_code.view import plots, precision_plots, style
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
 
 # %% [markdown]
 # ## 1 An error is a number, and somebody has to say which

@@ -26,18 +26,19 @@
 import numpy as np
 
 from lesson_code import Circle, simulate
+from lesson_code.chapters.ch09_hard_cases import figures as case_plots
+from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check, hard_cases
 from lesson_code.evidence.hard_cases import floors, impacts, loads, steps, together
 from lesson_code.evidence.hard_cases.measures import way_of
-from lesson_code.quiz.notebook import show_quiz
 from lesson_code.reference import impact_closed_forms as closed
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
 from lesson_code.reference.event_closed_forms import escape_fraction
 from lesson_code.reference.rigid_body_closed_forms import stack_forces
-from lesson_code.view import case_plots, plots, style
-from lesson_code.view.animation import animate
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 A heavy load on a light box

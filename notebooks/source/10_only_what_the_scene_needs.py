@@ -27,18 +27,29 @@
 import numpy as np
 
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.effect_choice import OPTIONAL, choose_effects
-from lesson_code.engine.effect_rules import Question
-from lesson_code.engine.reach import can_meet, fastest_way
-from lesson_code.evidence import check, disc_gas, disc_scenes, exact_scenes, scenes
+from lesson_code.chapters.ch10_only_what_the_scene_needs import (
+    figures as effect_plots,
+)
+from lesson_code.chapters.ch10_only_what_the_scene_needs import (
+    plan_figures as plan_plots,
+)
+from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import asleep_in_time, three_towers
+from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.engine.effects.choice import OPTIONAL, choose_effects
+from lesson_code.engine.effects.reach import can_meet, fastest_way
+from lesson_code.engine.effects.rules import Question
+from lesson_code.evidence import check
 from lesson_code.evidence.effect_costs import stored
 from lesson_code.evidence.hard_cases import loads
-from lesson_code.evidence.sleepers import asleep_in_time, three_towers
-from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import effect_plots, listing, plan_plots, plots, style
-from lesson_code.view.animation import animate
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.evidence.scenes import discs as disc_scenes
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import gas as disc_gas
+from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.view import listing
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 A scene has a plan

@@ -29,14 +29,20 @@ import inspect
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.evidence import check, disc_scenes, exact_scenes, scenes, small_engine
+from lesson_code.chapters.ch08_what_accuracy_costs import figures as precision_plots
+from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.engine import small_engine
+from lesson_code.engine.small_engine import simulate_small
+from lesson_code.evidence import check
 from lesson_code.evidence import work_precision as wp
-from lesson_code.evidence.small_engine import simulate_small
-from lesson_code.quiz.notebook import show_quiz
-from lesson_code.view import diagrams, listing, precision_plots, scene_plots, style
-from lesson_code.view.animation import animate
-from lesson_code.view.interactive import Slider, explore
-from lesson_code.view.show import show
+from lesson_code.evidence.scenes import discs as disc_scenes
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.view import listing
+from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import diagrams, scene_plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 The pipeline, with your functions in it
@@ -75,7 +81,7 @@ show(
 #
 # ## 2 A step
 #
-# The module `lesson_code.evidence.small_engine` is such an engine. It calls the formulas of the
+# The module `lesson_code.engine.small_engine` is such an engine. It calls the formulas of the
 # chapters, and takes no stage from the workbook's own engine. This is its step:
 
 # %%

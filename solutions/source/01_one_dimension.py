@@ -24,7 +24,7 @@
 # comes from the left.
 
 # %%
-from lesson_code.grading import check_task
+from lesson_code.course.grading import check_task
 
 # %% [markdown]
 # ## Task 1.1 An elastic collision (4 points)

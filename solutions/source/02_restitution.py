@@ -24,7 +24,7 @@
 # restitution lies between 0 and 1.
 
 # %%
-from lesson_code.grading import check_task
+from lesson_code.course.grading import check_task
 
 # %% [markdown]
 # ## Task 2.1 Measure a restitution (3 points)

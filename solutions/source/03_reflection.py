@@ -26,7 +26,7 @@
 # %%
 import numpy as np
 
-from lesson_code.grading import check_task
+from lesson_code.course.grading import check_task
 
 # %% [markdown]
 # ## Task 3.1 The mirror (4 points)

@@ -27,7 +27,7 @@
 # %%
 import numpy as np
 
-from lesson_code.grading import check_task
+from lesson_code.course.grading import check_task
 
 # %% [markdown]
 # Two helpers from earlier chapters, to use as you like.

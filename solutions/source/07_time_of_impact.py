@@ -29,7 +29,7 @@ import math
 
 import numpy as np
 
-from lesson_code.grading import check_task
+from lesson_code.course.grading import check_task
 
 # %% [markdown]
 # ## Task 7.1 When two circles meet (6 points)

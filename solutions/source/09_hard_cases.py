@@ -27,7 +27,7 @@ import math
 
 import numpy as np
 
-from lesson_code.grading import check_task
+from lesson_code.course.grading import check_task
 
 # %% [markdown]
 # ## Task 9.1 The forces in a tower (3 points)

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from lesson_code.notebook_tools.server import ServerError
-from lesson_code.site.build import MissingToolsError, build
-from lesson_code.site.in_browser import JupyterLab, NoBrowserError, chromium, jupyterlab
+from lesson_code.course.notebooks.server import ServerError
+from lesson_code.course.site.build import MissingToolsError, build
+from lesson_code.course.site.in_browser import JupyterLab, NoBrowserError, chromium, jupyterlab
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, ConsoleMessage, Page, Request

@@ -12,10 +12,10 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
-from lesson_code.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_bank
-from lesson_code.quiz.checker import check_answer, expected_answer
-from lesson_code.site.build import build
-from lesson_code.site.moving import figures_of
+from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_bank
+from lesson_code.course.quiz.checker import check_answer, expected_answer
+from lesson_code.course.site.build import build
+from lesson_code.course.site.moving import figures_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -32,7 +32,7 @@ SOON = 10_000
 
 MOVING = """
 from lesson_code.view import style
-from lesson_code.view.interactive import Slider, explore
+from lesson_code.view.browser.interactive import Slider, explore
 
 def draw(x, y):
     figure, ax = style.figure(width=3, height=2)

@@ -20,18 +20,18 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine import stepper
-from lesson_code.engine.broad_phase import uniform_grid
-from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import compiled_function, link
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE, why_no_compiler
-from lesson_code.engine.constants import QUIET_TIME, SPEED_DOUBT, STILL
-from lesson_code.engine.continuous import rigid_part
-from lesson_code.engine.effect_choice import BUILT_IN, LACKING
-from lesson_code.engine.effect_rules import RULES
-from lesson_code.engine.effects import EVERY_EFFECT
-from lesson_code.engine.reach import fastest_way
+from lesson_code.engine.core.broad_phase import uniform_grid
+from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
+from lesson_code.engine.core.continuous import rigid_part
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.step import ContactSolver, Pipeline
+from lesson_code.engine.effects.choice import BUILT_IN, LACKING
+from lesson_code.engine.effects.flags import EVERY_EFFECT
+from lesson_code.engine.effects.reach import fastest_way
+from lesson_code.engine.effects.rules import RULES
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.engine.world import ContactSolver, Pipeline
 from lesson_code.evidence.effect_costs.calls import STAGES, calls_of
 
 SOLVERS = ["sequential", "substep", "direct", "naive"]

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
-from lesson_code.engine.plan import Plan
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.tables import BROAD_PHASES
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
-from lesson_code.engine.tables import BROAD_PHASES
 
 
 def engine(scene: Scene, **settings: Any) -> EngineStepper:

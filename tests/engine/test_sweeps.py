@@ -9,9 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Scene
-from lesson_code.engine import contact_solver
-from lesson_code.engine.constants import FEWEST_FOR_STRIDE, PART_OF_SWEEP, SLOP, STRIDE
-from lesson_code.engine.contact_frame import (
+from lesson_code.engine.core.constants import FEWEST_FOR_STRIDE, PART_OF_SWEEP, SLOP, STRIDE
+from lesson_code.engine.core.contact_frame import (
     apply_impulses,
     apply_push,
     missing_push,
@@ -20,20 +19,21 @@ from lesson_code.engine.contact_frame import (
     set_frame,
     velocity_at,
 )
-from lesson_code.engine.contact_motion import (
+from lesson_code.engine.core.contact_motion import (
     apply_impulse,
     mass_along,
     normal_of,
     tangent_of,
     velocity_along,
 )
-from lesson_code.engine.contact_solver import solve_contact
-from lesson_code.engine.penetration import deepest_overlaps
-from lesson_code.engine.rows import BodyRow, ContactRow, World
+from lesson_code.engine.core.penetration import deepest_overlaps
+from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.engine.core.tables import world_of
+from lesson_code.engine.solvers import sequential as contact_solver
+from lesson_code.engine.solvers.sequential import solve_contact
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.engine.tables import world_of
+from lesson_code.evidence.scenes.speed import settled_discs
 from lesson_code.evidence.speed.quality import Gauge
-from lesson_code.evidence.speed_scenes import settled_discs
 from lesson_code.formulas.contact import friction_impulse, normal_impulse
 
 ROUNDING = 1e-10

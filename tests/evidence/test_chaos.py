@@ -13,8 +13,8 @@ from rich.console import Console
 from lesson_code import Body, Circle, Material, Scene, simulate
 from lesson_code.evidence import chaos
 from lesson_code.evidence.chaos import Chaos, Parting, Spread
-from lesson_code.evidence.disc_gas import disc_gas, hits_a_disc
-from lesson_code.evidence.exact_scenes import WALLS
+from lesson_code.evidence.scenes.events import WALLS
+from lesson_code.evidence.scenes.gas import disc_gas, hits_a_disc
 
 ROUNDING = 1e-12
 """A straight line fitted to a dozen points: some hundred roundings of 1e-16."""

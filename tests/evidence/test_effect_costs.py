@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from lesson_code.engine.effect_choice import OPTIONAL
-from lesson_code.engine.effect_rules import RULES
+from lesson_code.engine.effects.choice import OPTIONAL
+from lesson_code.engine.effects.rules import RULES
 from lesson_code.evidence.effect_costs import (
     EffectCost,
     EffectCosts,
@@ -33,7 +33,7 @@ from lesson_code.evidence.effect_costs.result import (
 )
 from lesson_code.evidence.effect_costs.runners import Runner, ours, pymunk_for, settings_of
 from lesson_code.evidence.effect_costs.tables import as_tables
-from lesson_code.evidence.effect_scenes import EffectPair, pairs
+from lesson_code.evidence.scenes.effects import EffectPair, pairs
 
 PAIRS = [pytest.param(pair, id=pair.effect) for pair in pairs()]
 

@@ -10,8 +10,10 @@ from typing import Any
 import pytest
 
 from lesson_code import Body, Callbacks, Circle, Run, Scene, simulate, simulate_many
-from lesson_code.engine.run import ImpulseEvents
-from lesson_code.evidence import disc_gas, disc_scenes, ensembles
+from lesson_code.engine.core.run import ImpulseEvents
+from lesson_code.evidence import ensembles
+from lesson_code.evidence.scenes import discs as disc_scenes
+from lesson_code.evidence.scenes import gas as disc_gas
 from lesson_code.parallel import TasksFailedError
 
 STATES = ("times", "positions", "velocities", "angles", "angular_velocities")

@@ -12,8 +12,9 @@ import pytest
 from rich.console import Console
 
 from lesson_code import Body, Circle, Scene, simulate
-from lesson_code.engine.scene import scene_at
-from lesson_code.evidence import speed_scenes
+from lesson_code.engine.core.scene import scene_at
+from lesson_code.evidence.scenes import speed as speed_scenes
+from lesson_code.evidence.scenes.speed import SIZES
 from lesson_code.evidence.speed import few_bodies, measure, measure_speed, processes, quality
 from lesson_code.evidence.speed.engines import builder, bytes_of, engines_for
 from lesson_code.evidence.speed.few_bodies import FewBodies
@@ -38,7 +39,6 @@ from lesson_code.evidence.speed.statistics import (
     worse_in,
 )
 from lesson_code.evidence.speed.targets import TARGETS, targets_of
-from lesson_code.evidence.speed_scenes import SIZES
 
 pytest.importorskip("numba", reason="there is nothing to compare without compiled code")
 

@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code.evidence import work_precision
-from lesson_code.evidence.speed_scenes import stack
+from lesson_code.evidence.scenes.speed import stack
 from lesson_code.evidence.work_precision import (
     Point,
     WorkPrecision,

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from lesson_code.engine.rows import BodyRow
+from lesson_code.engine.core.rows import BodyRow
 from lesson_code.geometry import Circle, Polygon, Segment, Shape, advancement
 from lesson_code.geometry.advancement import (
     TOLERANCE,

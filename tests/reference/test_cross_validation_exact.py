@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Scene, Segment, simulate
-from lesson_code.engine.combination import combination
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
-from lesson_code.evidence import disc_gas as gas
-from lesson_code.evidence import exact_scenes, scenes
-from lesson_code.evidence.spinning_discs import random_impacts, scene_of
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import gas
+from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes.spinning_discs import random_impacts, scene_of
 from lesson_code.reference.closed_forms import bounce_times, bouncing_ball, rest_time
 from lesson_code.reference.contact_closed_forms import Struck, disc_impact
 from lesson_code.reference.event_closed_forms import (

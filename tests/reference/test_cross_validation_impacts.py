@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from lesson_code import Run, Scene, simulate
-from lesson_code.evidence import corner_impacts
-from lesson_code.evidence.spinning_discs import (
+from lesson_code.evidence.scenes import corner_impacts
+from lesson_code.evidence.scenes.spinning_discs import (
     Disc,
     difference,
     normal_between,

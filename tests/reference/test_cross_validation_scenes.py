@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from lesson_code import Run, Scene, simulate
-from lesson_code.engine.constants import LEAST_EXCESS, SLOP
-from lesson_code.evidence import scenes
+from lesson_code.engine.core.constants import LEAST_EXCESS, SLOP
+from lesson_code.evidence.scenes import known_answers as scenes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
 from lesson_code.reference.rigid_body_closed_forms import (
     friction_to_roll,

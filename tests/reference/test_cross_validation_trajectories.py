@@ -12,7 +12,7 @@ import pymunk
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.combination import combination
+from lesson_code.engine.core.mixing import combination
 from lesson_code.reference import chipmunk_replica
 from lesson_code.reference.chipmunk_replica import ChipmunkReplica
 from lesson_code.reference.pymunk_reference import PymunkStepper

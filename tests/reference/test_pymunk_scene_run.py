@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.combination import combination
-from lesson_code.evidence import scenes
-from lesson_code.evidence.disc_scenes import row_of_discs
+from lesson_code.engine.core.mixing import combination
+from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes.discs import row_of_discs
 from lesson_code.reference.pymunk_reference import PymunkStepper
 
 ROUNDING = 1e-12

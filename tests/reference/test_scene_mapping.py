@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Material, Segment
-from lesson_code.engine.combination import COMBINATIONS, RULES, combined
+from lesson_code.engine.core.mixing import COMBINATIONS, RULES, combined
 from lesson_code.reference.scene_mapping import coefficients, own_values
 
 COEFFICIENTS = st.one_of(st.none(), st.sampled_from([0.0, 0.25, 0.3, 0.5625, 1.0]))

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Polygon, Scene, Segment
-from lesson_code.view import framing, palette, style
+from lesson_code.view import framing, palette
 from lesson_code.view.framing import View, view_of
+from lesson_code.view.matplotlib import style
 
 SAME: Any = {"rel": 1e-12, "abs": 1e-12}
 """The edges are a few sums and products of doubles."""

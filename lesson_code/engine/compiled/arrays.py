@@ -42,7 +42,7 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
     Examples
     --------
     >>> from lesson_code import Combination, Scene
-    >>> from lesson_code.engine.tables import world_of
+    >>> from lesson_code.engine.core.tables import world_of
     >>> world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
     >>> as_arrays(world, "pair.b += box.cell_x").pairs.dtype.names
     ('b',)
@@ -63,7 +63,7 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
 def as_numbers(table: Any) -> NDArray[np.float64]:
     """Return a table, a list of rows or an array of records, as numbers: a row's fields in a row.
 
-    >>> from lesson_code.engine.rows import PairRow
+    >>> from lesson_code.engine.core.rows import PairRow
     >>> as_numbers([PairRow(1, 2), PairRow(1, 3)]).tolist()
     [[1.0, 2.0], [1.0, 3.0]]
     """

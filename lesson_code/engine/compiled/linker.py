@@ -29,7 +29,7 @@ from lesson_code.engine.compiled.known import is_stage, known_value
 PROJECT = "lesson_code."
 """Functions of modules whose names begin so are taken into a program; others stay outside."""
 
-OUTSIDE = ("lesson_code.engine.direct_solver",)
+OUTSIDE = ("lesson_code.engine.solvers.direct",)
 """Modules whose functions a program imports all the same: they work on arrays with NumPy."""
 
 Names: TypeAlias = Mapping[str, Any]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.broad_phase import slot_of
+from lesson_code.engine.core.broad_phase import slot_of
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, SlotRow, Tables
 
 

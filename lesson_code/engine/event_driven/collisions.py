@@ -16,14 +16,14 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.combination import combined
-from lesson_code.engine.contact_motion import MovingBody, normal_of, tangent_of
-from lesson_code.engine.effects import EVERY_EFFECT, Effects
+from lesson_code.engine.core.contact_motion import MovingBody, normal_of, tangent_of
+from lesson_code.engine.core.mixing import combined
+from lesson_code.engine.core.rows import BodyRow, ContactRow
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.constants import CLOCK, LEAST_HOP, LEAST_LOSS, PLACE
 from lesson_code.engine.event_driven.motion import move_to, seen_from
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, Tables
 from lesson_code.engine.event_driven.support import let_go, motion_along_face, settle, ways_to_ends
-from lesson_code.engine.rows import BodyRow, ContactRow
 from lesson_code.formulas import contact
 from lesson_code.formulas.arithmetic import dot
 from lesson_code.formulas.validation import equation

@@ -23,11 +23,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
-from lesson_code.engine.effects import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
 from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
-from lesson_code.engine.event_driven.foretelling import foretell, foretell_beyond
+from lesson_code.engine.event_driven.event_prediction import foretell, foretell_beyond
 from lesson_code.engine.event_driven.motion import move_to
 from lesson_code.engine.event_driven.rows import DISC, END, GRIP, OBSTACLE, DiscRow, Tables
 from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding

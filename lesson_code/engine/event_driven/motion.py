@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from lesson_code.engine.effects import EVERY_EFFECT, Effects
+from lesson_code.engine.core.rows import BodyRow
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.rows import DiscRow
-from lesson_code.engine.rows import BodyRow
 
 Pair: TypeAlias = tuple[float, float]
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.recording import STATE_NUMBERS, Sample, given_times, run_of
+from lesson_code.engine.core.run import Run
 from lesson_code.engine.event_driven.solver import ExactSolver
-from lesson_code.engine.recording import STATE_NUMBERS, Sample, given_times, run_of
-from lesson_code.engine.run import Run
 
 
 def record_exact(solver: ExactSolver, duration: float, sample: Sample, reason: str) -> Run:

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from lesson_code.engine.core.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
 from lesson_code.engine.event_driven.constants import EVENTS_A_CALL
-from lesson_code.engine.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
 from lesson_code.geometry.rows import Corner
 
 NOTHING, GRIP, END, OBSTACLE, DISC = range(5)

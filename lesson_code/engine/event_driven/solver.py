@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import (
     Choice,
     as_arrays,
@@ -23,9 +22,15 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
-from lesson_code.engine.effect_choice import choose_effects, flags_of, names_used
-from lesson_code.engine.effect_rules import Question
-from lesson_code.engine.effects import Effects
+from lesson_code.engine.core.capacity import longer
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
+from lesson_code.engine.core.rows import ImpulseRow
+from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
+from lesson_code.engine.effects.flags import Effects
+from lesson_code.engine.effects.rules import Question
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
     EVENTS_A_CALL,
@@ -43,11 +48,6 @@ from lesson_code.engine.event_driven.loop import (
 )
 from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
 from lesson_code.engine.event_driven.tables import tables_of
-from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS
-from lesson_code.engine.room import longer
-from lesson_code.engine.rows import ImpulseRow
-from lesson_code.engine.scene import Body, Scene
 from lesson_code.geometry.shapes import Circle
 
 
@@ -78,7 +78,7 @@ class ExactSolver:
     duration : float
         s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
     effects : mapping, optional
-        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effect_choice`.
+        Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effects.choice`.
 
     Attributes
     ----------

@@ -14,8 +14,8 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.combination import combined
-from lesson_code.engine.effects import EVERY_EFFECT, Effects
+from lesson_code.engine.core.mixing import combined
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.motion import seen_from
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, Tables
 from lesson_code.formulas.arithmetic import dot

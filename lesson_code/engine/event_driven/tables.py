@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.broad_phase import row_stride_for, slot_of, slots_for
-from lesson_code.engine.combination import RULES, Combination
+from lesson_code.engine.core.broad_phase import row_stride_for, slot_of, slots_for
+from lesson_code.engine.core.mixing import RULES, Combination
+from lesson_code.engine.core.rows import BodyRow, ContactRow, IndexRow
+from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.event_driven.cells import enter_cell
 from lesson_code.engine.event_driven.constants import (
     CELL_MARGIN,
@@ -20,9 +23,6 @@ from lesson_code.engine.event_driven.constants import (
 from lesson_code.engine.event_driven.queue import queue_for
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, SlotRow, Tables
 from lesson_code.engine.event_driven.support import let_go
-from lesson_code.engine.rows import BodyRow, ContactRow, IndexRow
-from lesson_code.engine.scene import Scene
-from lesson_code.engine.tables import world_of
 
 
 def tables_of(scene: Scene, combine: Combination, has_grid: bool = False) -> Tables:

@@ -10,7 +10,7 @@ module       what it does
 ``tables``   the result as tables for the terminal
 ===========  ===========================================================================
 
-The scenes are in :mod:`lesson_code.evidence.effect_scenes`.
+The scenes are in :mod:`lesson_code.evidence.scenes.effects`.
 """
 
 from lesson_code.evidence.effect_costs.measure import measure_effects

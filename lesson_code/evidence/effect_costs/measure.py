@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from lesson_code.engine.compiled.library import why_no_compiler
-from lesson_code.engine.effect_choice import choose_effects
-from lesson_code.engine.effect_rules import RULES, Question
-from lesson_code.engine.solver_choice import solvers_for
+from lesson_code.engine.effects.choice import choose_effects
+from lesson_code.engine.effects.rules import RULES, Question
+from lesson_code.engine.solvers.choice import solvers_for
 from lesson_code.evidence.effect_costs.calls import calls_for
 from lesson_code.evidence.effect_costs.result import (
     ALL,
@@ -26,10 +26,16 @@ from lesson_code.evidence.effect_costs.result import (
     FewBalls,
 )
 from lesson_code.evidence.effect_costs.runners import Runner, ours, pymunk_for, settings_of
-from lesson_code.evidence.effect_scenes import WARM_UP, EffectPair, billiards, gases, pairs
+from lesson_code.evidence.scenes.effects import (
+    WARM_UP,
+    EffectPair,
+    billiards,
+    gases,
+    pairs,
+)
+from lesson_code.evidence.scenes.speed import DT
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.report import machine
-from lesson_code.evidence.speed_scenes import DT
 from lesson_code.simulation import simulate
 
 REPEATS, QUICK_REPEATS = 7, 3

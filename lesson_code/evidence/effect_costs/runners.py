@@ -6,15 +6,15 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from lesson_code.engine.combination import Combination
-from lesson_code.engine.constants import SLOP
-from lesson_code.engine.effect_choice import OPTIONAL
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.constants import SLOP
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.effects.choice import OPTIONAL
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.effect_scenes import EffectPair
+from lesson_code.evidence.scenes.effects import EffectPair
+from lesson_code.evidence.scenes.speed import DT
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import ITERATIONS, Engine
-from lesson_code.evidence.speed_scenes import DT
 from lesson_code.reference.pymunk_reference import PymunkStepper
 
 

@@ -7,11 +7,11 @@ from functools import partial
 
 import numpy as np
 
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import scenes
+from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import DT, NOT_SEEN, SUNK
 from lesson_code.evidence.hard_cases.measures import drift, pair_forces, relative_errors, way_of
+from lesson_code.evidence.scenes import known_answers as scenes
 from lesson_code.formulas import polygon_area, polygon_centroid
 from lesson_code.geometry.shapes import Circle, Polygon, Segment
 from lesson_code.reference.rigid_body_closed_forms import wedge_forces

@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import disc_gas, exact_scenes
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.measures import largest
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import gas as disc_gas
 from lesson_code.geometry.shapes import Circle, Polygon, Segment
 from lesson_code.reference import closed_forms
 from lesson_code.reference.event_closed_forms import block_collisions

@@ -10,8 +10,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Scene
 from lesson_code.simulation import simulate
 
 Options: TypeAlias = Mapping[str, Any]

@@ -6,10 +6,10 @@ from functools import partial
 
 import numpy as np
 
-from lesson_code.engine.scene import Body, Scene
-from lesson_code.evidence import exact_scenes
+from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.measures import largest
+from lesson_code.evidence.scenes import events as exact_scenes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment
 
 THEME = "Fast bodies"

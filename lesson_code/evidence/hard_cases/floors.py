@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import scenes, slopes
+from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Measure, Trial
 from lesson_code.evidence.hard_cases.measures import largest, way_of
+from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import slopes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 from lesson_code.reference import rigid_body_closed_forms as closed
 

@@ -7,8 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import scenes
+from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.measures import (
     drift,
@@ -18,6 +17,7 @@ from lesson_code.evidence.hard_cases.measures import (
     relative_errors,
     way_of,
 )
+from lesson_code.evidence.scenes import known_answers as scenes
 from lesson_code.geometry.shapes import Polygon, Segment
 from lesson_code.reference.rigid_body_closed_forms import stack_forces
 

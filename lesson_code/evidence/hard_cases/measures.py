@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Scene
 from lesson_code.evidence.hard_cases.case import Measure, Trial
 
 STEP = 1e-9

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.combination import Combination
-from lesson_code.engine.effect_rules import Question
-from lesson_code.engine.scene import Body, Scene
-from lesson_code.engine.solver_choice import solvers_for
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.solvers.choice import solvers_for
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import tower

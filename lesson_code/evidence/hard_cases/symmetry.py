@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import scenes
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import end_state, largest
+from lesson_code.evidence.scenes import known_answers as scenes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 THEME = "Size, place, order"

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import disc_scenes
+from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.measures import STEP, TOUCH, largest, last_velocities
+from lesson_code.evidence.scenes import discs as disc_scenes
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.reference import impact_closed_forms as closed
 

@@ -18,7 +18,7 @@ module          what it does
 ``profile``     the time of each stage of the engine in a scene
 ==============  =======================================================================
 
-The scenes are in :mod:`lesson_code.evidence.speed_scenes`.
+The scenes are in :mod:`lesson_code.evidence.scenes.speed`.
 """
 
 from lesson_code.evidence.speed.measure import measure_speed

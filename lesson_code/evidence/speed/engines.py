@@ -21,13 +21,13 @@ from typing import Any, Literal, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled.library import why_no_compiler
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.solver import why_not
-from lesson_code.engine.scene import Scene
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.speed_scenes import SpeedScene
+from lesson_code.evidence.scenes.speed import SpeedScene
 from lesson_code.reference.pymunk_reference import PymunkStepper
 
 OURS = ("sequential", "substep", "exact")

@@ -15,18 +15,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lesson_code.engine.scene import Scene
-from lesson_code.evidence.disc_gas import gas_of
-from lesson_code.evidence.exact_scenes import (
+from lesson_code.engine.core.scene import Scene
+from lesson_code.evidence.scenes.events import (
     ball_in_a_box,
     error_after_return,
     turned_back,
     two_blocks,
 )
+from lesson_code.evidence.scenes.gas import gas_of
+from lesson_code.evidence.scenes.speed import SpeedScene
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import ExactStepper, builder
 from lesson_code.evidence.speed.statistics import step_for_error
-from lesson_code.evidence.speed_scenes import SpeedScene
 from lesson_code.simulation import simulate
 
 STEPS_A_SECOND = (60, 600, 6_000, 60_000, 600_000)

@@ -6,14 +6,14 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-from lesson_code.evidence import speed_scenes
+from lesson_code.evidence.scenes import speed as speed_scenes
+from lesson_code.evidence.scenes.speed import SIZES, SpeedScene
 from lesson_code.evidence.speed.engines import refuse_without_compiler
 from lesson_code.evidence.speed.few_bodies import STEPS_A_SECOND, measure_few_bodies
 from lesson_code.evidence.speed.piles import PILES, Pile, race_with_pile
 from lesson_code.evidence.speed.processes import measure_memory, measure_start
 from lesson_code.evidence.speed.race import run_race
 from lesson_code.evidence.speed.report import Speed
-from lesson_code.evidence.speed_scenes import SIZES, SpeedScene
 
 REPEATS, QUICK_REPEATS = 7, 3
 

@@ -15,12 +15,12 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.constants import SLOP
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.constants import SLOP
+from lesson_code.engine.core.scene import Scene
+from lesson_code.evidence.scenes.speed import SpeedScene, pyramid, stack
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import Engine, builder, engines_for
 from lesson_code.evidence.speed.quality import Gauge, states_of
-from lesson_code.evidence.speed_scenes import SpeedScene, pyramid, stack
 
 ITERATIONS = (3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 60)
 SUBSTEPS = (2, 3, 4, 5, 6, 8, 12, 16)

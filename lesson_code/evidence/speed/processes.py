@@ -15,11 +15,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from lesson_code.engine.combination import COMBINATIONS, Combination
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
+from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.evidence.scenes.speed import gas
 from lesson_code.evidence.speed.engines import PYMUNK, builder, bytes_of
 from lesson_code.evidence.speed.race import TRIED_STEPS
-from lesson_code.evidence.speed_scenes import gas
 from lesson_code.reference.pymunk_reference import PymunkStepper
 from lesson_code.reference.scene_mapping import own_values, refuse_heap
 
@@ -35,7 +35,7 @@ print(time.perf_counter() - start)
 
 FIRST_RUN = """
 from lesson_code import simulate
-from lesson_code.evidence.disc_gas import disc_gas
+from lesson_code.evidence.scenes.gas import disc_gas
 simulate(disc_gas(10, 0.3, seed=1), 1.0, compiled=True)
 """
 

@@ -18,11 +18,11 @@ import numpy as np
 from rich.table import Table
 
 from lesson_code.engine.compiled import compiled_function, link
-from lesson_code.engine.continuous import advance
+from lesson_code.engine.core.continuous import advance
+from lesson_code.evidence.scenes.speed import SIZES
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import builder, refuse_without_compiler
 from lesson_code.evidence.speed.race import with_head_start
-from lesson_code.evidence.speed_scenes import SIZES
 
 VERSION = 1
 """Version of the form that :meth:`Profile.as_dict` writes; it grows when a key changes."""

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.combination import Combination
 from lesson_code.engine.compiled import as_arrays, compiled_function, link
-from lesson_code.engine.penetration import EVERY_OVERLAP, in_widths, measure_overlaps
-from lesson_code.engine.room import make_room
-from lesson_code.engine.scene import Scene
-from lesson_code.engine.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.penetration import EVERY_OVERLAP, in_widths, measure_overlaps
+from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 
 Floats = NDArray[np.float64]
 

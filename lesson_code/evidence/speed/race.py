@@ -18,7 +18,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from lesson_code.engine.scene import Scene, scene_at
+from lesson_code.engine.core.scene import Scene, scene_at
+from lesson_code.evidence.scenes.speed import SpeedScene
 from lesson_code.evidence.speed.clock import CPU_CLOCK_IS_FINE
 from lesson_code.evidence.speed.engines import (
     PYMUNK,
@@ -36,7 +37,6 @@ from lesson_code.evidence.speed.quality import (
     states_of,
 )
 from lesson_code.evidence.speed.statistics import Quality, worse_in
-from lesson_code.evidence.speed_scenes import SpeedScene
 
 BODY_STEPS, FEWEST_STEPS = 2_000_000, 100
 """Of the warm-up, that each engine makes itself: bodies times steps, but so many steps at least.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lesson_code.engine.constants import SLOP
+from lesson_code.engine.core.constants import SLOP
 
 ALIKE = 1.25
 """Two qualities are alike up to this factor. What is deepest in a gas is a draw of its own: from

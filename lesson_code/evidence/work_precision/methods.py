@@ -12,12 +12,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from lesson_code.engine.combination import COMBINATIONS
-from lesson_code.engine.constants import SLOP
+from lesson_code.engine.core.constants import SLOP
+from lesson_code.engine.core.mixing import COMBINATIONS
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.recording import record
+from lesson_code.engine.core.run import Run
 from lesson_code.engine.event_driven import ExactSolver, record_exact
-from lesson_code.engine.plan import Plan
-from lesson_code.engine.recording import record
-from lesson_code.engine.run import Run
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.work_precision.scenes import PrecisionScene
 from lesson_code.reference.box2d_reference import Box2DStepper

@@ -25,13 +25,13 @@ from typing import Any, Literal
 
 import numpy as np
 
-from lesson_code.engine.constants import FINE_SLOP
-from lesson_code.engine.run import Run
-from lesson_code.engine.scene import Body, Material, Scene
-from lesson_code.evidence import exact_scenes
-from lesson_code.evidence.disc_gas import DIAMETER, disc_gas
-from lesson_code.evidence.scenes import GRAVITY, sliding_disc
-from lesson_code.evidence.speed_scenes import stack
+from lesson_code.engine.core.constants import FINE_SLOP
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes.gas import DIAMETER, disc_gas
+from lesson_code.evidence.scenes.known_answers import GRAVITY, sliding_disc
+from lesson_code.evidence.scenes.speed import stack
 from lesson_code.reference.closed_forms import bouncing_ball
 from lesson_code.reference.event_closed_forms import blocks_at
 from lesson_code.reference.rigid_body_closed_forms import rolling_begins

@@ -24,7 +24,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from lesson_code.engine.scene import Scene
+from lesson_code.engine.core.scene import Scene
 from lesson_code.geometry.edges import outward_normal
 from lesson_code.geometry.outline import Point
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
@@ -50,7 +50,7 @@ def refuse_what_box2d_cannot_do(scene: Scene) -> None:
 
     Examples
     --------
-    >>> from lesson_code.engine.scene import Body
+    >>> from lesson_code.engine.core.scene import Body
     >>> rods = [Body(Segment((-1, 0), (1, 0)), mass=m) for m in (None, 1.0)]
     >>> refuse_what_box2d_cannot_do(Scene(rods))
     Traceback (most recent call last):

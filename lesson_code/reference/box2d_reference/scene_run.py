@@ -30,9 +30,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.combination import COMBINATIONS, Combination
-from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
-from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
+from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.geometry.manifold import collide
 from lesson_code.reference.box2d_reference.fixtures import (
     fixture_shapes,

@@ -25,9 +25,9 @@ import numpy as np
 import pymunk
 from numpy.typing import NDArray
 
-from lesson_code.engine.combination import COMBINATIONS, Combination
-from lesson_code.engine.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
-from lesson_code.engine.scene import Body, Scene
+from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
+from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.formulas.validation import non_negative, one_number
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 from lesson_code.reference.scene_mapping import coefficients, own_values, refuse_heap

@@ -19,9 +19,9 @@ from lesson_code.engine.compiled.arrays import (
     lengthened,
     row_kinds,
 )
-from lesson_code.engine.rows import BodyRow, PairRow, World
-from lesson_code.engine.tables import world_of
-from lesson_code.evidence.speed_scenes import bin_of_shapes
+from lesson_code.engine.core.rows import BodyRow, PairRow, World
+from lesson_code.engine.core.tables import world_of
+from lesson_code.evidence.scenes.speed import bin_of_shapes
 from lesson_code.geometry.rows import Corner
 
 ROWS = list(row_kinds(World).values())

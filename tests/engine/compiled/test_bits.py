@@ -19,13 +19,16 @@ import pytest
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine import stepper
-from lesson_code.engine.broad_phase import uniform_grid
 from lesson_code.engine.compiled import link
-from lesson_code.engine.effects import EVERY_EFFECT
+from lesson_code.engine.core.broad_phase import uniform_grid
+from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence import disc_scenes, exact_scenes, scenes, speed_scenes
-from lesson_code.evidence.disc_gas import disc_gas, gas_of
-from lesson_code.evidence.spinning_discs import Disc, scene_of
+from lesson_code.evidence.scenes import discs as disc_scenes
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import speed as speed_scenes
+from lesson_code.evidence.scenes.gas import disc_gas, gas_of
+from lesson_code.evidence.scenes.spinning_discs import Disc, scene_of
 
 pytest.importorskip("numba")
 

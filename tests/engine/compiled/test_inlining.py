@@ -9,10 +9,10 @@ import pytest
 
 from lesson_code import Combination
 from lesson_code.engine.compiled.inlining import MOST_NODES, inlined
-from lesson_code.engine.effect_choice import LACKING
-from lesson_code.engine.effect_rules import RULES
+from lesson_code.engine.effects.choice import LACKING
+from lesson_code.engine.effects.rules import RULES
 from lesson_code.engine.stepper import EngineStepper, source_of
-from lesson_code.evidence.speed_scenes import SpeedScene, bin_of_shapes, gas
+from lesson_code.evidence.scenes.speed import SpeedScene, bin_of_shapes, gas
 
 SHORT = "def short(x):\n    return x\n"
 LONG = "def long(x):\n" + "    x = x + x\n" * (MOST_NODES // 12) + "    return x\n"

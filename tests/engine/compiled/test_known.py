@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from lesson_code.engine.compiled.known import Known, is_stage, known_value
-from lesson_code.engine.effects import Effects
-from lesson_code.engine.rows import BodyRow
+from lesson_code.engine.core.rows import BodyRow
+from lesson_code.engine.effects.flags import Effects
 
 STAGES = Effects(outlines=True, manifolds=False)
 NAMES = {"none": None, "yes": True, "no": False, "f": len, "g": sum, "stages": STAGES, "np": np}

@@ -255,8 +255,8 @@ OVERLAPPING = """
 """Discs without corners make the smallest program, which is compiled in 4 s."""
 
 EDITS = {
-    "a constant": ("constants.py", "PUSH_SHARE = 0.2\n", "PUSH_SHARE = 0.25\n"),
-    "a stage": ("world.py", "-world.state.damping *", "-2.0 * world.state.damping *"),
+    "a constant": ("core/constants.py", "PUSH_SHARE = 0.2\n", "PUSH_SHARE = 0.25\n"),
+    "a stage": ("core/step.py", "-world.state.damping *", "-2.0 * world.state.damping *"),
 }
 
 

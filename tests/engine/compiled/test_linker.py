@@ -18,20 +18,22 @@ import numpy as np
 import pytest
 
 from lesson_code import Combination, Scene
-from lesson_code.engine import contact_frame, contact_motion, contact_solver, stepper
-from lesson_code.engine.broad_phase import longest_way
+from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
-from lesson_code.engine.continuous import advance
-from lesson_code.engine.effects import EVERY_EFFECT, Effects
-from lesson_code.engine.room import make_room
-from lesson_code.engine.rows import World
-from lesson_code.engine.soft_step import soft_part
+from lesson_code.engine.core import contact_frame, contact_motion
+from lesson_code.engine.core.broad_phase import longest_way
+from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.continuous import advance
+from lesson_code.engine.core.rows import World
+from lesson_code.engine.core.step import Pipeline
+from lesson_code.engine.core.tables import BROAD_PHASES
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.solvers import sequential as contact_solver
+from lesson_code.engine.solvers.soft_step import soft_part
 from lesson_code.engine.stepper import SOLVERS, EngineStepper
-from lesson_code.engine.tables import BROAD_PHASES
-from lesson_code.engine.world import Pipeline
-from lesson_code.evidence.disc_gas import gas_of
-from lesson_code.evidence.exact_scenes import balls_at_wall, turning_rod
-from lesson_code.evidence.speed_scenes import bin_of_shapes
+from lesson_code.evidence.scenes.events import balls_at_wall, turning_rod
+from lesson_code.evidence.scenes.gas import gas_of
+from lesson_code.evidence.scenes.speed import bin_of_shapes
 
 Make = Callable[..., types.ModuleType]
 
@@ -400,7 +402,7 @@ def test_stages_of_the_direct_solver_are_imported(law: str) -> None:
     )  # fmt: skip
     usual.advance(20)
     source = link(advance, pipeline=linked.pipeline)
-    assert "from lesson_code.engine.direct_solver import solve as direct_solver_solve" in source
+    assert "from lesson_code.engine.solvers.direct import solve as direct_solve" in source
     linked.world = advanced(run(source)["advance"], linked.world, 20)
     assert (linked.states() + 0.0).tobytes() == (usual.states() + 0.0).tobytes()
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.broad_phase import slot_of
-from lesson_code.engine.combination import combination
-from lesson_code.engine.constants import FEWEST_FOR_GRID
+from lesson_code.engine.core.broad_phase import slot_of
+from lesson_code.engine.core.constants import FEWEST_FOR_GRID
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.cells import (
     border_gap,

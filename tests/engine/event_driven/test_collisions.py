@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Run, Scene, Segment, simulate
-from lesson_code.engine.combination import combination
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.constants import HOP
-from lesson_code.evidence import exact_scenes, scenes
+from lesson_code.evidence.scenes import events as exact_scenes
+from lesson_code.evidence.scenes import known_answers as scenes
 
 ROUNDING = 1e-12
 """A handful of impacts, each right to 1e-16 of numbers near 1."""

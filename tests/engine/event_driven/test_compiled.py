@@ -9,14 +9,19 @@ import pytest
 from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.combination import combination
 from lesson_code.engine.compiled import library
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven import solver as solver_module
-from lesson_code.evidence.disc_gas import gas_of
-from lesson_code.evidence.disc_scenes import rack_break
-from lesson_code.evidence.exact_scenes import ball_in_a_box, bouncing_to_rest, box, two_blocks
-from lesson_code.evidence.scenes import disc_in_wedge
+from lesson_code.evidence.scenes.discs import rack_break
+from lesson_code.evidence.scenes.events import (
+    ball_in_a_box,
+    bouncing_to_rest,
+    box,
+    two_blocks,
+)
+from lesson_code.evidence.scenes.gas import gas_of
+from lesson_code.evidence.scenes.known_answers import disc_in_wedge
 
 
 def crowd(

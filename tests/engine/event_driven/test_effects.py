@@ -11,18 +11,18 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Scene, simulate
-from lesson_code.engine.combination import combination
 from lesson_code.engine.compiled.arrays import LINE, as_arrays
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import (
     ExactSolver,
     collisions,
-    foretelling,
+    event_prediction,
     loop,
     solver,
     support,
 )
-from lesson_code.evidence.disc_gas import gas_of
-from lesson_code.evidence.exact_scenes import ball_in_a_box, box
+from lesson_code.evidence.scenes.events import ball_in_a_box, box
+from lesson_code.evidence.scenes.gas import gas_of
 
 FORCED = dict.fromkeys(
     ("collisions", "outlines", "restitution", "friction", "rotation", "gravity"), True
@@ -31,10 +31,10 @@ FORCED = dict.fromkeys(
 
 STAGES: dict[str, list[tuple[Any, str]]] = {
     "gravity": [
-        (foretelling, "circle_outline_impact_time"),
-        (foretelling, "circle_impact_time"),
-        (foretelling, "line_impact_time"),
-        (foretelling, "foretell_end_of_rest"),
+        (event_prediction, "circle_outline_impact_time"),
+        (event_prediction, "circle_impact_time"),
+        (event_prediction, "line_impact_time"),
+        (event_prediction, "foretell_end_of_rest"),
         (collisions, "bounce_or_rest"),
         (collisions, "meet_in_pile"),
         (loop, "go_on_along_face"),
@@ -43,10 +43,10 @@ STAGES: dict[str, list[tuple[Any, str]]] = {
     "friction": [
         (collisions, "rubbing_impulse"),
         (collisions, "rub"),
-        (foretelling, "grip_time"),
+        (event_prediction, "grip_time"),
         (support, "pull_with_friction"),
     ],
-    "outlines": [(foretelling, "outline_time")],
+    "outlines": [(event_prediction, "outline_time")],
     "collisions": [(loop, "begin"), (loop, "next_event")],
     "impulse_record": [(solver, "note_impulse")],
 }

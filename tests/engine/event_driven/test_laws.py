@@ -10,10 +10,10 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Run, Scene, simulate
-from lesson_code.engine.combination import combination
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
-from lesson_code.evidence.disc_gas import disc_gas, hits_a_disc
-from lesson_code.evidence.exact_scenes import box, error_after_return, turned_back
+from lesson_code.evidence.scenes.events import box, error_after_return, turned_back
+from lesson_code.evidence.scenes.gas import disc_gas, hits_a_disc
 
 ENERGY = 1e-12
 """Of the energy, over 1e5 and over 1e6 collisions: their roundings cancel out; 2e-14 was seen after

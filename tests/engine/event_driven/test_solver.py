@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.combination import combination
-from lesson_code.engine.event_driven import ExactSolver, foretelling, why_not
-from lesson_code.evidence.disc_gas import disc_gas
-from lesson_code.evidence.disc_scenes import rack_break
+from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.event_driven import ExactSolver, event_prediction, why_not
+from lesson_code.evidence.scenes.discs import rack_break
+from lesson_code.evidence.scenes.gas import disc_gas
 
 ROUNDING = 1e-12
 """A handful of impacts, each right to 1e-16 of numbers near 1."""
@@ -249,7 +249,7 @@ def test_first_partner_is_the_first_disc_of_several_at_one_time() -> None:
 def work_per_collision(side: int, monkeypatch: pytest.MonkeyPatch) -> float:
     """Return how many pairs of discs are looked at for a collision, in a gas of side^2 discs."""
     calls = 0
-    look = foretelling.hit_time
+    look = event_prediction.hit_time
 
     def counting(*arguments: Any) -> float:
         nonlocal calls
@@ -263,7 +263,7 @@ def work_per_collision(side: int, monkeypatch: pytest.MonkeyPatch) -> float:
     while solver.collisions < wanted // 2:  # the rows and columns of the start are gone
         solver.next_collision(math.inf)
     with monkeypatch.context() as patch:
-        patch.setattr(foretelling, "hit_time", counting)
+        patch.setattr(event_prediction, "hit_time", counting)
         while solver.collisions < wanted:
             solver.next_collision(math.inf)
     return calls / (wanted - wanted // 2)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.combination import combination
+from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven.rows import Tables
 from lesson_code.engine.event_driven.support import (
     friction_of,

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.combination import UNSPECIFIED, combination
+from lesson_code.engine.core.mixing import UNSPECIFIED, combination
 from lesson_code.engine.event_driven.constants import HOP, REST, STILL
 from lesson_code.engine.event_driven.loop import next_time
 from lesson_code.engine.event_driven.rows import Tables

@@ -1,0 +1,322 @@
+"""The asteroid field: varying masses, pieces that fly apart, a ship with thrust and recoil.
+
+The ledger is the point of it: the momentum of everything there is, and the momentum that the
+engine's exhaust and spent shots have carried away, always add up to the same.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from lesson_code.chapters.asteroids.rules import fire, split, wrap
+from lesson_code.engine.core.callbacks import Touch
+from lesson_code.engine.core.scene import XY, Body, Material
+from lesson_code.engine.live_world import TIME_STEP, LiveWorld
+from lesson_code.geometry.shapes import Circle, Polygon
+from lesson_code.view.pygame.borrowed import lent
+from lesson_code.view.pygame.effects import Flashes, Sparks
+from lesson_code.view.pygame.picture import Camera, Picture
+from lesson_code.view.pygame.program import (
+    Effects,
+    Game,
+    Input,
+    Program,
+    Readings,
+    motion_readings,
+    short,
+)
+from lesson_code.view.pygame.sound import Sounds
+from lesson_code.view.pygame.window import INK, ORANGE, SKY, VERMILION, YELLOW, Colour, blend
+
+SIZE = (8.0, 6.0)
+"""m: the field. What has left on one side comes back on the other."""
+
+ROCKS, DENSITY = 9, 30.0
+"""Asteroids at the start; kg/m^2."""
+
+SMALLEST_SPLIT, PIECES = 0.26, 3
+"""m, radius: a smaller asteroid bursts into nothing that counts; pieces of one that is larger."""
+
+HEADINGS = 12
+"""Directions that a burst is tried in; the one in which its pieces have most room is taken."""
+
+BURST_SPEED = 1.2
+"""m/s, of the pieces."""
+
+ROCK = Material(restitution=0.9, friction=0.1)
+SHIP_MASS, THRUST, TURN = 2.0, 8.0, 3.6
+"""kg; N; rad/s."""
+
+SHOT_MASS, SHOT_RADIUS, MUZZLE = 0.05, 0.05, 6.0
+"""kg, m, m/s."""
+
+SHOT_STEPS, RELOAD_STEPS = 60, 12
+"""Steps that a shot flies, and between two shots."""
+
+OUTLINE = ((0.28, 0.0), (-0.2, 0.17), (-0.2, -0.17))
+"""m: the ship, its nose first."""
+
+MOST_ROCKS = 60
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What a player may write for this field; see :mod:`lesson_code.chapters.asteroids.rules`."""
+
+    split: Callable[..., Any] = split
+    fire: Callable[..., Any] = fire
+
+
+class Asteroids(Game):
+    """A ship among asteroids."""
+
+    def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
+        self._split, self._fire = lent(rules.split, split), lent(rules.fire, fire)
+        super().__init__(seed)
+
+    def reset(self) -> None:
+        """Scatter the asteroids, and put the ship into the middle."""
+        self.random.seed(self.seed)
+        self.score = self.hits_taken = 0
+        self.carried_away = (0.0, 0.0)
+        self._last_shot = -RELOAD_STEPS
+        self.world = LiveWorld(callbacks=self.callbacks)
+        self.ship = self.world.add(
+            Body(
+                Polygon(OUTLINE),
+                position=(SIZE[0] / 2, SIZE[1] / 2),
+                angle=math.pi / 2,
+                mass=SHIP_MASS,
+                material=ROCK,
+            )
+        )
+        self.shots: dict[int, int] = {}  # number of the body: step at which it is spent
+        self.struck: set[int] = set()
+        for k in range(ROCKS):
+            turn = 2 * math.pi * k / ROCKS
+            place = (SIZE[0] / 2 + 3.1 * math.cos(turn), SIZE[1] / 2 + 2.3 * math.sin(turn))
+            heading, speed = self.random.uniform(0, 2 * math.pi), self.random.uniform(0.2, 0.9)
+            radius = self.random.uniform(0.25, 0.55)
+            self._add_rock(place, radius, (speed * math.cos(heading), speed * math.sin(heading)))
+
+    @property
+    def rocks(self) -> list[int]:
+        """The numbers of the asteroids."""
+        return [n for n in self.world.numbers if n != self.ship and n not in self.shots]
+
+    def _add_rock(self, place: XY, radius: float, velocity: XY) -> int:
+        """Let an asteroid join."""
+        return self.world.add(
+            Body(
+                Circle(radius),
+                position=place,
+                velocity=velocity,
+                angular_velocity=self.random.uniform(-1, 1),
+                mass=DENSITY * math.pi * radius**2,
+                material=ROCK,
+            )
+        )
+
+    def radius(self, number: int) -> float:
+        """Return the radius of a body, m."""
+        return self.world.body(number).shape.bounding_radius
+
+    def mass(self, number: int) -> float:
+        """Return the mass of a body, kg."""
+        return self.world.body(number).mass or 0.0
+
+    def press(self, key: str) -> None:
+        """Shoot, or begin anew."""
+        super().press(key)
+        if key == "space":
+            self.shoot()
+
+    def step(self) -> None:
+        """Let time pass: ship, impacts, bursts, edges."""
+        self._steer()
+        self.world.step()
+        for rock in sorted(self.struck):
+            self._burst(rock)
+        self.struck.clear()
+        for shot in [s for s, end in self.shots.items() if end <= self.world.steps]:
+            self._spend(shot)
+        for number in self.world.numbers:
+            place = self.world.position(number)
+            inside = wrap(place, SIZE, self.radius(number))
+            if inside != place and self._is_free(number, inside):
+                self.world.move(number, inside)
+
+    def _is_free(self, number: int, place: XY) -> bool:
+        """Return whether a body would overlap no other one there; if not, it waits outside."""
+        return all(
+            math.dist(place, self.world.position(other)) > self.radius(number) + self.radius(other)
+            for other in self.world.numbers
+            if other != number
+        )
+
+    def _steer(self) -> None:
+        """Turn the ship, and let its engine push it; the exhaust takes the opposite away."""
+        way = ("left" in self.held) - ("right" in self.held)
+        self.world.throw(self.ship, self.world.velocity(self.ship), TURN * way)
+        if "up" in self.held:
+            angle = self.world.angle(self.ship)
+            push = THRUST * TIME_STEP
+            impulse = push * math.cos(angle), push * math.sin(angle)
+            self.world.push(self.ship, impulse)
+            self._carry_away((-impulse[0], -impulse[1]))
+
+    def _carry_away(self, momentum: XY) -> None:
+        """Note momentum that has left the field, kg m/s."""
+        x, y = self.carried_away
+        self.carried_away = x + momentum[0], y + momentum[1]
+
+    def shoot(self) -> None:
+        """Fire a shot ahead; the ship recoils. The shot's mass comes from the ship's stores."""
+        if self.world.steps - self._last_shot < RELOAD_STEPS:
+            return
+        self._last_shot = self.world.steps
+        angle = self.world.angle(self.ship)
+        velocity = self.world.velocity(self.ship)
+        ship, shot = self._fire(velocity, SHIP_MASS, SHOT_MASS, MUZZLE, angle)
+        # The stores are outside of the ledger: the shot's mass joins with the ship's velocity.
+        self._carry_away((-SHOT_MASS * velocity[0], -SHOT_MASS * velocity[1]))
+        self.world.throw(self.ship, (float(ship[0]), float(ship[1])))
+        x, y = self.world.position(self.ship)
+        nose = x + 0.38 * math.cos(angle), y + 0.38 * math.sin(angle)
+        number = self.world.add(
+            Body(
+                Circle(SHOT_RADIUS),
+                position=nose,
+                velocity=(float(shot[0]), float(shot[1])),
+                mass=SHOT_MASS,
+                material=ROCK,
+            )
+        )
+        self.shots[number] = self.world.steps + SHOT_STEPS
+
+    def _spend(self, shot: int) -> None:
+        """Take a shot out of the field, and note its momentum."""
+        vx, vy = self.world.velocity(shot)
+        self._carry_away((SHOT_MASS * vx, SHOT_MASS * vy))
+        self.world.remove(shot)
+        del self.shots[shot]
+
+    def touched(self, touch: Touch) -> None:
+        """Note which asteroid a shot strikes, and what strikes the ship."""
+        pair = (touch.body_a, touch.body_b)
+        for one, other in (pair, pair[::-1]):
+            if one in self.shots and other != self.ship and other not in self.shots:
+                self.struck.add(other)
+                self.shots[one] = self.world.steps
+            if one == self.ship and other not in self.shots:
+                self.hits_taken += 1
+
+    def _burst(self, rock: int) -> None:
+        """Let an asteroid burst into pieces of unequal mass, which keep mass and momentum."""
+        self.score += 1
+        if self.radius(rock) < SMALLEST_SPLIT or len(self.rocks) + PIECES > MOST_ROCKS:
+            return
+        place, velocity, mass = (
+            self.world.position(rock),
+            self.world.velocity(rock),
+            self.mass(rock),
+        )
+        parts = [self.random.uniform(1.0, 2.0) for _ in range(PIECES)]
+        masses = [mass * part / sum(parts) for part in parts]
+        radii = [math.sqrt(m / DENSITY / math.pi) for m in masses]
+        reach, drawn = self.radius(rock), self.random.uniform(0, 2 * math.pi)
+        self.world.remove(rock)
+        headings = [drawn + 2 * math.pi * k / HEADINGS for k in range(HEADINGS)]
+        heading = min(headings, key=lambda h: self._overlap(around(place, reach, h), radii))
+        velocities = np.asarray(self._split(velocity, masses, BURST_SPEED, heading)).tolist()
+        for away, radius, v in zip(around(place, reach, heading), radii, velocities, strict=True):
+            self._add_rock(away, radius, (v[0], v[1]))
+
+    def _overlap(self, places: list[XY], radii: list[float]) -> float:
+        """Return by how much discs would overlap what there is, all together, m."""
+        there = [(self.world.position(n), self.radius(n)) for n in self.world.numbers]
+        return sum(
+            max(radius + r - math.dist(place, other), 0.0)
+            for place, radius in zip(places, radii, strict=True)
+            for other, r in there
+        )
+
+    def ledger(self) -> XY:
+        """Return what must not change: the momentum in the field, and what has left it, kg m/s."""
+        (px, py), (ox, oy) = self.world.momentum(), self.carried_away
+        return px + ox, py + oy
+
+
+def around(place: XY, reach: float, heading: float) -> list[XY]:
+    """Return where the pieces of an asteroid begin: evenly around its centre, m."""
+    turns = [heading + 2 * math.pi * k / PIECES for k in range(PIECES)]
+    return [(place[0] + reach * math.cos(t), place[1] + reach * math.sin(t)) for t in turns]
+
+
+def rock_colour(mass: float) -> Colour:
+    """Return the colour of an asteroid: the heavier, the more of vermilion."""
+    return blend(SKY, VERMILION, min(mass / 25.0, 1.0))
+
+
+def draw(game: Asteroids, picture: Picture, effects: Effects) -> None:
+    """Draw asteroids with their masses, shots and ship."""
+    for rock in game.rocks:
+        x, y = game.world.position(rock)
+        r, colour = game.radius(rock), effects.colour(rock, rock_colour(game.mass(rock)))
+        picture.disc((x, y), r, colour, game.world.angle(rock))
+        if r > 0.2 and 0 < x < SIZE[0] and 0 < y < SIZE[1]:
+            picture.text(f"{game.mass(rock):.0f}", (x, y), colour=(20, 24, 30))
+    for shot in game.shots:
+        picture.disc(game.world.position(shot), SHOT_RADIUS, INK)
+    place, angle = game.world.position(game.ship), game.world.angle(game.ship)
+    if "up" in game.held:
+        tail = place[0] - 0.2 * math.cos(angle), place[1] - 0.2 * math.sin(angle)
+        picture.arrow(tail, (-0.3 * math.cos(angle), -0.3 * math.sin(angle)), ORANGE, 5.0)
+    picture.body(game.world.body(game.ship), place, angle, effects.colour(game.ship, YELLOW))
+
+
+def readings(game: Asteroids) -> Readings:
+    """Return counts, momentum and the ledger."""
+    lx, ly = game.ledger()
+    ox, oy = game.carried_away
+    return [
+        ("asteroids", f"{len(game.rocks)}"),
+        ("hits   taken", f"{game.score}   {game.hits_taken}"),
+        *motion_readings(game.world),
+        ("carried away", f"({short(ox)}, {short(oy)})"),
+        ("sum, kept", f"({short(lx)}, {short(ly)})"),
+    ]
+
+
+PROGRAM = Program(
+    name="asteroids",
+    title="Asteroid field",
+    game=Asteroids,
+    draw=draw,
+    readings=readings,
+    keys=(
+        ("left right", "turn"),
+        ("up", "thrust"),
+        ("SPACE", "shoot"),
+        ("R", "new field"),
+    ),
+    camera=Camera(left=0.0, bottom=0.0, scale=100.0),
+    tour=(
+        (0, Input("press", "right")),
+        (20, Input("release", "right")),
+        (30, Input("press", "space")),
+        (50, Input("press", "space")),
+        (60, Input("press", "up")),
+        (90, Input("release", "up")),
+        (110, Input("press", "space")),
+        (130, Input("press", "up")),
+    ),
+    effects=lambda: Effects(
+        Flashes(least_impulse=0.2), Sparks(least_impulse=1.0), sounds=Sounds("stone", 0.6, 20.0)
+    ),
+)

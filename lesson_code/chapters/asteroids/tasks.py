@@ -1,0 +1,141 @@
+"""Tasks of the asteroid field: whatever happens, the momentum is kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from random import Random
+from typing import Any
+
+import numpy as np
+
+from lesson_code.chapters import draws
+from lesson_code.chapters.asteroids import rules as asteroids_rules
+from lesson_code.chapters.asteroids.right_answers import ALTERNATIVES
+from lesson_code.chapters.asteroids.wrong_answers import WRONG_MODELS
+from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+
+FIELD_MASSES = (1.0, 4.0, 2.5, 7.0, 0.5, 3.0, 5.5, 1.5, 2.0)
+"""kg: of the field in which the momentum is added up."""
+
+PIECE_MASSES = (1.0, 2.5, 4.0)
+"""kg: of the pieces whose momentum is added up."""
+
+
+def bursts(stream: Random) -> Iterator[Arguments]:
+    """Draw asteroids that burst into two, three and five unequal pieces."""
+    for count in (2, 3, 5):
+        masses = tuple(round(stream.uniform(0.5, 1.0) * (1 + k), 2) for k in range(count))
+        yield _velocity(stream), masses, draws.speed(stream), round(stream.uniform(0, 6), 2)
+
+
+def bursts_of_three(stream: Random) -> Iterator[Arguments]:
+    """Draw an asteroid that bursts into pieces of known masses."""
+    yield _velocity(stream), PIECE_MASSES, draws.speed(stream), round(stream.uniform(0, 6), 2)
+
+
+def shots(stream: Random) -> Iterator[Arguments]:
+    """Draw shots from a ship that moves, in any direction."""
+    for _ in range(2):
+        yield _shot(stream, _velocity(stream))
+
+
+def shots_at_rest(stream: Random) -> Iterator[Arguments]:
+    """Draw a shot from a ship at rest."""
+    yield _shot(stream, (0.0, 0.0))
+
+
+def _shot(stream: Random, velocity: draws.Vector) -> Arguments:
+    """Return the arguments of a shot, heavier or lighter than the ship."""
+    ship, shot = draws.unequal_masses(stream)
+    return velocity, ship, shot, round(stream.uniform(5, 9), 2), round(stream.uniform(0, 6), 2)
+
+
+def pairs(stream: Random) -> Iterator[Arguments]:
+    """Draw two that overlap and approach, two that part, and two that do not touch."""
+    for scale, is_parting in ((1, False), (1, True), (3, False)):
+        normal, radii = draws.oblique_normal(stream), draws.unequal_radii(stream)
+        distance = scale * stream.uniform(0.5, 0.9) * sum(radii)
+        v = (draws.separating_pair if is_parting else draws.approaching_pair)(stream, normal)
+        there = draws.at_distance((0.0, 0.0), distance, normal)
+        places = ((0.0, 0.0), there)
+        yield places, v, draws.unequal_masses(stream), radii, draws.restitution(stream)
+
+
+def chains(stream: Random) -> Iterator[Arguments]:
+    """Draw three in a crooked row, each overlapping the next, the first one fast."""
+    bend = stream.uniform(0.4, 0.8)
+    places = ((0.0, 0.0), (1.5, 0.2), (1.5 + 1.5 * math.cos(bend), 0.2 + 1.5 * math.sin(bend)))
+    v = ((round(stream.uniform(3, 5), 2), 0.4), (0.0, 0.3), (-1.0, 0.0))
+    yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
+
+
+def crowded_fields(stream: Random) -> Iterator[Arguments]:
+    """Draw nine asteroids in a crowd, in which many overlap."""
+    places = tuple(
+        (1.4 * (k % 3) + stream.uniform(-0.2, 0.2), 1.4 * (k // 3) + stream.uniform(-0.2, 0.2))
+        for k in range(9)
+    )
+    moving = tuple(_velocity(stream) for _ in range(9))
+    radii = tuple(round(stream.uniform(0.6, 0.9), 2) for _ in range(9))
+    yield places, moving, FIELD_MASSES, radii, draws.restitution(stream)
+
+
+def _velocity(stream: Random) -> draws.Vector:
+    """Return a velocity, m/s, that is not small."""
+    speed, heading = draws.speed(stream), stream.uniform(0, 2 * math.pi)
+    return round(speed * math.cos(heading), 2), round(speed * math.sin(heading), 2)
+
+
+@np.errstate(all="ignore")  # an answer may hold any number
+def momentum_of_pieces(velocities: Any) -> Any:
+    """Return the total momentum of the three pieces, kg m/s."""
+    return np.array(PIECE_MASSES) @ np.asarray(velocities, dtype=float)
+
+
+@np.errstate(all="ignore")  # an answer may hold any number
+def momentum_of_field(velocities: Any) -> Any:
+    """Return the total momentum of the nine asteroids, kg m/s."""
+    return np.array(FIELD_MASSES) @ np.asarray(velocities, dtype=float)
+
+
+TASKS = (
+    Task(
+        id="A.1",
+        function="split",
+        objective="An asteroid bursts, and its momentum is kept.",
+        expected=asteroids_rules.split,
+        criteria=(
+            Criterion("the pieces", bursts, points=2),
+            Criterion("the momentum is kept", bursts_of_three, part=momentum_of_pieces),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "A.1"),
+        alternatives=for_task(ALTERNATIVES, "A.1"),
+    ),
+    Task(
+        id="A.2",
+        function="fire",
+        objective="A shot, and its recoil.",
+        expected=asteroids_rules.fire,
+        criteria=(
+            Criterion("from rest", shots_at_rest),
+            Criterion("while it moves", shots, points=2),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "A.2"),
+        alternatives=for_task(ALTERNATIVES, "A.2"),
+    ),
+    Task(
+        id="A.3",
+        function="collide_all",
+        objective="A field of collisions, and its momentum is kept.",
+        expected=asteroids_rules.collide_all,
+        criteria=(
+            Criterion("two asteroids", pairs),
+            Criterion("a row of three", chains),
+            Criterion("the momentum of a field is kept", crowded_fields, part=momentum_of_field),
+            Criterion("a field", crowded_fields),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "A.3"),
+        alternatives=for_task(ALTERNATIVES, "A.3"),
+    ),
+)

@@ -1,0 +1,171 @@
+"""Wrong models of the asteroid field: bursts, shots, collisions."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+
+
+def _apart(masses: Vector, speed: float, heading: float) -> Any:
+    """Return velocities that are spread evenly round the circle."""
+    turns = heading + 2 * np.pi * np.arange(len(masses)) / len(masses)
+    return speed * np.column_stack([np.cos(turns), np.sin(turns)])
+
+
+@wrong_model("A.1", "A heavy piece and a light one fly apart at one speed. What is their momentum?")
+def nothing_taken_back(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """Directions that are spread evenly keep the momentum by themselves."""
+    return velocity + _apart(masses, speed, heading)
+
+
+@wrong_model("A.1", "Which piece should change your answer more, a light one or a heavy one?")
+def weighed_the_wrong_way(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """In the mean that is taken back, light pieces count most."""
+    apart = _apart(masses, speed, heading)
+    return velocity + apart - (1 / masses) @ apart / np.sum(1 / masses)
+
+
+@wrong_model("A.1", "Did the asteroid move before it burst? Where is its momentum afterwards?")
+def forgets_the_asteroid(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """The pieces fly apart from where the asteroid was, at rest."""
+    apart = _apart(masses, speed, heading)
+    return apart - masses @ apart / np.sum(masses)
+
+
+@wrong_model("A.1", "A light piece and a heavy one: who got which share of the velocity?")
+def momentum_for_velocity(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """Each piece gives back its own share of the surplus, by its mass."""
+    apart = _apart(masses, speed, heading)
+    surplus = masses @ apart
+    return velocity + apart - masses[:, None] * surplus / np.sum(masses**2)
+
+
+@wrong_model("A.2", "A gun that fires pushes back. How fast is your ship after the shot?")
+def without_recoil(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The ship feels nothing of a shot."""
+    return velocity, velocity + muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+
+
+@wrong_model(
+    "A.2", "The muzzle speed is seen from the ship. Does the shot keep the ship's velocity?"
+)
+def forgets_the_ship(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The shot leaves at the muzzle speed, however the ship moves."""
+    shot = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+    return velocity - shot_mass / ship_mass * shot, shot
+
+
+@wrong_model("A.2", "After the shot, how fast is it as seen from the ship that has recoiled?")
+def seen_from_before(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The muzzle speed is that seen from the ship before it fired."""
+    relative = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+    return velocity - shot_mass / ship_mass * relative, velocity + relative
+
+
+@wrong_model("A.2", "Add up both momenta. In which direction does the ship go?")
+def recoils_forward(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The shot pulls the ship with it."""
+    relative = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+    ship = velocity + shot_mass / (ship_mass + shot_mass) * relative
+    return ship, ship + relative
+
+
+def _pairs(positions: Vector, radii: Vector) -> Any:
+    """Yield the pairs that overlap, each with its normal, in order."""
+    for a, b in combinations(range(len(radii)), 2):
+        offset = positions[b] - positions[a]
+        distance = np.hypot(*offset)
+        if 0 < distance < radii[a] + radii[b]:
+            yield a, b, offset / distance
+
+
+@wrong_model(
+    "A.3", "Two of your asteroids part and still overlap. What does your impulse do to them?"
+)
+def without_gate(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Whatever overlaps collides."""
+    v = velocities.copy()
+    for a, b, n in _pairs(positions, radii):
+        j = (1 + restitution) * np.dot(v[a] - v[b], n) / (1 / masses[a] + 1 / masses[b])
+        v[a] -= j / masses[a] * n
+        v[b] += j / masses[b] * n
+    return v
+
+
+@wrong_model("A.3", "A pebble hits a mountain. Do both change their velocities by the same?")
+def masses_alike(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Both bodies of a pair share the change of velocity alike."""
+    v = velocities.copy()
+    for a, b, n in _pairs(positions, radii):
+        change = (1 + restitution) / 2 * max(np.dot(v[a] - v[b], n), 0.0) * n
+        v[a] -= change
+        v[b] += change
+    return v
+
+
+@wrong_model(
+    "A.3", "A third asteroid meets one that has just been hit. Which velocity has that one?"
+)
+def all_from_the_old_velocities(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Every pair finds the velocities from before all collisions."""
+    v = velocities.copy()
+    for a, b, n in _pairs(positions, radii):
+        approach = max(np.dot(velocities[a] - velocities[b], n), 0.0)
+        j = (1 + restitution) * approach / (1 / masses[a] + 1 / masses[b])
+        v[a] -= j / masses[a] * n
+        v[b] += j / masses[b] * n
+    return v
+
+
+@wrong_model(
+    "A.3", "Two bodies meet at a slant. Which part of the relative velocity does 1 + e act on?"
+)
+def whole_relative_velocity(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """The impulse acts along the relative velocity."""
+    v = velocities.copy()
+    for a, b, n in _pairs(positions, radii):
+        relative = v[a] - v[b]
+        if np.dot(relative, n) > 0:
+            j = (1 + restitution) * relative / (1 / masses[a] + 1 / masses[b])
+            v[a] -= j / masses[a]
+            v[b] += j / masses[b]
+    return v
+
+
+@wrong_model("A.3", "Head on, with restitution 0, how fast do two bodies part?")
+def twice_the_impulse(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """An impact needs 2 (1 + e)."""
+    v = velocities.copy()
+    for a, b, n in _pairs(positions, radii):
+        approach = max(np.dot(v[a] - v[b], n), 0.0)
+        j = 2 * (1 + restitution) * approach / (1 / masses[a] + 1 / masses[b])
+        v[a] -= j / masses[a] * n
+        v[b] += j / masses[b] * n
+    return v
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

@@ -1,0 +1,4 @@
+"""Cushion-bounce billiards.
+
+One ball, four cushions, a bumper at 45 degrees.
+"""

@@ -1,0 +1,215 @@
+"""Wrong models of the billiards: the table's contacts, its step and its clock.
+
+They use the constants and functions that the student's file has under the same names.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.chapters.billiards.rules import (
+    TABLE,
+    TIME_STEP,
+    bumper_contact,
+    resolve,
+    step,
+    wall_contacts,
+)
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+
+WIDTH, HEIGHT, RADIUS, RESTITUTION = TABLE.width, TABLE.height, TABLE.radius, TABLE.restitution
+NORMALS = {name: np.array(normal) for name, normal, _ in TABLE.walls}
+BUMPER_START, BUMPER_END = np.array(TABLE.bumper_start), np.array(TABLE.bumper_end)
+BUMPER_HALF_THICKNESS = TABLE.bumper_half_thickness
+
+
+@wrong_model("B.1", "A ball has a size. How far is its centre from the cushion when it touches?")
+def forgets_the_radius(position: Vector) -> Any:
+    """A ball meets the cushion when its centre does."""
+    x, y = position
+    depths = {"top": -y, "bottom": y - HEIGHT, "left": -x, "right": x - WIDTH}
+    return [(name, NORMALS[name], depth) for name, depth in depths.items() if depth > 0]
+
+
+@wrong_model("B.1", "Send a ball into a corner. How many cushions does it touch there?")
+def one_cushion_at_a_time(position: Vector) -> Any:
+    """A ball can touch only one cushion at a time."""
+    x, y = position
+    depths = {
+        "top": RADIUS - y,
+        "bottom": y - (HEIGHT - RADIUS),
+        "left": RADIUS - x,
+        "right": x - (WIDTH - RADIUS),
+    }
+    return [(name, NORMALS[name], depth) for name, depth in depths.items() if depth > 0][:1]
+
+
+@wrong_model("B.1", "y grows downward here. Which way does the top cushion push the ball?")
+def outward_normals(position: Vector) -> Any:
+    """A cushion's normal points out of the table."""
+    x, y = position
+    depths = {
+        "top": RADIUS - y,
+        "bottom": y - (HEIGHT - RADIUS),
+        "left": RADIUS - x,
+        "right": x - (WIDTH - RADIUS),
+    }
+    return [(name, -NORMALS[name], depth) for name, depth in depths.items() if depth > 0]
+
+
+@wrong_model("B.2", "A ball far behind the bumper, in the other half of the table: is it inside?")
+def endless_half_plane(position: Vector) -> Any:
+    """Everything on the far side of the bumper's line is inside the bumper."""
+    along = BUMPER_END - BUMPER_START
+    normal = np.array([along[1], -along[0]]) / np.hypot(along[0], along[1])
+    depth = RADIUS + BUMPER_HALF_THICKNESS - np.dot(position - BUMPER_START, normal)
+    return (normal, depth) if depth > 0 else None
+
+
+@wrong_model("B.2", "Roll a ball past the end of the bumper. Does the line go on for ever?")
+def endless_line(position: Vector) -> Any:
+    """The bumper goes on beyond its ends."""
+    along = BUMPER_END - BUMPER_START
+    part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
+    offset = position - (BUMPER_START + part * along)
+    distance = np.hypot(offset[0], offset[1])
+    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
+    return (offset / distance, depth) if depth > 0 else None
+
+
+@wrong_model("B.2", "Come from the other side. Which way should the bumper push you there?")
+def one_sided(position: Vector) -> Any:
+    """A bumper has one normal, whatever side the ball is on."""
+    along = BUMPER_END - BUMPER_START
+    normal = np.array([along[1], -along[0]]) / np.hypot(along[0], along[1])
+    part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
+    offset = position - (BUMPER_START + min(max(part, 0.0), 1.0) * along)
+    depth = RADIUS + BUMPER_HALF_THICKNESS - np.hypot(offset[0], offset[1])
+    return (normal, depth) if depth > 0 else None
+
+
+@wrong_model("B.2", "The bumper has a thickness too. How close may the centre come to its line?")
+def thin_bumper(position: Vector) -> Any:
+    """The bumper is as thin as its line."""
+    along = BUMPER_END - BUMPER_START
+    part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
+    offset = position - (BUMPER_START + min(max(part, 0.0), 1.0) * along)
+    distance = np.hypot(offset[0], offset[1])
+    return (offset / distance, RADIUS - distance) if distance < RADIUS else None
+
+
+@wrong_model(
+    "B.3", "A smooth cushion pushes along its normal. What slows the tangent part in yours?"
+)
+def scales_the_tangent(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """Restitution scales the whole mirror image: v' = e R."""
+    v_n = np.dot(velocity, normal)
+    if v_n < 0:
+        velocity = RESTITUTION * (velocity - 2 * v_n * normal)
+    return position + depth * normal, velocity
+
+
+@wrong_model("B.3", "The ball is already leaving. What does your cushion do to it?")
+def without_gate(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """Whatever overlaps is bounced, whichever way it moves."""
+    v_n = np.dot(velocity, normal)
+    return position + depth * normal, velocity - (1 + RESTITUTION) * v_n * normal
+
+
+@wrong_model("B.3", "Where is the ball after your call: still inside the cushion?")
+def stays_inside(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """Once the velocity is right, the position takes care of itself."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return position, velocity - (1 + RESTITUTION) * v_n * normal
+
+
+@wrong_model("B.3", "The normal points from the cushion to the ball. Which way is out?")
+def pushes_deeper(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """The normal points into the cushion."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return position - depth * normal, velocity - (1 + RESTITUTION) * v_n * normal
+
+
+@wrong_model("B.4", "Where is the ball when you look for contacts: before the move, or after?")
+def looks_before_it_moves(position: Vector, velocity: Vector, dt: float) -> Any:
+    """Contacts are resolved first, and then the ball moves."""
+    hits = []
+    contact = bumper_contact(position)
+    found = [("bumper", *contact)] if contact is not None else []
+    for name, normal, depth in [*found, *wall_contacts(position)]:
+        if np.dot(velocity, normal) < 0:
+            hits.append(name)
+        position, velocity = resolve(position, velocity, normal, depth)
+    return position + velocity * dt, velocity, hits
+
+
+@wrong_model("B.4", "In a corner two cushions push. What happens to the second one in your step?")
+def first_contact_only(position: Vector, velocity: Vector, dt: float) -> Any:
+    """One contact a step is enough; the next step finds the other."""
+    position = position + velocity * dt
+    contact = bumper_contact(position)
+    found = [("bumper", *contact)] if contact is not None else []
+    for name, normal, depth in [*found, *wall_contacts(position)]:
+        hits = [name] if np.dot(velocity, normal) < 0 else []
+        return (*resolve(position, velocity, normal, depth), hits)
+    return position, velocity, []
+
+
+@wrong_model("B.4", "The ball overlaps a cushion but is leaving it. Is that another hit?")
+def counts_every_overlap(position: Vector, velocity: Vector, dt: float) -> Any:
+    """Every overlap that is found is a hit."""
+    position = position + velocity * dt
+    hits = []
+    contact = bumper_contact(position)
+    if contact is not None:
+        position, velocity = resolve(position, velocity, *contact)
+        hits.append("bumper")
+    for name, normal, depth in wall_contacts(position):
+        position, velocity = resolve(position, velocity, normal, depth)
+        hits.append(name)
+    return position, velocity, hits
+
+
+@wrong_model("B.5", "A frame took a whole second. Where does one step of that length put the ball?")
+def one_long_step(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """One step can be as long as the frame was."""
+    return (*step(position, velocity, elapsed), 0.0)
+
+
+@wrong_model("B.5", "A frame of 0.11 s holds 6 steps. What becomes of the time that is left over?")
+def drops_the_rest(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """What is left over is too short to matter."""
+    hits = []
+    for _ in range(int(elapsed / TIME_STEP + 1e-9)):
+        position, velocity, new_hits = step(position, velocity, TIME_STEP)
+        hits += new_hits
+    return position, velocity, hits, 0.0
+
+
+@wrong_model("B.5", "A frame of 0.11 s holds 6.6 steps. How many whole ones is that?")
+def rounds_up(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """A step that has begun is made whole."""
+    hits = []
+    steps = int(np.ceil(elapsed / TIME_STEP - 1e-9))
+    for _ in range(steps):
+        position, velocity, new_hits = step(position, velocity, TIME_STEP)
+        hits += new_hits
+    return position, velocity, hits, elapsed - steps * TIME_STEP
+
+
+@wrong_model("B.5", "Take 1/60 from 1.0 sixty times. Does exactly nothing remain, in floats?")
+def subtracts_until_empty(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """Taking a step's length off again and again counts the steps exactly."""
+    hits = []
+    while elapsed >= TIME_STEP:
+        position, velocity, new_hits = step(position, velocity, TIME_STEP)
+        hits += new_hits
+        elapsed -= TIME_STEP
+    return position, velocity, hits, elapsed
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

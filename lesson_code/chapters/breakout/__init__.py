@@ -1,0 +1,4 @@
+"""Breakout.
+
+Bricks, a paddle that decides the angle, five levels.
+"""

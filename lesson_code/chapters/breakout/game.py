@@ -1,0 +1,286 @@
+"""Breakout: bricks, a paddle whose place decides the angle, and levels that get faster.
+
+The ball is a body of the engine among walls and bricks. At no speed does it pass through a brick,
+because the engine splits a step at every impact of a fast body.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from lesson_code.chapters.breakout.rules import STEEPEST, paddle_bounce
+from lesson_code.engine.core.callbacks import Touch
+from lesson_code.engine.core.scene import XY, Body, Material
+from lesson_code.engine.live_world import LiveWorld
+from lesson_code.formulas import bounce
+from lesson_code.geometry.shapes import Circle, Polygon
+from lesson_code.view.pygame.borrowed import lent
+from lesson_code.view.pygame.effects import Sparks, Trails
+from lesson_code.view.pygame.picture import Camera, Picture
+from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings, room
+from lesson_code.view.pygame.sound import Sounds
+from lesson_code.view.pygame.window import GREEN, INK, ORANGE, PURPLE, SKY, YELLOW
+
+WIDTH, HEIGHT = 8.0, 6.0
+"""m. The room has no floor."""
+
+RADIUS, MASS = 0.12, 1.0
+BOUNCY = Material(restitution=1.0, friction=0.0)
+COLUMNS, BRICK = 10, (0.74, 0.24)
+"""Bricks in a row; width and height of one, m."""
+
+FIRST_ROW, ROW, COLUMN = 5.4, 0.32, 0.78
+"""m: height of the highest row; from one row and column to the next."""
+
+PADDLE, PADDLE_Y, PADDLE_SPEED = (1.4, 0.2), 0.4, 9.0
+"""m, m, m/s."""
+
+SPEED, FASTER = 5.0, 1.0
+"""m/s: of the ball in the first level, and more in each following one."""
+
+FLATTEST = 0.2
+"""Of the speed: its part along y at the least, so that the ball does not run from wall to wall."""
+
+LIVES, LEVELS = 3, 5
+ROW_COLOURS = (PURPLE, ORANGE, YELLOW, GREEN, SKY)
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What a player may write for this game; see :mod:`lesson_code.chapters.breakout.rules`."""
+
+    paddle_bounce: Callable[..., Any] = paddle_bounce
+
+
+class Impact(NamedTuple):
+    """What the ball has hit: the body, the point's x, m, and the normal from it to the ball."""
+
+    body: int
+    x: float
+    normal: XY
+
+
+class Breakout(Game):
+    """A ball, a paddle and bricks."""
+
+    def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
+        self._paddle_bounce = lent(rules.paddle_bounce, paddle_bounce)
+        super().__init__(seed)
+
+    def reset(self) -> None:
+        """Begin with the first level."""
+        self.level, self.lives, self.score = 1, LIVES, 0
+        self.target = WIDTH / 2
+        self._build()
+
+    def _build(self) -> None:
+        """Set up a level."""
+        walls = room(0.0, -2.0, WIDTH, HEIGHT, BOUNCY)[1:]  # right, top, left
+        self.world = LiveWorld(walls, callbacks=self.callbacks)
+        self.paddle = self.world.add(
+            Body(Polygon.box(*PADDLE), position=(WIDTH / 2, PADDLE_Y), material=BOUNCY)
+        )
+        self.ball = self.world.add(
+            Body(Circle(RADIUS), position=self._on_paddle(), mass=MASS, material=BOUNCY)
+        )
+        self.bricks: dict[int, int] = {}  # number of the body: hits that it still stands
+        self.rows: dict[int, int] = {}
+        self.struck: set[int] = set()
+        for row in range(2 + self.level):
+            for column in range(COLUMNS):
+                place = (0.49 + column * COLUMN, FIRST_ROW - row * ROW)
+                number = self.world.add(Body(Polygon.box(*BRICK), position=place, material=BOUNCY))
+                self.bricks[number] = 2 if row == 0 and self.level > 1 else 1
+                self.rows[number] = row
+        self.serves = True
+
+    def _on_paddle(self) -> XY:
+        """Return where the ball waits to be served."""
+        x, y = self.world.position(self.paddle)
+        return x, y + PADDLE[1] / 2 + RADIUS + 0.02
+
+    @property
+    def speed(self) -> float:
+        """The ball's speed in this level, m/s."""
+        return SPEED + FASTER * (self.level - 1)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether there is nothing left to play."""
+        return self.lives == 0 or self.level > LEVELS
+
+    @property
+    def notice(self) -> str:
+        """What the end of the game was."""
+        if not self.is_over:
+            return ""
+        return "All levels done: R plays again" if self.lives else "Game over: R plays again"
+
+    def press(self, key: str) -> None:
+        """Serve, or begin anew."""
+        super().press(key)
+        if key == "space":
+            self.serve()
+
+    def down(self, place: XY) -> None:
+        """Serve."""
+        self.serve()
+
+    def drag(self, place: XY) -> None:
+        """Let the paddle follow the mouse."""
+        self.target = place[0]
+
+    def serve(self) -> None:
+        """Let the ball go, a little to one side."""
+        if self.serves and not self.is_over:
+            self.serves = False
+            self.world.throw(
+                self.ball, self._paddle_bounce(self.random.uniform(-0.5, 0.5), self.speed), 0.0
+            )
+
+    def step(self) -> None:
+        """Let time pass: paddle, ball, and what became of it."""
+        if self.is_over:
+            return
+        self._steer()
+        self.world.step()
+        impacts = self._last_impacts()
+        for brick in sorted(self.struck):
+            self._hit(brick)
+        self.struck.clear()
+        if self.serves:
+            self.world.move(self.ball, self._on_paddle())
+            self.world.throw(self.ball, (0.0, 0.0), 0.0)
+        elif self.world.position(self.ball)[1] < -RADIUS:
+            self.lives -= 1
+            self.serves = True
+        else:
+            self.world.throw(self.ball, self._velocity_after(impacts))
+        if not self.bricks:
+            self.level += 1
+            if not self.is_over:
+                self._build()
+
+    def _steer(self) -> None:
+        """Move the paddle by keys, or towards the mouse, and keep it inside."""
+        x, _ = self.world.position(self.paddle)
+        way = ("right" in self.held) - ("left" in self.held)
+        if way:
+            self.target = x + way * PADDLE_SPEED * self.world.dt
+        half = PADDLE[0] / 2
+        aim = min(max(self.target, half), WIDTH - half)
+        speed = (aim - x) / self.world.dt
+        self.world.throw(self.paddle, (min(max(speed, -PADDLE_SPEED), PADDLE_SPEED), 0.0))
+
+    def touched(self, touch: Touch) -> None:
+        """Note which brick the ball strikes."""
+        numbers = {touch.body_a, touch.body_b}
+        if self.ball in numbers:
+            self.struck |= numbers & self.bricks.keys()
+
+    def _last_impacts(self) -> list[Impact]:
+        """Return what the ball has hit last in this step; in a corner there are two."""
+        numbers = self.world.numbers
+        ball, rows = numbers.index(self.ball), self.world.impulses.tolist()
+        mine = [row for row in rows if ball in row[1:3]]
+        impacts = []
+        for time, a, b, x, _, nx, ny, *_ in mine:
+            if time == mine[-1][0]:
+                other, sign = (a, 1) if b == ball else (b, -1)
+                impacts.append(Impact(numbers[int(other)], x, (sign * nx, sign * ny)))
+        return impacts
+
+    def _velocity_after(self, impacts: list[Impact]) -> XY:
+        """Return how the ball goes on: as the paddle or the level wants it, and into nothing.
+
+        The rules must not send the ball back into what it has just hit: it would strike it again.
+        """
+        velocity = steady(self.world.velocity(self.ball), self.speed)
+        for impact in impacts:
+            if impact.body == self.paddle and self.world.position(self.ball)[1] > PADDLE_Y:
+                offset = (impact.x - self.world.position(self.paddle)[0]) / (PADDLE[0] / 2)
+                velocity = self._paddle_bounce(offset, self.speed)
+        for impact in impacts:
+            velocity = bounce(velocity, impact.normal, 1.0)
+        return float(velocity[0]), float(velocity[1])
+
+    def _hit(self, number: int) -> None:
+        """Take a hit from a brick, and the brick away with its last."""
+        self.bricks[number] -= 1
+        self.score += 10
+        if self.bricks[number] == 0:
+            del self.bricks[number]
+            self.world.remove(number)
+
+
+def steady(velocity: XY, speed: float) -> XY:
+    """Return a velocity of a given speed in the same direction, but not too flat.
+
+    >>> steady((3.0, 4.0), 10.0)
+    (6.0, 8.0)
+    """
+    vx, vy = velocity
+    size = math.hypot(vx, vy)
+    if size == 0:
+        return 0.0, speed
+    vx, vy = vx / size, vy / size
+    if abs(vy) < FLATTEST:
+        vy = math.copysign(FLATTEST, vy)
+        vx = math.copysign(math.sqrt(1 - vy * vy), vx)
+    return speed * vx, speed * vy
+
+
+def draw(game: Breakout, picture: Picture, effects: Effects) -> None:
+    """Draw bricks, paddle and ball."""
+    for number, hits in game.bricks.items():
+        x, y = game.world.position(number)
+        body = game.world.body(number)
+        picture.body(body, (x, y), 0.0, ROW_COLOURS[game.rows[number] % len(ROW_COLOURS)])
+        if hits > 1:
+            picture.text("2", (x, y), colour=(20, 24, 30))
+    place = game.world.position(game.paddle)
+    picture.body(game.world.body(game.paddle), place, 0.0, INK)
+    if effects.trails is not None:
+        moving = {} if game.serves else {game.ball: game.world.position(game.ball)}
+        effects.trails.step(moving)
+        effects.trails.draw(picture, SKY)
+    picture.disc(game.world.position(game.ball), RADIUS, ORANGE)
+    if game.serves and not game.is_over:
+        picture.text("SPACE or click to serve", (WIDTH / 2, 1.6))
+        for offset in (-1.0, -0.5, 0.0, 0.5, 1.0):
+            x = place[0] + offset * PADDLE[0] / 2
+            angle = offset * STEEPEST
+            tail = (x, PADDLE_Y + 0.45)
+            picture.arrow(tail, (0.4 * math.sin(angle), 0.4 * math.cos(angle)), SKY, 2.0)
+
+
+def readings(game: Breakout) -> Readings:
+    """Return level, lives, score, bricks and speed."""
+    return [
+        ("level", f"{min(game.level, LEVELS)} of {LEVELS}"),
+        ("lives", f"{game.lives}"),
+        ("score", f"{game.score}"),
+        ("bricks", f"{len(game.bricks)}"),
+        ("speed", f"{math.hypot(*game.world.velocity(game.ball)):.1f} m/s"),
+    ]
+
+
+PROGRAM = Program(
+    name="breakout",
+    title="Breakout",
+    game=Breakout,
+    draw=draw,
+    readings=readings,
+    keys=(
+        ("mouse", "move the paddle"),
+        ("left right", "the same by keys"),
+        ("SPACE", "serve"),
+        ("R", "new game"),
+    ),
+    camera=Camera(left=0.0, bottom=0.0, scale=100.0),
+    tour=((10, Input("press", "space")),),
+    effects=lambda: Effects(sparks=Sparks(), trails=Trails(), sounds=Sounds("stone", 0.1, 8.0)),
+)

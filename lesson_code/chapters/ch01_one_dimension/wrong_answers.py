@@ -1,0 +1,101 @@
+"""Wrong models of chapter 01: collisions on a line."""
+
+from __future__ import annotations
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+
+@wrong_model(
+    "1.1", "Only equal masses exchange velocities. What is m1 v1 + m2 v2 before and after?"
+)
+def always_swaps(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """In every elastic collision the bodies exchange their velocities."""
+    return v2, v1
+
+
+@wrong_model("1.1", "Try it with the second body already moving. Where did v2 go?")
+def target_at_rest(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The formula for a target at rest serves for every target."""
+    return (m1 - m2) / (m1 + m2) * v1, 2 * m1 / (m1 + m2) * v1
+
+
+@wrong_model("1.1", "Your second line uses v1. Is that still the velocity before the collision?")
+def uses_updated_v1(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The new v1 may be stored before v2' is computed from it."""
+    v1 = ((m1 - m2) * v1 + 2 * m2 * v2) / (m1 + m2)
+    v2 = ((m2 - m1) * v2 + 2 * m1 * v1) / (m1 + m2)
+    return v1, v2
+
+
+@wrong_model("1.1", "What happens to a fly that hits a truck: which of the two changes course?")
+def masses_exchanged(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The heavier body is changed more by the collision."""
+    v1_after = ((m2 - m1) * v1 + 2 * m1 * v2) / (m1 + m2)
+    v2_after = ((m1 - m2) * v2 + 2 * m2 * v1) / (m1 + m2)
+    return v1_after, v2_after
+
+
+@wrong_model("1.1", "Is the total momentum after your collision the same as before, sign and all?")
+def both_turn_round(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """In an elastic collision each body leaves as fast as it came."""
+    return -v1, -v2
+
+
+@wrong_model("1.2", "A truck meets a fly head on. Does the truck lose half its speed?")
+def plain_average(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Bodies that stick together go on at the average of their velocities."""
+    return (v1 + v2) / 2, (v1 + v2) / 2
+
+
+@wrong_model("1.2", "What unit does your answer have? Momentum is not yet a velocity.")
+def momentum_as_velocity(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The common velocity is the total momentum."""
+    return m1 * v1 + m2 * v2, m1 * v1 + m2 * v2
+
+
+@wrong_model("1.2", "Which mass belongs to which velocity in the total momentum?")
+def weights_exchanged(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Each velocity is weighted with the other body's mass."""
+    v = (m2 * v1 + m1 * v2) / (m1 + m2)
+    return v, v
+
+
+@wrong_model("1.2", "Two equal lumps of clay meet head on and stop. Where is their energy then?")
+def keeps_energy(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Sticking together keeps the kinetic energy."""
+    v = ((m1 * v1**2 + m2 * v2**2) / (m1 + m2)) ** 0.5
+    return v, v
+
+
+@wrong_model("1.2", "The first body is still there after the collision. Which mass now moves?")
+def first_mass_vanishes(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The momentum is handed to the second body, which carries all of it alone."""
+    v = (m1 * v1 + m2 * v2) / m2
+    return v, v
+
+
+@wrong_model("1.3", "Your impulse stops the approach. What else does an elastic collision do?")
+def stops_only(m1: float, v1: float, m2: float, v2: float) -> float:
+    """The impulse that brings the bodies to the same velocity is all there is."""
+    return (v1 - v2) * m1 * m2 / (m1 + m2)
+
+
+@wrong_model("1.3", "Both bodies yield. Is their joint resistance more or less than one mass?")
+def adds_masses(m1: float, v1: float, m2: float, v2: float) -> float:
+    """The masses of both bodies resist together, so they add."""
+    return 2 * (v1 - v2) * (m1 + m2)
+
+
+@wrong_model("1.3", "Body 1 comes from the left. Which way does it push body 2?")
+def impulse_on_the_first(m1: float, v1: float, m2: float, v2: float) -> float:
+    """The impulse points the way the first body is thrown back."""
+    return -2 * (v1 - v2) * m1 * m2 / (m1 + m2)
+
+
+@wrong_model("1.3", "Does the impulse change if both bodies move 1 m/s faster to the right?")
+def ignores_second_velocity(m1: float, v1: float, m2: float, v2: float) -> float:
+    """Only the first body's velocity makes the blow."""
+    return 2 * v1 * m1 * m2 / (m1 + m2)
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

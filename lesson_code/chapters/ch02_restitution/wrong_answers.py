@@ -1,0 +1,131 @@
+"""Wrong models of chapter 02: restitution."""
+
+from __future__ import annotations
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+
+@wrong_model("2.1", "A ball that bounces back at all: should its restitution be negative?")
+def sign_lost(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Separation and approach are both first velocity minus second."""
+    return (v1_after - v2_after) / (v1 - v2)
+
+
+@wrong_model("2.1", "Is restitution a ratio of speeds, or of energies?")
+def as_energy_ratio(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution is the part of the energy that comes back."""
+    return ((v2_after - v1_after) / (v1 - v2)) ** 2
+
+
+@wrong_model("2.1", "A light ball and a heavy one: does either speed alone tell how they parted?")
+def first_body_only(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution compares one body's own speed after with its speed before."""
+    return -v1_after / v1
+
+
+@wrong_model("2.1", "Which is larger after a lossy collision: the approach or the separation?")
+def upside_down(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution is approach over separation."""
+    return (v1 - v2) / (v2_after - v1_after)
+
+
+@wrong_model("2.2", "Add up the momentum after your collision. Where did the rest of it go?")
+def scaled_elastic_velocities(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """The velocities after are e times those of an elastic collision."""
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return restitution * (2 * v - v1), restitution * (2 * v - v2)
+
+
+@wrong_model("2.2", "For e = 0.25: does the separation come out as 0.25 or 0.5 of the approach?")
+def energy_restitution(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """Restitution is the part of the energy of approach that comes back."""
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    approach = restitution**0.5 * (v1 - v2)
+    return v - approach * m2 / (m1 + m2), v + approach * m1 / (m1 + m2)
+
+
+@wrong_model("2.2", "With e = 1, is the kinetic energy after yours the same as before?")
+def doubled_impulse(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """The impulse takes a factor 2 for the bounce and a factor 1 + e for the restitution."""
+    impulse = 2 * (1 + restitution) * (v1 - v2) / (1 / m1 + 1 / m2)
+    return v1 - impulse / m1, v2 + impulse / m2
+
+
+@wrong_model("2.2", "With e = 0 your bodies do not touch each other's motion. What should they do?")
+def forgets_to_stop(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """The impulse is e times the approach; nothing is needed to stop it first."""
+    impulse = restitution * (v1 - v2) / (1 / m1 + 1 / m2)
+    return v1 - impulse / m1, v2 + impulse / m2
+
+
+@wrong_model("2.2", "Where are the masses in your answer?")
+def equal_mass_formula(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """The formula for equal masses serves for all."""
+    v, half_approach = (v1 + v2) / 2, (v1 - v2) / 2
+    return v - restitution * half_approach, v + restitution * half_approach
+
+
+@wrong_model("2.3", "Speed comes back by the factor e. How does height depend on speed?")
+def speed_factor_for_height(height: float, restitution: float, count: int) -> list[float]:
+    """Each bounce multiplies the height by e."""
+    return [height * restitution**n for n in range(1, count + 1)]
+
+
+@wrong_model("2.3", "Is the height it is dropped from a height after a bounce?")
+def starts_with_the_drop(height: float, restitution: float, count: int) -> list[float]:
+    """The list starts with the height of the drop."""
+    return [height * restitution ** (2 * n) for n in range(count)]
+
+
+@wrong_model("2.3", "After two bounces, is the loss taken from the first height or the last?")
+def loses_the_same_each_time(height: float, restitution: float, count: int) -> list[float]:
+    """Every bounce takes the same height away."""
+    lost = height * (1 - restitution**2)
+    return [max(0.0, height - n * lost) for n in range(1, count + 1)]
+
+
+@wrong_model("2.3", "Your first height is right. What does the second bounce start from?")
+def one_bounce_only(height: float, restitution: float, count: int) -> list[float]:
+    """Every bounce rises to e^2 of the first drop."""
+    return [height * restitution**2 for _ in range(count)]
+
+
+@wrong_model(
+    "2.4", "Draw the height over time. How long is the first piece, and how long the next?"
+)
+def first_fall_like_the_others(height: float, restitution: float, gravity: float) -> float:
+    """The drop takes as long as a whole flight up and down."""
+    return float(2 * (2 * height / gravity) ** 0.5 / (1 - restitution))
+
+
+@wrong_model("2.4", "The ball rises before it falls. How long is a flight up and down?")
+def forgets_the_way_up(height: float, restitution: float, gravity: float) -> float:
+    """Only the falls take time."""
+    return float((2 * height / gravity) ** 0.5 / (1 - restitution))
+
+
+@wrong_model("2.4", "Heights shrink by e^2 a bounce. By which factor do the flight times shrink?")
+def times_shrink_like_heights(height: float, restitution: float, gravity: float) -> float:
+    """Flight times shrink by e^2, as the heights do."""
+    fall = (2 * height / gravity) ** 0.5
+    return float(fall * (1 + restitution**2) / (1 - restitution**2))
+
+
+@wrong_model("2.4", "You stop counting after ten bounces. How much time do all the others take?")
+def ten_bounces(height: float, restitution: float, gravity: float) -> float:
+    """After ten bounces the ball is as good as at rest."""
+    fall = (2 * height / gravity) ** 0.5
+    return float(fall + sum(2 * fall * restitution**n for n in range(1, 11)))
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

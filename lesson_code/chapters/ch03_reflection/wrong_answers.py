@@ -1,0 +1,132 @@
+"""Wrong models of chapter 03: reflection and bounce."""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+
+
+@wrong_model("3.1", "Your ball slides along the wall. How often must the normal part be removed?")
+def slides_along(incident: Vector, normal: Vector) -> Vector:
+    """Reflecting takes the normal part away once."""
+    return incident - np.dot(incident, normal) * normal
+
+
+@wrong_model("3.1", "Throw the ball along the wall. Does your mirror turn it round?")
+def opposite_sign(incident: Vector, normal: Vector) -> Vector:
+    """The mirror image is 2 (I . N) N - I."""
+    return 2 * np.dot(incident, normal) * normal - incident
+
+
+@wrong_model("3.1", "Tilt the wall. Is it still one component alone that changes sign?")
+def flips_an_axis(incident: Vector, normal: Vector) -> Vector:
+    """A wall turns round the component of the axis that it faces most."""
+    axis = int(np.argmax(np.abs(normal)))
+    flipped = np.array(incident)
+    flipped[axis] = -flipped[axis]
+    return flipped
+
+
+@wrong_model("3.1", "I . N is one number. How many numbers does your product I * N hold?")
+def componentwise_product(incident: Vector, normal: Vector) -> Vector:
+    """The dot product is the product of the components, each for itself."""
+    return incident - 2 * incident * normal * normal
+
+
+@wrong_model("3.1", "A ball that comes in at an angle: does it go back the way it came?")
+def straight_back(incident: Vector, normal: Vector) -> Vector:
+    """A wall sends the ball back along its own path."""
+    return -incident
+
+
+@wrong_model("3.2", "A smooth wall pushes along its normal. What slows the tangent part in yours?")
+def scales_the_tangent(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """Restitution scales the whole mirror image: v' = e R."""
+    if np.dot(velocity, normal) >= 0:
+        return velocity
+    return restitution * (velocity - 2 * np.dot(velocity, normal) * normal)
+
+
+@wrong_model("3.2", "The ball is already leaving. What does your wall do to it?")
+def without_gate(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """A ball at the wall always bounces, whichever way it moves."""
+    return velocity - (1 + restitution) * np.dot(velocity, normal) * normal
+
+
+@wrong_model(
+    "3.2", "The normal points to the ball. What is the sign of v . N for a ball coming in?"
+)
+def gate_inverted(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """A ball comes in when v . N is positive."""
+    if np.dot(velocity, normal) <= 0:
+        return velocity
+    return velocity - (1 + restitution) * np.dot(velocity, normal) * normal
+
+
+@wrong_model("3.2", "Set e = 1 and compare the speed before and after. Should it grow?")
+def doubled_impulse(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """The factor 2 of the mirror is kept, and 1 + e multiplies it."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return velocity - 2 * (1 + restitution) * v_n * normal
+
+
+@wrong_model("3.2", "With e = 0 your ball goes on into the wall. What has to be stopped first?")
+def forgets_to_stop(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """The wall gives back e times the normal part, and that is all."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return velocity - restitution * v_n * normal
+
+
+@wrong_model("3.3", "Where is the ball after your call: still inside the wall?")
+def stays_inside(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """Once the velocity is right, the position takes care of itself."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return position, velocity - (1 + restitution) * v_n * normal
+
+
+@wrong_model("3.3", "The normal points from the wall to the ball. Which way is out?")
+def pushes_deeper(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """The normal points into the wall."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return position - depth * normal, velocity - (1 + restitution) * v_n * normal
+
+
+@wrong_model("3.3", "A ball inside the wall, but leaving it: does it not have to be moved out?")
+def gate_before_position(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """A ball that is leaving needs nothing at all, not even to be moved out."""
+    v_n = np.dot(velocity, normal)
+    if v_n >= 0:
+        return position, velocity
+    return position + depth * normal, velocity - (1 + restitution) * v_n * normal
+
+
+@wrong_model("3.3", "The wall cannot give way. Who has to move the whole depth?")
+def moves_half_the_depth(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """Ball and wall share the way apart."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return position + depth / 2 * normal, velocity - (1 + restitution) * v_n * normal
+
+
+@wrong_model("3.3", "The ball is already leaving. What does your wall do to its velocity?")
+def bounces_when_leaving(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """Whatever overlaps is bounced, whichever way it moves."""
+    v_n = np.dot(velocity, normal)
+    return position + depth * normal, velocity - (1 + restitution) * v_n * normal
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

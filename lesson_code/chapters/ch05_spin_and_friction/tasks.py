@@ -1,0 +1,328 @@
+"""Tasks of chapter 05: spin and friction."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from random import Random
+from typing import Any
+
+import numpy as np
+
+from lesson_code.chapters import draws
+from lesson_code.chapters.ch05_spin_and_friction.right_answers import ALTERNATIVES
+from lesson_code.chapters.ch05_spin_and_friction.wrong_answers import WRONG_MODELS
+from lesson_code.course.grading.compare import written
+from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.evidence.scenes.slopes import coulomb
+from lesson_code.evidence.scenes.spinning_discs import bounce_with_spin
+from lesson_code.formulas import (
+    contact_velocity,
+    effective_mass,
+    polygon_inertia,
+)
+from lesson_code.formulas.arithmetic import cross, perpendicular
+
+# 5.1 Moment of inertia
+
+
+def rectangles_around_the_origin(stream: Random) -> Iterator[Arguments]:
+    """Draw rectangles whose centroid is the origin."""
+    for _ in range(2):
+        x, y = round(stream.uniform(0.5, 1.0), 2), round(stream.uniform(1.2, 2.0), 2)
+        yield _mass(stream), ((-x, -y), (x, -y), (x, y), (-x, y))
+
+
+def polygons_elsewhere(stream: Random) -> Iterator[Arguments]:
+    """Draw polygons away from the origin, counter-clockwise."""
+    for count in (3, 5):
+        yield _mass(stream), _polygon(stream, count)
+
+
+def polygons_clockwise(stream: Random) -> Iterator[Arguments]:
+    """Draw polygons away from the origin, in the other order."""
+    for count in (4, 5):
+        yield _mass(stream), _polygon(stream, count)[::-1]
+
+
+def polygons_with_a_vertex_too_many(stream: Random) -> Iterator[Arguments]:
+    """Draw polygons with a vertex in the middle of an edge."""
+    for count in (3, 4):
+        first, second, *rest = _polygon(stream, count)
+        middle = ((first[0] + second[0]) / 2, (first[1] + second[1]) / 2)
+        yield _mass(stream), (first, middle, second, *rest)
+
+
+def _polygon(stream: Random, count: int) -> tuple[draws.Vector, ...]:
+    """Return the vertices of a convex polygon away from the origin, counter-clockwise, m."""
+    x, y = (stream.choice((-1, 1)) * stream.uniform(2.0, 5.0) for _ in range(2))
+    return draws.convex_polygon(stream, count, centre=(x, y), size=2.0, width=0.6)
+
+
+def _mass(stream: Random) -> float:
+    """Return a mass, kg, that is not near 1."""
+    return round(stream.uniform(2.0, 6.0), 2)
+
+
+# 5.2 Velocity of the contact point
+
+
+def spinning_on_the_spot(stream: Random) -> Iterator[Arguments]:
+    """Draw bodies that turn about a centre at rest."""
+    for _ in range(2):
+        yield (0.0, 0.0), draws.angular_velocity(stream), draws.lever(stream)
+
+
+def moving_and_spinning(stream: Random) -> Iterator[Arguments]:
+    """Draw bodies that move and turn."""
+    for _ in range(3):
+        yield _velocity(stream), draws.angular_velocity(stream), draws.lever(stream)
+
+
+def _velocity(stream: Random) -> draws.Vector:
+    """Return a velocity, m/s."""
+    return draws.speed(stream), -draws.speed(stream)
+
+
+def part_of_the_spin(arguments: Arguments, answer: Any) -> str:
+    """Say how long the part from the spin is, and at which angle to the lever it stands."""
+    v, w, r = arguments
+    added, distance = np.subtract(answer, v), math.hypot(*r)
+    along = round(float(np.dot(added, r)) / distance, 9) + 0.0  # + 0.0 takes the sign off a zero
+    return (
+        f"What you added to v is {written(math.hypot(*added))} m/s long, {written(along)} of it"
+        f" along r. The spin adds {written(abs(w) * distance)} m/s, none of it along r."
+    )
+
+
+# 5.3 Inverse effective mass
+
+
+def central_hits(stream: Random) -> Iterator[Arguments]:
+    """Draw contacts at which both levers lie along the normal, as of two discs."""
+    for _ in range(2):
+        n = draws.oblique_normal(stream)
+        a, b = (round(stream.uniform(0.3, 1.5), 2) for _ in range(2))
+        levers = (a * n[0], a * n[1]), (-b * n[0], -b * n[1])
+        yield _two_bodies(stream, levers, n)
+
+
+def hits_off_centre(stream: Random) -> Iterator[Arguments]:
+    """Draw contacts anywhere on two bodies."""
+    for _ in range(3):
+        n = draws.oblique_normal(stream)
+        yield _two_bodies(stream, (_beside(stream, n), _beside(stream, n)), n)
+
+
+def hits_on_the_ground(stream: Random) -> Iterator[Arguments]:
+    """Draw contacts with a body that can neither be moved nor turned."""
+    for _ in range(2):
+        n = draws.oblique_normal(stream)
+        body = _mass(stream), _inertia(stream), _beside(stream, n)
+        yield (*body, math.inf, math.inf, _beside(stream, n), n)
+
+
+def _beside(stream: Random, n: draws.Vector) -> draws.Vector:
+    """Return a lever, m, with a part along a direction and an unequal part across it."""
+    along = stream.choice((-1, 1)) * stream.uniform(0.2, 0.4)
+    across = stream.choice((-1, 1)) * stream.uniform(0.5, 1.0)
+    return along * n[0] - across * n[1], along * n[1] + across * n[0]
+
+
+def _two_bodies(
+    stream: Random, levers: tuple[draws.Vector, draws.Vector], direction: draws.Vector
+) -> Arguments:
+    """Return mass, inertia and lever of two unequal bodies, and a direction."""
+    (m_a, m_b), (r_a, r_b) = draws.unequal_masses(stream), levers
+    return m_a, _inertia(stream), r_a, m_b, _inertia(stream), r_b, direction
+
+
+def _inertia(stream: Random) -> float:
+    """Return a moment of inertia, kg m^2."""
+    return round(stream.uniform(0.2, 0.9), 2)
+
+
+def _inverse_effective_mass(
+    m_a: float, i_a: float, r_a: Any, m_b: float, i_b: float, r_b: Any, direction: Any
+) -> float:
+    """Return k = 1 / effective mass along a direction, 1/kg."""
+    levers = {"ra_x_n": cross(r_a, direction), "rb_x_n": cross(r_b, direction)}
+    return float(1 / effective_mass(1 / m_a, 1 / m_b, 1 / i_a, 1 / i_b, **levers))
+
+
+def lever_arms(arguments: Arguments, _answer: Any) -> str:
+    """Say what the lever arms are."""
+    _, _, r_a, _, _, r_b, direction = arguments
+    arms = (written(float(cross(r, direction))) for r in (r_a, r_b))
+    return "The lever arms r x n are {} m and {} m.".format(*arms)
+
+
+# 5.4 Coulomb friction
+
+
+def gripping(stream: Random) -> Iterator[Arguments]:
+    """Draw contacts that friction can hold, sliding either way."""
+    for way in (1, -1):
+        vt, k = draws.speed(stream), _yielding(stream)
+        yield way * vt, *_pressed(stream, stream.uniform(1.5, 3.0) * vt / k), k
+
+
+def slipping(stream: Random) -> Iterator[Arguments]:
+    """Draw contacts that slide on, either way."""
+    for way in (1, -1):
+        vt, k = draws.speed(stream), _yielding(stream)
+        yield way * vt, *_pressed(stream, stream.uniform(0.2, 0.7) * vt / k), k
+
+
+def creeping(stream: Random) -> Iterator[Arguments]:
+    """Draw contacts that slide very slowly, and one that does not slide."""
+    slow = round(stream.uniform(0.002, 0.008), 4)
+    for vt in (slow, -slow, 0.0):
+        yield vt, *_pressed(stream, stream.uniform(1.0, 2.0)), _yielding(stream)
+
+
+def _yielding(stream: Random) -> float:
+    """Return an inverse effective mass, 1/kg."""
+    return round(stream.uniform(1.5, 4.0), 2)
+
+
+def _pressed(stream: Random, limit: float) -> tuple[float, float]:
+    """Return jn, N s, and mu whose product is about `limit`."""
+    friction = round(stream.uniform(0.2, 0.8), 2)
+    return round(limit / friction, 2), friction
+
+
+def limit_and_need(arguments: Arguments, _answer: Any) -> str:
+    """Say what would stop the sliding, and what friction can give."""
+    vt, jn, friction, k = arguments
+    return (
+        f"To stop the sliding takes {written(-vt / k)} N s;"
+        f" friction can give {written(friction * jn)} N s either way."
+    )
+
+
+# 5.5 A disc hits a wall
+
+
+def rough_walls(stream: Random) -> Iterator[Arguments]:
+    """Draw hits at which the disc does not slide afterwards, with slip of either sign."""
+    for way in (1, -1):
+        yield _disc_at_wall(stream, way, slip=0.5, friction=stream.uniform(0.7, 1.0))
+
+
+def smooth_walls(stream: Random) -> Iterator[Arguments]:
+    """Draw hits at which the disc goes on sliding, with slip of either sign."""
+    for way in (1, -1):
+        yield _disc_at_wall(stream, way, slip=3.0, friction=stream.uniform(0.05, 0.2))
+
+
+def leaving_discs(stream: Random) -> Iterator[Arguments]:
+    """Draw spinning discs that already leave the wall."""
+    for _ in range(2):
+        normal = draws.oblique_normal(stream)
+        velocity, w = draws.velocity_away(stream, normal), draws.angular_velocity(stream)
+        radius, friction = round(stream.uniform(0.2, 0.8), 2), round(stream.uniform(0.2, 0.8), 2)
+        yield velocity, w, radius, normal, draws.restitution(stream), friction
+
+
+def _disc_at_wall(stream: Random, way: int, slip: float, friction: float) -> Arguments:
+    """Return a disc that meets a wall; `slip` is its sliding there over its approach."""
+    normal = draws.oblique_normal(stream)
+    approach, radius = draws.speed(stream), round(stream.uniform(0.2, 0.8), 2)
+    v_t = way * approach * stream.uniform(0.3, 0.6)
+    w = round((v_t - way * slip * approach) / radius, 2)
+    velocity = np.multiply(-approach, normal) + v_t * perpendicular(normal)
+    return (
+        tuple(velocity.tolist()),
+        w,
+        radius,
+        normal,
+        draws.restitution(stream),
+        round(friction, 2),
+    )
+
+
+def turning_about_the_contact(arguments: Arguments, answer: Any) -> str:
+    """Say what the angular momentum about the contact is, before and after."""
+    velocity, w, radius, normal = arguments[:4]
+    before, after = (
+        radius * float(cross(normal, v)) + radius**2 / 2 * spin
+        for v, spin in ((velocity, w), (answer[0], float(answer[1])))
+    )
+    return (
+        f"Angular momentum about the contact, for 1 kg: before {written(before)}, after yours"
+        f" {written(after)} m^2/s. What acts at the contact cannot change it."
+    )
+
+
+TASKS = (
+    Task(
+        id="5.1",
+        function="moment_of_inertia",
+        objective="The moment of inertia of any polygon about its centroid.",
+        expected=polygon_inertia,
+        criteria=(
+            Criterion("a rectangle around the origin", rectangles_around_the_origin),
+            Criterion("a polygon somewhere else", polygons_elsewhere),
+            Criterion("clockwise order", polygons_clockwise),
+            Criterion("a vertex too many", polygons_with_a_vertex_too_many),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "5.1"),
+        alternatives=for_task(ALTERNATIVES, "5.1"),
+    ),
+    Task(
+        id="5.2",
+        function="contact_velocity",
+        objective="The velocity of a point of a body that moves and turns.",
+        expected=contact_velocity,
+        criteria=(
+            Criterion("spinning on the spot", spinning_on_the_spot),
+            Criterion("moving and spinning", moving_and_spinning, points=2),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "5.2"),
+        alternatives=for_task(ALTERNATIVES, "5.2"),
+        explain=part_of_the_spin,
+    ),
+    Task(
+        id="5.3",
+        function="inverse_effective_mass",
+        objective="How far two bodies give way to an impulse at their contact.",
+        expected=_inverse_effective_mass,
+        criteria=(
+            Criterion("through both centres", central_hits),
+            Criterion("off centre", hits_off_centre, points=2),
+            Criterion("against the ground", hits_on_the_ground),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "5.3"),
+        alternatives=for_task(ALTERNATIVES, "5.3"),
+        explain=lever_arms,
+    ),
+    Task(
+        id="5.4",
+        function="friction_impulse",
+        objective="The impulse of dry friction, with Coulomb's limit.",
+        expected=coulomb,
+        criteria=(
+            Criterion("a contact that grips", gripping),
+            Criterion("a contact that slips", slipping, points=2),
+            Criterion("very slow sliding", creeping),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "5.4"),
+        alternatives=for_task(ALTERNATIVES, "5.4"),
+        explain=limit_and_need,
+    ),
+    Task(
+        id="5.5",
+        function="bounce_with_spin",
+        objective="Velocity and angular velocity of a disc after it has hit a rough wall.",
+        expected=bounce_with_spin,
+        criteria=(
+            Criterion("a wall that grips", rough_walls, points=2),
+            Criterion("a wall that slips", smooth_walls, points=2),
+            Criterion("a disc that is leaving", leaving_discs),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "5.5"),
+        alternatives=for_task(ALTERNATIVES, "5.5"),
+        explain=turning_about_the_contact,
+    ),
+)

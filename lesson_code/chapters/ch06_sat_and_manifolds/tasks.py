@@ -1,0 +1,374 @@
+"""Tasks of chapter 06: separating axes, clipping, circle against polygon."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from random import Random
+from typing import Any
+
+import numpy as np
+
+from lesson_code.chapters import draws
+from lesson_code.chapters.ch06_sat_and_manifolds import draws as pairs
+from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import ALTERNATIVES
+from lesson_code.chapters.ch06_sat_and_manifolds.wrong_answers import WRONG_MODELS
+from lesson_code.course.grading.compare import written
+from lesson_code.course.grading.task import ANSWER_TOLERANCE, Arguments, Criterion, Task, for_task
+from lesson_code.formulas import polygon_centroid
+from lesson_code.geometry import Circle, Polygon, collide, mtv, overlap, project, sat_axes
+
+
+def triangles(stream: Random) -> Iterator[Arguments]:
+    """Draw triangles."""
+    for _ in range(2):
+        yield (draws.convex_polygon(stream, 3, draws.position(stream)),)
+
+
+def more_edges(stream: Random) -> Iterator[Arguments]:
+    """Draw polygons with four, five and six edges."""
+    for count in (4, 5, 6):
+        yield (draws.convex_polygon(stream, count, draws.position(stream)),)
+
+
+def a_vertex_twice(stream: Random) -> Iterator[Arguments]:
+    """Draw a polygon with a vertex that is listed twice, in the middle and at the end."""
+    for place in (2, 4):
+        corners = draws.convex_polygon(stream, 5, draws.position(stream))
+        yield ((*corners[: place + 1], *corners[place:]),)
+
+
+def _axes_of_edges(vertices: Any) -> Any:
+    """Return the axes of a polygon whose vertices may be listed twice."""
+    return sat_axes(list(dict.fromkeys(map(tuple, vertices))))
+
+
+def as_lines(axes: Any) -> list[list[float]]:
+    """Return axes in one order, each with one of its two signs and none twice.
+
+    An axis and its opposite are the same line. What remains are length and direction.
+    """
+    turned = sorted((_turned_up(x, y) for x, y in axes), key=lambda axis: math.atan2(*axis[::-1]))
+    return [
+        list(axis)
+        for axis, previous in zip(turned, [None, *turned], strict=False)
+        if previous is None or math.dist(axis, previous) > ANSWER_TOLERANCE
+    ]
+
+
+def _turned_up(x: float, y: float) -> tuple[float, float]:
+    """Return whichever of (x, y) and its opposite points up; of two level ones, to the right."""
+    points_down = y < 0 if abs(y) > ANSWER_TOLERANCE else x < 0
+    return (-x, -y) if points_down else (x, y)
+
+
+def beyond_the_origin(stream: Random) -> Iterator[Arguments]:
+    """Draw polygons that lie on one side of the origin along the axis, and on the other."""
+    for side in (1, -1):
+        axis = draws.oblique_normal(stream)
+        way = side * stream.uniform(3.0, 6.0)
+        yield draws.convex_polygon(stream, 5, (way * axis[0], way * axis[1])), axis
+
+
+def about_the_origin(stream: Random) -> Iterator[Arguments]:
+    """Draw polygons with the origin inside them."""
+    for count in (3, 4):
+        yield draws.convex_polygon(stream, count, size=2.0), draws.oblique_normal(stream)
+
+
+def one_end_inside(stream: Random) -> Iterator[Arguments]:
+    """Draw intervals that overlap at one end, B on the right of A and on the left."""
+    a, b = _overlapping_ends(stream)
+    yield a, b
+    b, a = _overlapping_ends(stream)
+    yield a, b
+
+
+def one_in_the_other(stream: Random) -> Iterator[Arguments]:
+    """Draw an interval inside another, off its middle: B in A, and A in B."""
+    for nearer_end in (0.1, 0.6):
+        outer, inner = _nested(stream, nearer_end)
+        yield outer, inner
+        yield inner, outer
+
+
+def apart_or_not(stream: Random) -> Iterator[Arguments]:
+    """Draw intervals that are apart, that touch, and that overlap by a hair, either way round."""
+    for gap in (0.5, 0.0, -1e-3):
+        low, width = round(stream.uniform(-3, 3), 2), round(stream.uniform(1, 3), 2)
+        left, start = (low, low + width), low + width + gap
+        right = (start, start + round(stream.uniform(1, 3), 2))
+        yield left, right
+        yield right, left
+
+
+def _overlapping_ends(stream: Random) -> tuple[draws.Vector, draws.Vector]:
+    """Return two intervals; the left one ends inside the right one."""
+    low, width = round(stream.uniform(-5, 5), 2), round(stream.uniform(2, 4), 2)
+    start = low + width - draws.depth(stream)
+    return (low, round(low + width, 2)), (round(start, 2), round(start + width, 2))
+
+
+def _nested(stream: Random, part: float) -> tuple[draws.Vector, draws.Vector]:
+    """Return an interval, and one inside it that starts at a part of its width."""
+    low, width = round(stream.uniform(-5, 5), 2), round(stream.uniform(4, 6), 2)
+    start = low + part * width
+    return (low, round(low + width, 2)), (round(start, 2), round(start + 0.25 * width, 2))
+
+
+def is_overlap(answer: Any) -> str:
+    """Return in words whether an answer says that there is an overlap."""
+    return "no overlap" if answer is None else "overlap"
+
+
+def at_a_corner(stream: Random) -> Iterator[Arguments]:
+    """Draw pairs that are parted the short way along a normal of A, and along one of B."""
+    yield pairs.placed(stream, pairs.CORNER_INSIDE)
+    yield pairs.placed(stream, pairs.swapped(pairs.CORNER_INSIDE))
+
+
+def one_inside_the_other(stream: Random) -> Iterator[Arguments]:
+    """Draw a small polygon inside a large one: B in A, and A in B."""
+    yield pairs.placed(stream, pairs.NESTED)
+    yield pairs.placed(stream, pairs.swapped(pairs.NESTED))
+
+
+def past_the_middle(stream: Random) -> Iterator[Arguments]:
+    """Draw pairs so deep that their middles lie the other way round than the way out."""
+    for pair in pairs.PAST_THE_MIDDLE:
+        yield pairs.placed(stream, pair)
+
+
+def polygons_apart_or_not(stream: Random) -> Iterator[Arguments]:
+    """Draw pairs that overlap, that only A's or only B's edges can part, and that touch."""
+    yield pairs.placed(stream, pairs.CORNER_INSIDE)
+    yield pairs.placed(stream, pairs.PARTED)
+    yield pairs.placed(stream, pairs.swapped(pairs.PARTED))
+    x, y = float(stream.randint(-5, 5)), float(stream.randint(-5, 5))
+    for gap in (0.0, -0.125):  # whole numbers and eighths: these squares touch exactly
+        yield pairs.square(x, y), pairs.square(x + 2 + gap, y + 0.5)
+
+
+def after_your_move(arguments: Arguments, answer: Any) -> str:
+    """Say where B is after it was moved as the answer says."""
+    if answer is None or not is_finite(answer):
+        return ""
+    a, b = (np.array(vertices) for vertices in arguments)
+    normal, depth = answer
+    still = mtv(a, b + depth * np.array(normal, dtype=float))
+    if still is None or still[1] <= ANSWER_TOLERANCE:
+        return "Moved by depth times normal, B is out of A; is there a shorter way?"
+    return f"Moved by depth times normal, B is still {written(float(still[1]))} m deep in A."
+
+
+def is_finite(value: Any) -> bool:
+    """Return whether a plain value holds finite numbers only."""
+    if isinstance(value, list | tuple):
+        return all(is_finite(item) for item in value)
+    return isinstance(value, int | float) and math.isfinite(value)
+
+
+def _clipped(start: Any, end: Any, normal: Any, offset: float) -> tuple[Any, Any] | None:
+    """Return the part of a segment with p . normal <= offset."""
+    s, e = (float(point @ normal) - offset for point in (start, end))
+    if min(s, e) > 0:
+        return None
+    cut = start + np.clip(s / (s - e), 0, 1) * (end - start)
+    return (cut if s > 0 else start), (cut if e > 0 else end)
+
+
+def crossing(stream: Random) -> Iterator[Arguments]:
+    """Draw segments with the start inside, and with the end inside."""
+    for _ in range(2):
+        inside, outside, normal, offset = _segment_across(stream)
+        yield inside, outside, normal, offset
+        inside, outside, normal, offset = _segment_across(stream)
+        yield outside, inside, normal, offset
+
+
+def on_one_side(stream: Random) -> Iterator[Arguments]:
+    """Draw segments that lie all inside, and all outside."""
+    for side in (-1, 1):
+        normal, offset = draws.oblique_normal(stream), round(stream.uniform(-3, 3), 2)
+        start, end = (
+            _beside_line(normal, offset + side * stream.uniform(0.5, 2), way) for way in (-1.0, 2.0)
+        )
+        yield start, end, normal, offset
+
+
+def _segment_across(stream: Random) -> tuple[draws.Vector, draws.Vector, draws.Vector, float]:
+    """Return a point inside, one outside, and the line between them: normal and offset."""
+    normal, offset = draws.oblique_normal(stream), round(stream.uniform(-3, 3), 2)
+    inside = _beside_line(normal, offset - stream.uniform(1.5, 2.5), stream.uniform(-2, -1))
+    outside = _beside_line(normal, offset + stream.uniform(0.3, 1.0), stream.uniform(1, 2))
+    return inside, outside, normal, offset
+
+
+def _beside_line(normal: draws.Vector, along_normal: float, along_line: float) -> draws.Vector:
+    """Return the point with the given parts along a normal and along its line."""
+    n_x, n_y = normal
+    return (
+        round(along_normal * n_x - along_line * n_y, 2),
+        round(along_normal * n_y + along_line * n_x, 2),
+    )
+
+
+def beside_an_edge(stream: Random) -> Iterator[Arguments]:
+    """Draw circles that overlap a long edge, away from its middle."""
+    for _ in range(2):
+        vertices, start, end, outward = _longest_edge(stream)
+        foot = _between(start, end, stream.choice((0.3, 0.7)))
+        yield draws.at_distance(foot, 0.2, outward), round(stream.uniform(0.3, 0.4), 2), vertices
+
+
+def beside_a_vertex(stream: Random) -> Iterator[Arguments]:
+    """Draw circles that overlap a vertex, which is at the origin the second time."""
+    for at_origin in (False, True):
+        vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
+        before, corner, after = (np.array(vertex) for vertex in vertices[:3])
+        way = _unit(_unit(corner - before) + _unit(corner - after))
+        shift = vertices[1] if at_origin else (0.0, 0.0)
+        centre = _moved(draws.at_distance(vertices[1], 0.25, way), shift)
+        yield centre, 0.4, tuple(_moved(vertex, shift) for vertex in vertices)
+
+
+def _unit(vector: Any) -> Any:
+    """Return a vector's direction."""
+    return vector / np.hypot(*vector)
+
+
+def with_the_centre_inside(stream: Random) -> Iterator[Arguments]:
+    """Draw circles whose centre is inside: smaller and larger than its distance to the edge."""
+    for radius in (0.1, 0.5):
+        vertices, start, end, outward = _longest_edge(stream)
+        foot = _between(start, end, stream.choice((0.4, 0.6)))
+        yield draws.at_distance(foot, -0.2, outward), radius, vertices
+
+
+def circle_apart_or_not(stream: Random) -> Iterator[Arguments]:
+    """Draw circles off an edge and just in it, and one past the end of an edge's line."""
+    vertices, start, end, outward = _longest_edge(stream)
+    foot = _between(start, end, 0.5)
+    for radius in (0.28, 0.32):
+        yield draws.at_distance(foot, 0.3, outward), radius, vertices
+    yield draws.at_distance(_between(start, end, 1.5), 0.1, outward), 0.3, vertices
+
+
+def _longest_edge(
+    stream: Random,
+) -> tuple[pairs.Polygon, draws.Vector, draws.Vector, draws.Vector]:
+    """Return a long polygon, both ends of its longest edge, and that edge's outward normal."""
+    vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
+    edges = zip(vertices, (*vertices[1:], vertices[0]), strict=True)
+    start, end = max(edges, key=lambda edge: math.dist(*edge))
+    length = math.dist(start, end)
+    return vertices, start, end, ((end[1] - start[1]) / length, (start[0] - end[0]) / length)
+
+
+def _between(start: draws.Vector, end: draws.Vector, part: float) -> draws.Vector:
+    """Return the point a part of the way from start to end."""
+    return start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])
+
+
+def _moved(point: Any, shift: Any) -> draws.Vector:
+    """Return a point less a shift, to two decimals."""
+    return round(point[0] - shift[0], 2), round(point[1] - shift[1], 2)
+
+
+def _circle_contact(centre: Any, radius: float, vertices: Any) -> tuple[Any, float] | None:
+    """Return normal, from polygon to circle, and depth of a circle that overlaps a polygon."""
+    place = (*polygon_centroid(vertices), 0.0)
+    found = collide(Polygon(vertices), place, Circle(radius), (*centre, 0.0))
+    return None if found is None else (found.normal, found.penetrations[0])
+
+
+def axes_are_lines(arguments: Arguments, answer: Any) -> str:
+    """Say how many axes there are, and what about them is free."""
+    return (
+        f"Yours are {len(answer)} axes for {len(arguments[0])} vertices. Order, signs and repeats"
+        " are free; shown are the lines they stand for."
+    )
+
+
+TASKS = (
+    Task(
+        id="6.1",
+        function="sat_axes",
+        objective="The axes on which two polygons may part: the unit normals of the edges.",
+        expected=_axes_of_edges,
+        criteria=(
+            Criterion("triangles", triangles, part=as_lines),
+            Criterion("four edges and more", more_edges, points=2, part=as_lines),
+            Criterion("a vertex listed twice", a_vertex_twice, part=as_lines),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "6.1"),
+        alternatives=for_task(ALTERNATIVES, "6.1"),
+        explain=axes_are_lines,
+    ),
+    Task(
+        id="6.2",
+        function="project",
+        objective="The shadow of a polygon on an axis.",
+        expected=project,
+        criteria=(
+            Criterion("a polygon beyond the origin", beyond_the_origin),
+            Criterion("a polygon about the origin", about_the_origin),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "6.2"),
+        alternatives=for_task(ALTERNATIVES, "6.2"),
+    ),
+    Task(
+        id="6.3",
+        function="overlap",
+        objective="How far one interval must move to leave another, the shorter way.",
+        expected=overlap,
+        criteria=(
+            Criterion("one end inside the other", one_end_inside),
+            Criterion("one inside the other", one_in_the_other),
+            Criterion("apart, touching or overlapping", apart_or_not, part=is_overlap),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "6.3"),
+        alternatives=for_task(ALTERNATIVES, "6.3"),
+    ),
+    Task(
+        id="6.4",
+        function="mtv",
+        objective="The minimum translation vector of two polygons, from A to B.",
+        expected=mtv,
+        criteria=(
+            Criterion("axes of A and of B", at_a_corner),
+            Criterion("one inside the other", one_inside_the_other),
+            Criterion("deeper than the middle", past_the_middle),
+            Criterion("apart, touching or overlapping", polygons_apart_or_not, part=is_overlap),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "6.4"),
+        alternatives=for_task(ALTERNATIVES, "6.4"),
+        explain=after_your_move,
+    ),
+    Task(
+        id="6.5",
+        function="clip",
+        objective="The part of a segment on the inner side of a line.",
+        expected=_clipped,
+        criteria=(
+            Criterion("one end outside", crossing, points=2),
+            Criterion("all inside and all outside", on_one_side),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "6.5"),
+        alternatives=for_task(ALTERNATIVES, "6.5"),
+    ),
+    Task(
+        id="6.6",
+        function="circle_against_polygon",
+        objective="How a circle overlaps a polygon, through the closest point.",
+        expected=_circle_contact,
+        criteria=(
+            Criterion("beside an edge", beside_an_edge),
+            Criterion("beside a vertex", beside_a_vertex),
+            Criterion("the centre inside", with_the_centre_inside),
+            Criterion("apart or overlapping", circle_apart_or_not, part=is_overlap),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "6.6"),
+        alternatives=for_task(ALTERNATIVES, "6.6"),
+    ),
+)

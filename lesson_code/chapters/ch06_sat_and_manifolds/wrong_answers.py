@@ -1,0 +1,329 @@
+"""Wrong models of chapter 06: separating axes, clipping, circle against polygon.
+
+They use the functions of the earlier tasks that the student's file has under the same names.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.formulas.arithmetic import cross
+from lesson_code.geometry import closest_point_on_segment, project, sat_axes
+
+Vector: TypeAlias = Any
+
+
+@wrong_model("6.1", "Two vertices that coincide: is there an edge between them, with a direction?")
+def axis_of_an_empty_edge(vertices: Vector) -> Any:
+    """Two neighbouring vertices always make an edge, and every edge makes an axis."""
+    edges = np.roll(vertices, -1, axis=0) - vertices
+    return [np.array([y, -x]) / (np.hypot(x, y) or 1.0) for x, y in edges]
+
+
+@wrong_model("6.1", "A gap runs along an edge. Along which axis do the shadows on its sides part?")
+def edges_for_normals(vertices: Vector) -> Any:
+    """The axes are the directions of the edges."""
+    edges = np.roll(vertices, -1, axis=0) - vertices
+    return [edge / np.hypot(*edge) for edge in edges if edge.any()]
+
+
+@wrong_model("6.1", "How many edges has a triangle, and how many axes do you return for it?")
+def last_edge_missing(vertices: Vector) -> Any:
+    """Each vertex but the last one starts an edge."""
+    edges = vertices[1:] - vertices[:-1]
+    return [np.array([y, -x]) / np.hypot(x, y) for x, y in edges if x or y]
+
+
+@wrong_model("6.1", "Make the polygon twice as large. Should its axes grow with it?")
+def axes_not_unit(vertices: Vector) -> Any:
+    """An axis needs a direction only, so its length does not matter."""
+    edges = np.roll(vertices, -1, axis=0) - vertices
+    return [np.array([y, -x]) for x, y in edges if x or y]
+
+
+@wrong_model("6.1", "Draw a long triangle and one of your axes. Which edge does it stand upon?")
+def from_the_middle_to_the_corners(vertices: Vector) -> Any:
+    """The axes run from the middle of the polygon to its vertices."""
+    offsets = vertices - vertices.mean(axis=0)
+    return [offset / np.hypot(*offset) for offset in offsets]
+
+
+@wrong_model("6.1", "Turn the polygon by 30 degrees. Do its edges turn, and do your axes?")
+def x_and_y_only(vertices: Vector) -> Any:
+    """The x axis and the y axis are enough for any shape."""
+    return [(1.0, 0.0), (0.0, 1.0)]
+
+
+@wrong_model("6.2", "Move the polygon far from the origin. Does its shadow still reach back to 0?")
+def starts_from_zero(vertices: Vector, axis: Vector) -> Any:
+    """Smallest and largest are found by starting from 0."""
+    low = high = 0.0
+    for value in vertices @ axis:
+        low, high = min(low, value), max(high, value)
+    return low, high
+
+
+@wrong_model("6.2", "Which vertices lie farthest out along the axis: always the same two?")
+def first_and_last_vertex(vertices: Vector, axis: Vector) -> Any:
+    """The shadow reaches from the first vertex to the last."""
+    values = vertices @ axis
+    return min(values[0], values[-1]), max(values[0], values[-1])
+
+
+@wrong_model("6.2", "Move the polygon along the axis. Does your interval move with it?")
+def about_its_own_middle(vertices: Vector, axis: Vector) -> Any:
+    """A shadow is measured from the middle of the polygon."""
+    values = (vertices - vertices.mean(axis=0)) @ axis
+    return values.min(), values.max()
+
+
+@wrong_model("6.2", "For the axis (1, 0), the shadow holds the x of every vertex. Does yours?")
+def across_the_axis(vertices: Vector, axis: Vector) -> Any:
+    """The shadow falls on the line at right angles to the axis."""
+    values = vertices @ np.array([-axis[1], axis[0]])
+    return values.min(), values.max()
+
+
+@wrong_model("6.2", "Which sign has the dot product of a vertex that lies behind the origin?")
+def distances_from_the_origin(vertices: Vector, axis: Vector) -> Any:
+    """A place on the axis is a distance from the origin, so it is never negative."""
+    values = np.abs(vertices @ axis)
+    return values.min(), values.max()
+
+
+@wrong_model("6.3", "A small interval inside a large one: moved by what you return, is it out?")
+def common_part(interval_a: Vector, interval_b: Vector) -> Any:
+    """The overlap is the length of the part that both intervals have in common."""
+    length = min(interval_a[1], interval_b[1]) - max(interval_a[0], interval_b[0])
+    return length if length > 0 else None
+
+
+@wrong_model("6.3", "Put B to the left of A. Which of its ends meets A first there?")
+def b_is_always_on_the_right(interval_a: Vector, interval_b: Vector) -> Any:
+    """The end of A and the beginning of B say it all."""
+    depth = interval_a[1] - interval_b[0]
+    return depth if depth > 0 else None
+
+
+@wrong_model("6.3", "B can leave on either side. Which of the two ways do you return?")
+def longer_way_out(interval_a: Vector, interval_b: Vector) -> Any:
+    """Of the two ways out, the longer one is sure to be enough."""
+    exits = interval_a[1] - interval_b[0], interval_b[1] - interval_a[0]
+    return max(exits) if min(exits) > 0 else None
+
+
+@wrong_model("6.3", "Two boxes stand side by side and just touch. How far must one be moved?")
+def touching_counts(interval_a: Vector, interval_b: Vector) -> Any:
+    """Intervals that touch overlap."""
+    depth = min(interval_a[1] - interval_b[0], interval_b[1] - interval_a[0])
+    return depth if depth >= 0 else None
+
+
+@wrong_model("6.3", "An overlap of 0 and no overlap: can your caller tell them apart?")
+def zero_for_a_gap(interval_a: Vector, interval_b: Vector) -> Any:
+    """Where there is no overlap, the overlap is 0."""
+    return max(0.0, min(interval_a[1] - interval_b[0], interval_b[1] - interval_a[0]))
+
+
+@wrong_model("6.4", "Move the note of B's position to one of its ends. May the normal turn round?")
+def direction_from_the_centres(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The normal points the way from the middle of A to the middle of B."""
+    depths = []
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        depths.append((min(high_a - low_b, high_b - low_a), axis))
+    depth, normal = min(depths, key=lambda found: found[0])
+    towards_b = np.dot(vertices_b.mean(axis=0) - vertices_a.mean(axis=0), normal) >= 0
+    return ((normal if towards_b else -normal), depth) if depth > 0 else None
+
+
+@wrong_model("6.4", "Let a corner of A point at a side of B. Whose edge has the axis you need?")
+def axes_of_a_only(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The edges of one of the two polygons are enough."""
+    best = None
+    for axis in sat_axes(vertices_a):
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        for depth, normal in ((high_a - low_b, axis), (high_b - low_a, -axis)):
+            if depth <= 0:
+                return None
+            if best is None or depth < best[1]:
+                best = normal, depth
+    return best
+
+
+@wrong_model("6.4", "Put a small polygon inside a large one. Moved by what you return, is it out?")
+def common_part_as_depth(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The depth is the length of the part that both shadows have in common."""
+    best = None
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        depth = min(high_a, high_b) - max(low_a, low_b)
+        if depth <= 0:
+            return None
+        if best is None or depth < best[1]:
+            best = (axis if high_a - low_b < high_b - low_a else -axis), depth
+    return best
+
+
+@wrong_model("6.4", "MTV: what does its first letter stand for, and which depth do you keep?")
+def largest_overlap(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The axis that counts is the one with the largest overlap."""
+    best = None
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        depth = min(high_a - low_b, high_b - low_a)
+        if depth <= 0:
+            return None
+        if best is None or depth > best[1]:
+            best = (axis if high_a - low_b < high_b - low_a else -axis), depth
+    return best
+
+
+@wrong_model("6.4", "Move B by depth times your normal. Does it come out of A, or go deeper?")
+def from_b_to_a(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The normal points from B to A."""
+    best = None
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        for depth, normal in ((high_a - low_b, -axis), (high_b - low_a, axis)):
+            if depth <= 0:
+                return None
+            if best is None or depth < best[1]:
+                best = normal, depth
+    return best
+
+
+@wrong_model("6.4", "Two squares stand side by side and just touch. What does yours return?")
+def touching_is_a_hit(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """Polygons that touch overlap."""
+    best = None
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        for depth, normal in ((high_a - low_b, axis), (high_b - low_a, -axis)):
+            if depth < 0:
+                return None
+            if best is None or depth < best[1]:
+                best = normal, depth
+    return best
+
+
+@wrong_model("6.5", "One end is outside. Where does the segment cross the line: is a point kept?")
+def drops_the_end_outside(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """Clipping leaves out the ends that lie outside."""
+    return [point for point in (start, end) if np.dot(point, normal) <= offset] or None
+
+
+@wrong_model("6.5", "Take a point far along the normal. Is its dot product above the offset?")
+def keeps_the_other_side(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """What lies beyond the line, where the normal points, is kept."""
+    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
+    if s < 0 and e < 0:
+        return None
+    if s >= 0 and e >= 0:
+        return [start, end]
+    crossing = start + s / (s - e) * (end - start)
+    return [start, crossing] if s >= 0 else [crossing, end]
+
+
+@wrong_model("6.5", "Draw the point that you put on the line. Does it still lie on the segment?")
+def moved_along_the_normal(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """An end outside is moved straight back to the line."""
+    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
+    if s > 0 and e > 0:
+        return None
+    return [start - max(s, 0.0) * normal, end - max(e, 0.0) * normal]
+
+
+@wrong_model("6.5", "If the start is just outside, is the crossing near the start or near the end?")
+def counts_from_the_wrong_end(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """The crossing divides the segment by the distance of the end over the sum of both."""
+    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
+    if s > 0 and e > 0:
+        return None
+    if s <= 0 and e <= 0:
+        return [start, end]
+    crossing = start + e / (e - s) * (end - start)
+    return [crossing, end] if s > 0 else [start, crossing]
+
+
+@wrong_model("6.5", "A segment lies half outside. How much of it do you give back?")
+def all_or_nothing(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """A segment with one end inside is kept as it is."""
+    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
+    return None if s > 0 and e > 0 else [start, end]
+
+
+@wrong_model("6.6", "The ball lies flat upon a long edge. Which vertex does it touch?")
+def corners_only(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The closest point of a polygon is one of its vertices."""
+    offsets = centre - vertices
+    distances = np.hypot(offsets[:, 0], offsets[:, 1])
+    nearest = int(np.argmin(distances))
+    depth = radius - distances[nearest]
+    return (offsets[nearest] / distances[nearest], depth) if depth > 0 else None
+
+
+@wrong_model("6.6", "Roll the ball past a corner. Does the edge go on for ever there?")
+def edges_without_ends(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The edge whose line is nearest gives the normal, also beyond its ends."""
+    edges = np.roll(vertices, -1, axis=0) - vertices
+    normals = np.array([(y, -x) / np.hypot(x, y) for x, y in edges])
+    distances = [np.dot(centre - vertex, n) for vertex, n in zip(vertices, normals, strict=True)]
+    nearest = int(np.argmax(distances))
+    depth = radius - distances[nearest]
+    return (normals[nearest], depth) if depth > 0 else None
+
+
+@wrong_model("6.6", "With the centre inside, which way leads from the centre to the edge?")
+def deeper_when_inside(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The normal always points from the closest point to the centre."""
+    edges = zip(vertices, np.roll(vertices, -1, axis=0), strict=True)
+    offsets = [centre - closest_point_on_segment(centre, a, b) for a, b in edges]
+    offset = min(offsets, key=lambda way: np.hypot(*way))
+    distance = np.hypot(*offset)
+    return (offset / distance, radius - distance) if distance < radius else None
+
+
+@wrong_model("6.6", "The centre is inside. It has to reach the edge, and then: how much farther?")
+def shallow_when_inside(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The depth is always the radius less the distance to the closest point."""
+    edges = list(zip(vertices, np.roll(vertices, -1, axis=0), strict=True))
+    offsets = [centre - closest_point_on_segment(centre, a, b) for a, b in edges]
+    inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
+    offset = min(offsets, key=lambda way: np.hypot(*way))
+    distance = np.hypot(*offset)
+    normal = -offset / distance if inside else offset / distance
+    return (normal, radius - distance) if distance < radius else None
+
+
+@wrong_model("6.6", "Move polygon and ball so that the corner is at (0, 0). Are they still apart?")
+def nothing_at_the_origin(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """A closest point at (0, 0) means that none was found."""
+    edges = list(zip(vertices, np.roll(vertices, -1, axis=0), strict=True))
+    points = [closest_point_on_segment(centre, a, b) for a, b in edges]
+    inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
+    closest = min(points, key=lambda point: np.hypot(*(centre - point)))
+    distance = np.hypot(*(centre - closest))
+    depth = radius + distance if inside else radius - distance
+    if not closest.any() or depth <= 0:
+        return None
+    normal = (centre - closest) / distance
+    return (-normal if inside else normal), depth
+
+
+@wrong_model("6.6", "A ball lies near the end of a long plank. Which way does the plank push it?")
+def from_middle_to_middle(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The normal points from the middle of the polygon to the centre of the circle."""
+    edges = list(zip(vertices, np.roll(vertices, -1, axis=0), strict=True))
+    offsets = [centre - closest_point_on_segment(centre, a, b) for a, b in edges]
+    inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
+    distance = min(np.hypot(*offset) for offset in offsets)
+    depth = radius + distance if inside else radius - distance
+    way = centre - vertices.mean(axis=0)
+    return (way / np.hypot(*way), depth) if depth > 0 else None
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

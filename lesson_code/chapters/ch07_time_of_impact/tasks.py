@@ -1,0 +1,316 @@
+"""Tasks of chapter 07: when things meet, and what happens in the rest of the step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import combinations
+from random import Random
+from typing import Any
+
+import numpy as np
+
+from lesson_code.chapters import draws
+from lesson_code.chapters.ch07_time_of_impact import draws as flights
+from lesson_code.chapters.ch07_time_of_impact import (
+    wrong_answers as time_of_impact,
+)
+from lesson_code.chapters.ch07_time_of_impact import (
+    wrong_answers_of_events as events,
+)
+from lesson_code.chapters.ch07_time_of_impact.right_answers import ALTERNATIVES
+from lesson_code.course.grading.compare import written
+from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.geometry.impact_times import line_impact_time
+from lesson_code.geometry.straight_impact_times import straight_impact_time
+from lesson_code.reference.event_closed_forms import block_collisions
+
+WRONG_MODELS = (*time_of_impact.WRONG_MODELS, *events.WRONG_MODELS)
+
+# 7.2: the floor
+
+
+def thrown_down(stream: Random) -> Iterator[Arguments]:
+    """Draw balls that start downwards."""
+    for _ in range(2):
+        yield _height(stream), -draws.speed(stream), _gravity(stream)
+
+
+def thrown_up_or_dropped(stream: Random) -> Iterator[Arguments]:
+    """Draw a ball that starts upwards, and one that is let go."""
+    yield _height(stream), draws.speed(stream), _gravity(stream)
+    yield _height(stream), 0.0, _gravity(stream)
+
+
+def at_the_floor(stream: Random) -> Iterator[Arguments]:
+    """Draw balls on the floor: two have just bounced, one is about to."""
+    for way in (1, -1, 1):
+        yield 0.0, way * draws.speed(stream), _gravity(stream)
+
+
+def nearly_weightless(stream: Random) -> Iterator[Arguments]:
+    """Draw balls that drift down without gravity or nearly so, and one that is never back."""
+    for gravity in (1e-15 * _gravity(stream), 0.0):
+        yield _height(stream), -round(stream.uniform(0.2, 0.8), 2), gravity
+    yield _height(stream), draws.speed(stream), 0.0
+
+
+def _height(stream: Random) -> float:
+    """Return the height of a ball above the floor, m."""
+    return round(stream.uniform(1.0, 9.0), 2)
+
+
+def _gravity(stream: Random) -> float:
+    """Return gravity on the earth, on Mars or on the moon, m/s^2."""
+    return stream.choice((9.81, 3.71, 1.62))
+
+
+# 7.3: the rest of the step
+
+
+def without_an_impact(stream: Random) -> Iterator[Arguments]:
+    """Draw balls that reach no wall."""
+    for _ in range(2):
+        yield _in_a_room(stream, hits=0)
+
+
+def with_one_impact(stream: Random) -> Iterator[Arguments]:
+    """Draw balls that reach one wall."""
+    for _ in range(3):
+        yield _in_a_room(stream, hits=1)
+
+
+def with_several_impacts(stream: Random) -> Iterator[Arguments]:
+    """Draw steps so long that a ball bounces several times, on both pairs of walls."""
+    for hits in (3, 8):
+        yield _in_a_room(stream, hits=hits)
+
+
+def starting_at_a_wall(stream: Random) -> Iterator[Arguments]:
+    """Draw balls that start at a wall, two on the way into it and one on the way off."""
+    for into, side in ((True, 0), (True, 1), (False, 0)):
+        p, v, room, e, dt = _in_a_room(stream, hits=0)
+        away = abs(v[0]) if side == 0 else -abs(v[0])
+        yield (side * room[0], p[1]), (-away if into else away, v[1]), room, e, dt
+
+
+def _in_a_room(stream: Random, hits: int) -> Arguments:
+    """Return p, v, room, restitution and a step in which the ball hits so many walls."""
+    room = (round(stream.uniform(3.0, 4.0), 2), round(stream.uniform(2.0, 2.8), 2))
+    p = tuple(round(size * stream.uniform(0.3, 0.7), 2) for size in room)
+    v = tuple(stream.choice((-1, 1)) * draws.speed(stream) for _ in range(2))
+    e = draws.restitution(stream)
+    ends = [0.0, *_impact_times(p, v, room, e, hits + 1)]
+    part = stream.uniform(0.4, 0.7)
+    return p, v, room, e, (1 - part) * ends[hits] + part * ends[hits + 1]
+
+
+def _impact_times(p: Any, v: Any, room: Any, e: float, count: int) -> list[float]:
+    """Return when the first so many impacts are, s: each axis is a geometric series of its own."""
+    times = []
+    for x, speed, size in zip(p, v, room, strict=True):
+        first = (size - x if speed > 0 else x) / abs(speed)
+        ways = [size / (abs(speed) * e**n) for n in range(1, count)]
+        times += [first + sum(ways[:n]) for n in range(count)]
+    return sorted(times)[:count]
+
+
+# 7.5: two blocks and a wall
+
+
+def hundreds(_stream: Random) -> Iterator[Arguments]:
+    """Yield mass ratios that are powers of 100."""
+    for digits in range(4):
+        yield (100.0**digits,)
+
+
+def any_ratio(stream: Random) -> Iterator[Arguments]:
+    """Draw mass ratios for which the count is not made of digits of pi, and one large one."""
+    for _ in range(3):
+        yield (_ratio(stream, most=10, off_pi=True),)
+    yield (_ratio(stream, most=900, off_pi=False),)
+
+
+def _ratio(stream: Random, most: float, off_pi: bool) -> float:
+    """Return a mass ratio that is clearly between two counts."""
+    while True:
+        ratio = round(stream.uniform(most / 5, most), 2)
+        turns = math.pi / math.atan(1 / math.sqrt(ratio))
+        by_digits = int(math.pi * math.sqrt(ratio))
+        clear = 0.1 < turns % 1 < 0.9
+        if clear and not (off_pi and by_digits == block_collisions(ratio)):
+            return ratio
+
+
+# What is expected
+
+
+def _sweep_circles(
+    p1: Any, v1: Any, r1: float, p2: Any, v2: Any, r2: float, dt: float
+) -> float | None:
+    """Return when two circles first touch, or None."""
+    (dx, dy), (vx, vy) = p2 - p1, v2 - v1
+    t = straight_impact_time(dx, dy, vx, vy, r1 + r2)
+    return t if t <= dt and t < math.inf else None
+
+
+def _time_to_floor(height: float, velocity: float, gravity: float) -> float | None:
+    """Return when a ball under gravity next hits the floor, or None if it never does."""
+    t = line_impact_time(height, velocity, -gravity)
+    return t if t < math.inf else None
+
+
+def _advance(p: Any, v: Any, room: Any, restitution: float, dt: float) -> tuple[Any, Any]:
+    """Return where a ball is after a step in a room, and its velocity, all impacts included."""
+    left = dt
+    while True:
+        times = [
+            math.inf if v_k == 0 else (size - x if v_k > 0 else -x) / v_k
+            for x, v_k, size in zip(p, v, room, strict=True)
+        ]
+        axis = int(np.argmin(times))
+        if times[axis] >= left:
+            return p + v * left, v
+        p, left = p + v * times[axis], left - times[axis]
+        v = np.where(np.arange(2) == axis, -restitution * v, v)
+
+
+def _next_event(positions: Any, velocities: Any, radii: Any) -> tuple[float, int, int] | None:
+    """Return (t, i, j) of the pair that meets first, or None."""
+    meetings = [
+        (t, i, j)
+        for i, j in combinations(range(len(radii)), 2)
+        if (t := _time_of_pair(positions, velocities, radii, i, j)) is not None
+    ]
+    return min(meetings, default=None)
+
+
+def _time_of_pair(positions: Any, velocities: Any, radii: Any, i: int, j: int) -> float | None:
+    """Return when circles i and j meet, however late, or None."""
+    (dx, dy), (vx, vy) = positions[j] - positions[i], velocities[j] - velocities[i]
+    t = straight_impact_time(dx, dy, vx, vy, float(radii[i] + radii[j]))
+    return t if t < math.inf else None
+
+
+# Why
+
+
+def distance_at_the_answer(arguments: Arguments, answer: Any) -> str:
+    """Say how far the centres are apart at the time that was returned, or how near they come."""
+    p1, v1, r1, p2, v2, r2, dt = arguments
+    d, v = np.subtract(p2, p1), np.subtract(v2, v1)
+    if answer is None:
+        nearest = -float(d @ v) / float(v @ v) if v.any() else 0.0
+        t = min(max(nearest, 0.0), dt)
+        says = f"In the step the centres come as near as {written(math.hypot(*(d + v * t)))} m"
+    else:
+        says = f"At your t the centres are {written(math.hypot(*(d + v * answer)))} m apart"
+    change = written(float(d @ v) / math.hypot(*d))
+    return f"{says}; r1 + r2 is {written(r1 + r2)} m. At the start that changes by {change} m/s."
+
+
+def height_at_the_answer(arguments: Arguments, answer: Any) -> str:
+    """Say how high the ball is at the time that was returned."""
+    height, velocity, gravity = arguments
+    if answer is None:
+        return ""
+    then = height + velocity * answer - gravity * answer**2 / 2
+    return f"After your t the ball is {written(then)} m above the floor."
+
+
+def impacts_in_the_step(arguments: Arguments, _answer: Any) -> str:
+    """Say when in the step the ball meets walls."""
+    p, v, room, e, dt = arguments
+    times = [t for t in _impact_times(p, v, room, e, MOST_TIMES_NAMED) if t < dt]
+    return f"Impacts in this step of {written(dt)} s: {', '.join(map(written, times)) or 'none'}."
+
+
+MOST_TIMES_NAMED = 12
+"""More impacts than any step of the task has."""
+
+
+def what_all_pairs_do(arguments: Arguments, _answer: Any) -> str:
+    """Say which pairs meet, and when."""
+    positions, velocities, radii = (np.array(values, dtype=float) for values in arguments)
+    meetings = [
+        f"{i} and {j} at {written(t)} s"
+        for i, j in combinations(range(len(radii)), 2)
+        if (t := _time_of_pair(positions, velocities, radii, i, j)) is not None
+    ]
+    return f"Left alone, these meet: {'; '.join(meetings) or 'none'}."
+
+
+TASKS = (
+    Task(
+        id="7.1",
+        function="sweep_circles",
+        objective="When two moving circles meet, if they do so within the step.",
+        expected=_sweep_circles,
+        criteria=(
+            Criterion("a hit within the step", flights.hits, points=2),
+            Criterion("a fast graze", flights.fast_grazes),
+            Criterion("a hit after the end of the step", flights.late_hits),
+            Criterion("circles that never meet, and two that do", flights.misses),
+            Criterion("circles that touch or overlap at the start", flights.in_touch),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "7.1"),
+        alternatives=for_task(ALTERNATIVES, "7.1"),
+        explain=distance_at_the_answer,
+    ),
+    Task(
+        id="7.2",
+        function="time_to_floor",
+        objective="When a ball under gravity next hits the floor.",
+        expected=_time_to_floor,
+        criteria=(
+            Criterion("thrown down", thrown_down),
+            Criterion("thrown up, or dropped", thrown_up_or_dropped),
+            Criterion("on the floor at the start", at_the_floor),
+            Criterion("next to no gravity", nearly_weightless),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "7.2"),
+        alternatives=for_task(ALTERNATIVES, "7.2"),
+        explain=height_at_the_answer,
+    ),
+    Task(
+        id="7.3",
+        function="advance",
+        objective="A whole step of a ball in a room: to the impact, bounce, and on.",
+        expected=_advance,
+        criteria=(
+            Criterion("a step without an impact", without_an_impact),
+            Criterion("one impact", with_one_impact, points=2),
+            Criterion("several impacts", with_several_impacts),
+            Criterion("at a wall at the start", starting_at_a_wall),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "7.3"),
+        alternatives=for_task(ALTERNATIVES, "7.3"),
+        explain=impacts_in_the_step,
+    ),
+    Task(
+        id="7.4",
+        function="next_event",
+        objective="Which of all pairs of circles meets first, and when.",
+        expected=_next_event,
+        criteria=(
+            Criterion("the earliest of several", flights.crowds, points=2),
+            Criterion("a pair that meets now", flights.crowds_with_a_hit_now),
+            Criterion("crowds in which no pair meets", flights.crowds_that_part),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "7.4"),
+        alternatives=for_task(ALTERNATIVES, "7.4"),
+        explain=what_all_pairs_do,
+    ),
+    Task(
+        id="7.5",
+        function="pi_collisions",
+        objective="How often two blocks and a wall collide, from collision to collision.",
+        expected=block_collisions,
+        criteria=(
+            Criterion("mass ratios 1, 100, 10,000, ...", hundreds),
+            Criterion("any mass ratio", any_ratio, points=2),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "7.5"),
+        alternatives=for_task(ALTERNATIVES, "7.5"),
+    ),
+)

@@ -1,0 +1,296 @@
+"""Wrong models of chapter 07, tasks 7.1 to 7.3: the time of impact, and the rest of the step.
+
+Each stands alone, as a student would hand it in: it calls no helper.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+Time: TypeAlias = float | None
+
+
+@wrong_model("7.1", "The hit comes after the end of the step. Whose business is it then?")
+def beyond_the_step(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circles on a collision course hit; the length of the step plays no part."""
+    d, v = p2 - p1, v2 - v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if b >= 0 or b * b - a * c < 0:
+        return None
+    return float(max(c, 0.0) / (-b + math.sqrt(b * b - a * c)))
+
+
+@wrong_model("7.1", "A circle crosses another one in a hundredth of the step. Do ten looks see it?")
+def ten_samples(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Whoever looks ten times in a step sees every hit."""
+    for k in range(11):
+        t = k / 10 * dt
+        if np.hypot(*(p2 + v2 * t - p1 - v1 * t)) <= r1 + r2:
+            return t
+    return None
+
+
+@wrong_model("7.1", "The quadratic has two roots: the circles touch twice. Which comes first?")
+def the_later_root(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """The root with the plus sign is the time of impact."""
+    d, v = p2 - p1, v2 - v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if b >= 0 or b * b - a * c < 0:
+        return None
+    if c <= 0:
+        return 0.0
+    t = (-b + math.sqrt(b * b - a * c)) / a
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "Is your time ever negative? What would that say about the hit?")
+def negative_time(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """The smaller root is the time of impact, whatever its sign."""
+    d, v = p2 - p1, v2 - v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if a == 0 or b * b - a * c < 0:
+        return None
+    t = (-b - math.sqrt(b * b - a * c)) / a
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "Both circles move. What does the second one look like, seen from the first?")
+def second_velocity_ignored(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circle 1 flies towards circle 2, which waits."""
+    d, v = p2 - p1, -v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if b >= 0 or b * b - a * c < 0:
+        return None
+    t = max(c, 0.0) / (-b + math.sqrt(b * b - a * c))
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "At your time the circles are nearest. Had they touched before that?")
+def nearest_approach(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circles hit at the moment when their centres are nearest."""
+    d, v = p2 - p1, v2 - v1
+    if d @ v >= 0:
+        return None
+    t = -(d @ v) / (v @ v)
+    return float(t) if t <= dt and np.hypot(*(d + v * t)) < r1 + r2 else None
+
+
+@wrong_model("7.1", "Two circles fly side by side, a metre apart. When do they meet?")
+def side_by_side_is_now(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Where the quadratic has no square, its root is 0."""
+    d, v = p2 - p1, v2 - v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if a == 0:
+        return 0.0
+    if b >= 0 or b * b - a * c < 0:
+        return None
+    t = max(c, 0.0) / (-b + math.sqrt(b * b - a * c))
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "The circles overlap and still approach. When is that hit to be resolved?")
+def too_late_when_overlapping(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """A time of impact is greater than 0; circles that touch or overlap have met before."""
+    d, v = p2 - p1, v2 - v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if b >= 0 or c <= 0 or b * b - a * c < 0:
+        return None
+    t = c / (-b + math.sqrt(b * b - a * c))
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "The circles overlap, but they part. Is there anything left to collide?")
+def overlapping_is_always_now(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circles that touch or overlap hit at once, whichever way they move."""
+    d, v = p2 - p1, v2 - v1
+    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
+    if c <= 0:
+        return 0.0
+    if b >= 0 or b * b - a * c < 0:
+        return None
+    t = c / (-b + math.sqrt(b * b - a * c))
+    return t if t <= dt else None
+
+
+@wrong_model("7.2", "Take 0.5 from 0.50000000000001. How many digits are left for your time?")
+def school_formula(height: float, velocity: float, gravity: float) -> Time:
+    """The formula from school is as good as any other: it is the same number."""
+    return (velocity + math.sqrt(velocity**2 + 2 * gravity * height)) / gravity
+
+
+@wrong_model("7.2", "Your time is negative. When did it leave the floor, and when is it back?")
+def the_root_in_the_past(height: float, velocity: float, gravity: float) -> Time:
+    """Of two roots the smaller one is the first hit."""
+    if gravity == 0:
+        return height / -velocity if velocity < 0 else None
+    return (velocity - math.sqrt(velocity**2 + 2 * gravity * height)) / gravity
+
+
+@wrong_model("7.2", "How fast is the ball when it hits the floor: as fast as at the start?")
+def without_gravity(height: float, velocity: float, gravity: float) -> Time:
+    """The time is the way over the velocity."""
+    return height / -velocity if velocity < 0 else None
+
+
+@wrong_model("7.2", "Throw one ball down and let another one go. Do they land together?")
+def as_if_let_go(height: float, velocity: float, gravity: float) -> Time:
+    """Every fall takes the square root of 2 h / g."""
+    return math.sqrt(2 * height / gravity) if gravity > 0 else None
+
+
+@wrong_model("7.2", "How far does a body fall in the first second: 9.81 m, or half of it?")
+def half_forgotten(height: float, velocity: float, gravity: float) -> Time:
+    """A fall makes the way g t^2."""
+    speed = math.sqrt(velocity**2 + 4 * gravity * height)
+    if velocity < 0:
+        return 2 * height / (speed - velocity)
+    return (velocity + speed) / (2 * gravity) if gravity > 0 else None
+
+
+@wrong_model("7.2", "The ball lies on the floor and has just bounced up. When does it hit it next?")
+def on_the_floor_is_now(height: float, velocity: float, gravity: float) -> Time:
+    """A ball at the floor hits it now."""
+    if height == 0:
+        return 0.0
+    speed = math.sqrt(velocity**2 + 2 * gravity * height)
+    if velocity < 0:
+        return 2 * height / (speed - velocity)
+    return (velocity + speed) / gravity if gravity > 0 else None
+
+
+@wrong_model("7.2", "A ball is thrown upwards. Does that make it land earlier?")
+def down_is_positive(height: float, velocity: float, gravity: float) -> Time:
+    """The velocity is counted downwards."""
+    speed = math.sqrt(velocity**2 + 2 * gravity * height)
+    if velocity > 0:
+        return 2 * height / (speed + velocity)
+    return (speed - velocity) / gravity if gravity > 0 else None
+
+
+@wrong_model("7.3", "The ball bounces after a third of the step. Where are the other two thirds?")
+def stops_at_the_impact(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """A step with an impact ends at the impact."""
+    times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
+    axis = int(np.argmin(times))
+    if times[axis] >= dt:
+        return p + v * dt, v
+    return p + v * times[axis], np.where(np.arange(2) == axis, -restitution * v, v)
+
+
+@wrong_model("7.3", "After the bounce the ball flies on. Can it meet another wall in this step?")
+def one_impact_a_step(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """There is one impact in a step at the most."""
+    times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
+    axis = int(np.argmin(times))
+    if times[axis] >= dt:
+        return p + v * dt, v
+    after = np.where(np.arange(2) == axis, -restitution * v, v)
+    return p + v * times[axis] + after * (dt - times[axis]), after
+
+
+@wrong_model("7.3", "Is the ball at the wall at the end of the step, or was it there before?")
+def clamps_at_the_walls(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """A ball that has passed a wall is set back to it, and its velocity turned round."""
+    moved = p + v * dt
+    outside = (moved < 0) | (moved > room)
+    return np.clip(moved, 0, room), np.where(outside, -restitution * v, v)
+
+
+@wrong_model("7.3", "A ball comes back slower than it came. How far does it get in the same time?")
+def mirrors_the_rest(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """What the ball would be beyond the wall, it is on this side of it."""
+    moved, after = p + v * dt, np.array(v)
+    for axis in range(2):
+        while not 0 <= moved[axis] <= room[axis]:
+            wall = 0 if moved[axis] < 0 else room[axis]
+            moved[axis] = 2 * wall - moved[axis]
+            after[axis] = -restitution * after[axis]
+    return moved, after
+
+
+@wrong_model("7.3", "Add up the times in your step: to the wall, and after it. Is it dt?")
+def a_whole_step_after_the_impact(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """The ball goes to the wall, bounces, and then makes its step."""
+    times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
+    axis = int(np.argmin(times))
+    if times[axis] >= dt:
+        return p + v * dt, v
+    after = np.where(np.arange(2) == axis, -restitution * v, v)
+    return p + v * times[axis] + after * dt, after
+
+
+@wrong_model("7.3", "Where does your ball turn round: at the wall, or where the step began?")
+def bounces_at_the_start(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """A ball that will pass a wall in this step bounces, and then makes its step."""
+    moved = p + v * dt
+    after = np.where((moved < 0) | (moved > room), -restitution * v, v)
+    return p + after * dt, after
+
+
+@wrong_model("7.3", "The ball is at the wall and moves into it. Is a time of 0.0 no time?")
+def zero_is_no_time(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """`if t` asks whether there is an impact."""
+    left = dt
+    while True:
+        times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
+        axis = int(np.argmin([t if t else math.inf for t in times]))
+        if not (times[axis] and times[axis] < left):
+            return p + v * left, v
+        p, left = p + v * times[axis], left - times[axis]
+        v = np.where(np.arange(2) == axis, -restitution * v, v)
+
+
+@wrong_model("7.3", "The floor turns the velocity round along y. Does it touch the part along x?")
+def scales_the_tangent(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """A bounce makes the whole velocity smaller."""
+    left = dt
+    while True:
+        times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
+        axis = int(np.argmin(times))
+        if times[axis] >= left:
+            return p + v * left, v
+        p, left = p + v * times[axis], left - times[axis]
+        v = restitution * np.where(np.arange(2) == axis, -v, v)
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

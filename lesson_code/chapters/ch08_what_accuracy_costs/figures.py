@@ -1,0 +1,268 @@
+"""The figures of chapter 08: error against time, orders of convergence, and splits of sweeps.
+
+Error is upwards and time to the right, both in powers of ten: down and left is better. A colour and
+a marker stand for a method, a broken line for plain Python. A cross at the upper edge is a
+failure; at the left end of it stands who has refused the scene.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from lesson_code.evidence.work_precision import (
+    Fit,
+    Point,
+    WorkPrecision,
+    cheapest,
+    in_words,
+    order_of,
+    orders,
+    scenes,
+    splits,
+)
+from lesson_code.evidence.work_precision.methods import COMPILED, PLAIN
+from lesson_code.evidence.work_precision.orders import FLOOR
+from lesson_code.view.matplotlib import style
+
+LOOKS: dict[str, tuple[str, Any]] = {
+    "naive": (style.GREY, "v"),
+    "sequential": (style.BLUE, "o"),
+    "substep": (style.SKY, "s"),
+    "direct": (style.GREEN, "^"),
+    "exact": (style.VERMILION, "D"),
+    "pymunk": (style.ORANGE, "P"),
+    "box2d": (style.PURPLE, "X"),
+}
+"""Colour and marker of each method."""
+
+EDGE = 0.97
+"""Of the height of the axes: there stand the failures."""
+
+ROOM_BELOW = 300
+"""Below the least error the axis goes on by this factor: there stand the orders, and what has no
+error but rounding, each with an arrow and its figure."""
+
+ROUNDING_AT = 0.12
+"""Of the height of the axes: there stands what has no error but rounding."""
+
+COLUMNS = 4
+"""Panels side by side in the figure of all scenes."""
+
+
+def all_scenes(result: WorkPrecision) -> Figure:
+    """Return a figure with a panel for each scene of a result, and one legend."""
+    names = result.scenes
+    columns = min(COLUMNS, len(names) + 1)
+    rows = math.ceil((len(names) + 1) / columns)
+    drawn = Figure(figsize=(3.5 * columns, 3.3 * rows), layout="constrained", dpi=100)
+    axes = drawn.subplots(rows, columns, squeeze=False).flatten().tolist()
+    for ax, name in zip(axes, names, strict=False):
+        work_precision(style.plain(ax), result, name)
+    for ax in axes[len(names) :]:
+        ax.axis("off")
+    axes[len(names)].legend(handles=handles(result.points), loc="center", frameon=False, fontsize=9)
+    return drawn
+
+
+def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = False) -> Axes:
+    """Draw error against time for each method in a scene, with dotted lines for fitted orders.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw.
+    result : WorkPrecision
+        What was measured.
+    scene : str
+        Its name.
+    work : bool
+        Whether visits to contacts stand in the place of time: these are the same on every machine.
+
+    Raises
+    ------
+    ValueError
+        The scene was not measured.
+    """
+    for (method, code), points in result.lines(scene).items():
+        sound = [p for p in points if not p.failure and p.error > FLOOR]
+        color, marker = LOOKS[method]
+        dashed = "--" if code == PLAIN else "-"
+        look: dict[str, Any] = {"color": color, "marker": marker, "markersize": 5, "linewidth": 1.2}
+        if scenes()[scene].swept != "dt":
+            dashed = ""  # settings of which none is finer than the other make no line
+            look |= {"markerfacecolor": "white"} if code == PLAIN else {}
+        ax.plot([_cost(p, work) for p in sound], _errors(sound), linestyle=dashed, **look)
+        _draw_fit(ax, sound, order_of(points), work, color)
+        _draw_failures(ax, [p for p in points if p.failure], work, color)
+        _draw_rounding(ax, [p for p in points if not p.failure and p.error <= FLOOR], work)
+    across = "visits to a contact" if work else "time, ms"
+    ax.set(xscale="log", yscale="log", xlabel=across, ylabel="error, m")
+    ax.set_ylim(bottom=_bottom(result.of(scene)))
+    ax.text(
+        0.98, 0.03, _orders_in_words(result, scene), fontsize=8, ha="right", transform=ax.transAxes
+    )
+    ax.set_title(scene, fontsize=11)
+    return ax
+
+
+def _bottom(points: Iterable[Point]) -> float:
+    """Return where the axis of errors ends: below all of them but what is only rounding, m."""
+    least = min((p.error for p in points if p.error > FLOOR), default=1.0)
+    return least / ROOM_BELOW
+
+
+def _orders_in_words(result: WorkPrecision, scene: str) -> str:
+    """Return the fitted order of each method, in its fastest code, a line for each."""
+    found: dict[str, float] = {}
+    for (method, _), fit in orders(result, scene).items():
+        found.setdefault(method, fit.order)
+    return "\n".join(
+        f"{method}: order {round(order, 2) + 0.0:.2f}" for method, order in found.items()
+    )
+
+
+def how_wrong(ax: Axes, result: WorkPrecision, scene: str, error: float) -> Axes:
+    """Draw a scene's figure, a line at an error, and a ring about what reaches it most cheaply."""
+    work_precision(ax, result, scene)
+    ax.axhline(error, color=style.INK, linewidth=1)
+    ax.set_ylim(bottom=min(error / 2, ax.get_ylim()[0]))
+    best = cheapest(result, scene, error)
+    if best is None:
+        ax.set_title(f"{scene}, within {error:.2g} m: nothing that was tried", fontsize=11)
+        return ax
+    ring: dict[str, Any] = {"markersize": 15, "markerfacecolor": "none", "markeredgewidth": 2}
+    if best.error > FLOOR:
+        ax.plot(best.milliseconds, best.error, marker="o", color=style.INK, linestyle="", **ring)
+    else:
+        below = ax.get_xaxis_transform()
+        look = {"marker": "o", "color": style.INK, "linestyle": "", "transform": below, **ring}
+        ax.plot(best.milliseconds, ROUNDING_AT, **look)
+    ax.set_title(f"{scene}, within {error:.2g} m: {in_words(best)}", fontsize=11)
+    return ax
+
+
+def split_of_sweeps(ax: Axes, result: WorkPrecision, scene: str, sweeps: int) -> Axes:
+    """Draw the error of equally many sweeps in a step over the sub-steps they are split into."""
+    for method, points in splits(result, scene, sweeps).items():
+        color, marker = LOOKS[method]
+        look: dict[str, Any]
+        sound = [p for p in points if not p.failure]
+        look = {"color": color, "marker": marker, "markersize": 6, "label": method}
+        ax.plot([p.substeps for p in sound], _errors(sound), **look)
+        for p in points:
+            if p.failure:
+                _cross(ax, p.substeps, color)
+    ax.set(xscale="log", yscale="log", xlabel="sub-steps in a step", ylabel="error, m")
+    ax.set_title(f"{scene}: {sweeps} sweeps in each step", fontsize=11)
+    return ax
+
+
+def errors_over_steps(
+    ax: Axes, steps: Sequence[float], errors: dict[str, Sequence[float]], fits: dict[str, Fit]
+) -> Axes:
+    """Draw errors over the step, s, both in powers of ten, with the line of each fitted order.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw.
+    steps : sequence of float
+        s.
+    errors : dict of str to sequence of float
+        By what is written in the legend, one for each step.
+    fits : dict of str to Fit
+        By the same words; not all need one.
+    """
+    looks = list(LOOKS.values())[1:]
+    for (label, values), (color, marker) in zip(errors.items(), looks, strict=False):
+        ax.plot(steps, values, color=color, marker=marker, linestyle="", label=label)
+        if label in fits:
+            ax.plot(steps, [fits[label].at(dt) for dt in steps], color=color, linewidth=1)
+    ax.set(xscale="log", yscale="log", xlabel="step, s", ylabel="error, m")
+    ax.legend(frameon=False, fontsize=9)
+    return ax
+
+
+def legend_beside(ax: Axes, points: Iterable[Point]) -> None:
+    """Put the legend of some points to the right of the axes."""
+    beside: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}
+    ax.legend(handles=handles(points), frameon=False, fontsize=9, **beside)
+
+
+def handles(points: Iterable[Point]) -> list[Line2D]:
+    """Return what a legend outside of the axes needs: methods in their codes, and what else."""
+    made = [_handle(*line) for line in dict.fromkeys(point.line for point in points)]
+    cross = Line2D([], [], color=style.INK, marker="x", linestyle="", label="failed or refused")
+    return [*made, Line2D([], [], color=style.INK, linestyle=":", label="fitted order"), cross]
+
+
+def _handle(method: str, code: str) -> Line2D:
+    """Return what stands for a line in a legend."""
+    color, marker = LOOKS[method]
+    label = f"{method}, compiled" if code == COMPILED else f"{method} in {code}"
+    look: dict[str, Any] = {"color": color, "marker": marker, "markersize": 5}
+    return Line2D([], [], linestyle="--" if code == PLAIN else "-", label=label, **look)
+
+
+def _errors(points: Iterable[Point]) -> list[float]:
+    """Return the errors; what is 0 is drawn as the last digit of 1 m."""
+    return [max(point.error, 1e-16) for point in points]
+
+
+def _cost(point: Point, work: bool) -> float:
+    """Return what a point costs: visits, or milliseconds."""
+    return float(point.contact_solves) if work else point.milliseconds
+
+
+def _draw_fit(ax: Axes, points: Sequence[Point], fit: Fit | None, work: bool, color: str) -> None:
+    """Draw what a fitted order foretells for each point."""
+    used = [p for p in points if fit is not None and fit.finest <= p.dt <= fit.coarsest]
+    if fit is not None:
+        foretold = [fit.at(p.dt) for p in used]
+        ax.plot([_cost(p, work) for p in used], foretold, color=color, linestyle=":", linewidth=1)
+
+
+def _draw_failures(ax: Axes, points: Iterable[Point], work: bool, color: str) -> None:
+    """Draw a cross at the upper edge for each failure, at its cost if that is known."""
+    for point in points:
+        cost = _cost(point, work)
+        if math.isfinite(cost) and cost > 0:
+            _cross(ax, cost, color)
+        else:
+            ax.plot(0.03, EDGE, transform=ax.transAxes, **_cross_look(color))
+
+
+def _draw_rounding(ax: Axes, points: Sequence[Point], work: bool) -> None:
+    """Draw at the lower edge what has no error but rounding, with an arrow and the error."""
+    for point in points[:1]:
+        color, marker = LOOKS[point.method]
+        x, below = _cost(point, work), ax.get_xaxis_transform()
+        ax.plot(
+            x, ROUNDING_AT, transform=below, color=color, marker=marker, markersize=7, linestyle=""
+        )
+        ax.annotate(
+            f"\u2193 {point.error:.0e} m",
+            (x, 0.0),
+            xytext=(x, 0.03),
+            xycoords=below,
+            textcoords=below,
+            ha="center",
+            fontsize=8,
+            color=style.INK,
+        )
+
+
+def _cross(ax: Axes, x: float, color: str) -> None:
+    """Draw a cross at the upper edge."""
+    ax.plot(x, EDGE, transform=ax.get_xaxis_transform(), **_cross_look(color))
+
+
+def _cross_look(color: str) -> dict[str, Any]:
+    """Return how a failure is drawn."""
+    return {"color": color, "marker": "x", "markersize": 7, "markeredgewidth": 1.6, "linestyle": ""}

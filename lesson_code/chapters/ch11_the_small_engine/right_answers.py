@@ -1,0 +1,138 @@
+"""Unusual right answers to chapter 11: a broad phase, a hit, and a step."""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+from lesson_code.course.grading.task import Alternative, alternative, marked
+
+Vector: TypeAlias = Any
+Table: TypeAlias = Any
+
+
+@alternative("11.1")
+def sort_and_sweep(boxes: Table) -> Any:
+    """From left to right: a box is compared with those that have not ended yet."""
+    order = sorted(range(len(boxes)), key=lambda n: boxes[n][0])
+    active: list[int] = []
+    found: list[tuple[int, int]] = []
+    for n in order:
+        active = [k for k in active if boxes[k][1] >= boxes[n][0]]
+        near = [k for k in active if boxes[k][2] <= boxes[n][3] and boxes[n][2] <= boxes[k][3]]
+        found += [(min(k, n), max(k, n)) for k in near]
+        active.append(n)
+    return found
+
+
+@alternative("11.1")
+def all_at_once(boxes: Table) -> Any:
+    """Four tables of comparisons, one for each side."""
+    import numpy as np
+
+    left, right, low, high = np.transpose(boxes)
+    x = (left[:, None] <= right) & (left <= right[:, None])
+    y = (low[:, None] <= high) & (low <= high[:, None])
+    return np.argwhere(np.triu(x & y, k=1))
+
+
+@alternative("11.2")
+def with_six_velocities(
+    a: Vector,
+    arm_a: Vector,
+    b: Vector,
+    arm_b: Vector,
+    normal: Vector,
+    restitution: float,
+    friction: float,
+) -> Any:
+    """All six velocities in one vector; a contact is a row, and the masses are a diagonal."""
+    import numpy as np
+
+    inverses = np.diag(1 / np.array([a[0], a[0], a[1], b[0], b[0], b[1]]))
+    v = np.array([a[2], a[3], a[4], b[2], b[3], b[4]])
+    rows = []
+    for x, y in (normal, (-normal[1], normal[0])):
+        turns = [arm[0] * y - arm[1] * x for arm in (arm_a, arm_b)]
+        rows.append(np.array([-x, -y, -turns[0], x, y, turns[1]]))
+    across, along = rows
+    if across @ v >= 0:
+        return a[2:4], a[4], b[2:4], b[4]
+    jn = -(1 + restitution) * (across @ v) / (across @ inverses @ across)
+    v = v + inverses @ across * jn
+    wanted = -(along @ v) / (along @ inverses @ along)
+    v = v + inverses @ along * (np.sign(wanted) * min(abs(wanted), friction * jn))
+    return v[0:2], v[2], v[3:5], v[5]
+
+
+@alternative("11.2")
+def with_complex_numbers(
+    a: Vector,
+    arm_a: Vector,
+    b: Vector,
+    arm_b: Vector,
+    normal: Vector,
+    restitution: float,
+    friction: float,
+) -> Any:
+    """Vectors are complex numbers; i r is the velocity of a point that turns at 1 rad/s."""
+    n, r, s = complex(*normal), complex(*arm_a), complex(*arm_b)
+    v, w, x, y = complex(a[2], a[3]), a[4], complex(b[2], b[3]), b[4]
+    limits = [float("inf"), 0.0]
+    for k, along in enumerate((n, 1j * n)):
+        u = ((x + 1j * s * y - v - 1j * r * w) * along.conjugate()).real
+        lever_a, lever_b = (r.conjugate() * along).imag, (s.conjugate() * along).imag
+        mass = 1 / (1 / a[0] + 1 / b[0] + lever_a**2 / a[1] + lever_b**2 / b[1])
+        j = -u * mass * (1 + restitution if k == 0 else 1)
+        j = max(j, 0.0) if k == 0 else max(-limits[1], min(j, limits[1]))
+        limits[1] = friction * j
+        v, w = v - j * along / a[0], w - j * lever_a / a[1]
+        x, y = x + j * along / b[0], y + j * lever_b / b[1]
+    return v, w, x, y
+
+
+@alternative("11.3")
+def from_the_centre_of_mass(
+    positions: Table,
+    velocities: Table,
+    masses: Vector,
+    radii: Vector,
+    restitution: float,
+    gravity: Vector,
+    room: Vector,
+    dt: float,
+) -> Any:
+    """Each pair is seen from its centre of mass, and each wall from its own side."""
+    import numpy as np
+
+    p = [x + v * dt for x, v in zip(positions, velocities, strict=True)]
+    v = [u + gravity * dt for u in velocities]
+    for j in range(len(p)):
+        for i in range(j):
+            distance = np.linalg.norm(p[i] - p[j])
+            if distance >= radii[i] + radii[j]:
+                continue
+            n = (p[i] - p[j]) / distance
+            total = masses[i] + masses[j]
+            centre = (masses[i] * v[i] + masses[j] * v[j]) / total
+            for k, other in ((i, j), (j, i)):
+                approaches = (v[k] - centre) @ n * (1 if k == i else -1) < 0
+                if approaches:
+                    v[k] = v[k] - (1 + restitution) * ((v[k] - centre) @ n) * n
+                out = (radii[i] + radii[j] - distance) * masses[other] / total
+                p[k] = p[k] + (out if k == i else -out) * n
+    for k, radius in enumerate(radii):
+        for inward, place in (
+            ((1, 0), radius),
+            ((0, 1), radius),
+            ((-1, 0), radius - room[0]),
+            ((0, -1), radius - room[1]),
+        ):
+            n = np.array(inward)
+            if p[k] @ n < place:
+                p[k] = p[k] + (place - p[k] @ n) * n
+                if v[k] @ n < 0:
+                    v[k] = v[k] - (1 + restitution) * (v[k] @ n) * n
+    return np.array(p), np.array(v)
+
+
+ALTERNATIVES = marked(globals(), Alternative)

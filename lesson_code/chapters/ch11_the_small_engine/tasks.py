@@ -1,0 +1,334 @@
+"""Tasks of chapter 11: a broad phase, a hit of any two bodies, and a whole step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from random import Random
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.chapters import draws
+from lesson_code.chapters.ch11_the_small_engine.right_answers import ALTERNATIVES
+from lesson_code.chapters.ch11_the_small_engine.wrong_answers import WRONG_MODELS
+from lesson_code.chapters.draws import Vector
+from lesson_code.course.grading.compare import written
+from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+
+Box: TypeAlias = tuple[float, float, float, float]
+
+# 11.1: pairs of boxes, each left, right, low, high
+
+
+def apart_in_one_direction(stream: Random) -> Iterator[Arguments]:
+    """Draw a box with one that it overlaps, one beside it, and one above it."""
+    for _ in range(2):
+        box = _box(stream, 2.0, 3.0)
+        near = _moved(box, stream.uniform(0.5, 1.5), stream.uniform(0.5, 1.5))
+        beside = _moved(box, stream.uniform(3.5, 4.0), stream.uniform(-1.0, -0.5))
+        above = _moved(box, stream.uniform(-1.0, -0.5), stream.uniform(5.0, 6.0))
+        boxes = [box, near, beside, above]
+        stream.shuffle(boxes)
+        yield (tuple(boxes),)
+
+
+def crossed_and_nested(stream: Random) -> Iterator[Arguments]:
+    """Draw boxes that cross with no corner in each other, one inside another, and one far away."""
+    for _ in range(2):
+        wide, high = _box(stream, 6.0, 1.0), _box(stream, 1.0, 6.0)
+        high = _at_the_middle_of(high, wide)
+        inside = _at_the_middle_of(_box(stream, 0.2, 0.3), wide)
+        far = _moved(wide, 20.0, 20.0)
+        boxes = [wide, high, inside, far]
+        stream.shuffle(boxes)
+        yield (tuple(boxes),)
+
+
+def many_boxes(stream: Random) -> Iterator[Arguments]:
+    """Draw boxes of all sizes all over the place."""
+    boxes = []
+    for _ in range(12):
+        box = _box(stream, stream.uniform(1, 4), stream.uniform(1, 4))
+        boxes.append(_moved(box, stream.uniform(0, 8), stream.uniform(0, 8)))
+    yield (tuple(boxes),)
+
+
+def _box(stream: Random, width: float, height: float) -> Box:
+    """Return a box of about that size near the origin."""
+    left, low = stream.uniform(-1, 1), stream.uniform(-1, 1)
+    return _rounded(left, left + width, low, low + height)
+
+
+def _moved(box: Box, x: float, y: float) -> Box:
+    """Return a box moved by x and y."""
+    left, right, low, high = box
+    return _rounded(left + x, right + x, low + y, high + y)
+
+
+def _at_the_middle_of(box: Box, other: Box) -> Box:
+    """Return a box moved to the middle of another one."""
+    (left, right, low, high), (other_left, other_right, other_low, other_high) = box, other
+    x = (other_left + other_right - left - right) / 2
+    return _moved(box, x, (other_low + other_high - low - high) / 2)
+
+
+def _rounded(*sides: float) -> Box:
+    """Return a box with three decimals."""
+    left, right, low, high = (round(side, 3) for side in sides)
+    return left, right, low, high
+
+
+# 11.2: a hit. A body is mass, inertia, vx, vy and w.
+
+
+def through_the_centres(stream: Random) -> Iterator[Arguments]:
+    """Draw smooth discs that spin: the impulse goes through both centres."""
+    for _ in range(2):
+        n = draws.oblique_normal(stream)
+        r, s = draws.unequal_radii(stream)
+        arms = (r * n[0], r * n[1]), (-s * n[0], -s * n[1])
+        yield *_bodies(stream, n, arms, -draws.speed(stream)), n, draws.restitution(stream), 0.0
+
+
+def beside_the_centres(stream: Random) -> Iterator[Arguments]:
+    """Draw smooth bodies that are hit beside their centres."""
+    for _ in range(2):
+        n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
+        yield *_bodies(stream, n, arms, -draws.speed(stream)), n, draws.restitution(stream), 0.0
+
+
+def rough_bodies(stream: Random) -> Iterator[Arguments]:
+    """Draw rough bodies: some slide through the impact, and some grip."""
+    for low, high in ((0.05, 0.1), (0.1, 0.2), (5.0, 9.0), (5.0, 9.0)):
+        n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
+        mu = round(stream.uniform(low, high), 2)
+        yield *_bodies(stream, n, arms, -draws.speed(stream)), n, draws.restitution(stream), mu
+
+
+def parting_bodies(stream: Random) -> Iterator[Arguments]:
+    """Draw bodies that part at the contact already, and some that do not."""
+    for way in (1, 1, -1):
+        n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
+        bodies = _bodies(stream, n, arms, way * draws.speed(stream))
+        yield *bodies, n, draws.restitution(stream), round(stream.uniform(0.1, 0.5), 2)
+
+
+def _bodies(stream: Random, n: Vector, arms: tuple[Vector, Vector], vn: float) -> Arguments:
+    """Return two bodies and their arms; at the contact they part at vn along n, and slide."""
+    masses = draws.unequal_masses(stream)
+    inertias = [round(m * stream.uniform(0.3, 0.8), 2) for m in masses]
+    spins = [draws.angular_velocity(stream) for _ in masses]
+    first = (draws.speed(stream), -draws.speed(stream))
+    vt = stream.choice((-1, 1)) * draws.speed(stream)
+    second = tuple(
+        round(value, 2)
+        for value in (
+            first[0] - spins[0] * arms[0][1] + spins[1] * arms[1][1] + vn * n[0] - vt * n[1],
+            first[1] + spins[0] * arms[0][0] - spins[1] * arms[1][0] + vn * n[1] + vt * n[0],
+        )
+    )
+    a = (masses[0], inertias[0], *first, spins[0])
+    return a, arms[0], (masses[1], inertias[1], *second, spins[1]), arms[1]
+
+
+# 11.3: a step of smooth discs in a room
+
+ROOM = (12.0, 9.0)
+"""m."""
+
+
+def free_discs(stream: Random) -> Iterator[Arguments]:
+    """Draw discs that meet nothing, with gravity down and aside."""
+    for gravity in ((0.0, -9.81), (round(stream.uniform(1, 3), 2), 0.0)):
+        states = [((x, 4.5), _velocity(stream)) for x in (3.0, 6.0, 9.0)]
+        yield _world(stream, states, gravity)
+
+
+def discs_at_walls(stream: Random) -> Iterator[Arguments]:
+    """Draw discs beyond a wall, three on their way out, one on its way in already, and one free."""
+    way = draws.speed(stream)
+    states = [
+        ((0.6, 3.0), (-way, 1.0)),
+        ((11.4, 6.0), (way, -1.0)),
+        ((4.0, 8.5), (1.0, way)),
+        ((8.0, 0.3), (-1.0, way)),
+        ((6.0, 4.5), (1.0, -way)),
+    ]
+    yield _world(stream, states, (0.0, 0.0))
+    yield _world(stream, states, (0.0, -9.81))
+
+
+def discs_that_meet(stream: Random) -> Iterator[Arguments]:
+    """Draw two discs that overlap and approach, two that overlap and part, and one alone."""
+    for x, y in ((0.8, 0.6), (0.6, -0.8)):
+        way = draws.speed(stream)
+        states = [
+            ((3.0, 4.5), (way, 0.5)),
+            ((3.0 + 1.2 * x, 4.5 + 1.2 * y), (-1.0, 0.2)),
+            ((8.0, 4.5), (-way, 0.3)),
+            ((8.0 + 1.2 * x, 4.5 + 1.2 * y), (1.0, -0.5)),
+        ]
+        yield _world(stream, states, (0.0, 0.0))
+
+
+def all_at_once(stream: Random) -> Iterator[Arguments]:
+    """Draw discs that meet, one at a wall, and one alone, with gravity."""
+    way = draws.speed(stream)
+    states = [
+        ((0.5, 5.0), (-way, 0.5)),
+        ((5.0, 4.0), (way, way)),
+        ((5.9, 4.7), (-way, -0.3)),
+        ((9.5, 2.0), (0.4, way)),
+    ]
+    yield _world(stream, states, (0.0, -9.81))
+
+
+def _velocity(stream: Random) -> Vector:
+    """Return a velocity, m/s."""
+    return stream.choice((-1, 1)) * draws.speed(stream), draws.speed(stream)
+
+
+def _world(stream: Random, states: list[tuple[Vector, Vector]], gravity: Vector) -> Arguments:
+    """Return the arguments of a step: different masses, radii between 0.7 and 0.8 m."""
+    positions, velocities = zip(*states, strict=True)
+    masses = tuple(round(1.3**n * stream.uniform(0.8, 1.0), 2) for n in range(len(states)))
+    radii = tuple(round(stream.uniform(0.7, 0.8), 2) for _ in states)
+    dt = round(stream.uniform(0.01, 0.02), 3)
+    return positions, velocities, masses, radii, draws.restitution(stream), gravity, ROOM, dt
+
+
+# What is expected
+
+
+def _near_pairs(boxes: Any) -> list[tuple[int, int]]:
+    """Return the pairs of boxes that share a point."""
+    return [
+        (i, j)
+        for j in range(len(boxes))
+        for i in range(j)
+        if boxes[i][0] <= boxes[j][1]
+        and boxes[j][0] <= boxes[i][1]
+        and boxes[i][2] <= boxes[j][3]
+        and boxes[j][2] <= boxes[i][3]
+    ]
+
+
+def _hit(
+    a: Any, arm_a: Any, b: Any, arm_b: Any, normal: Any, restitution: float, friction: float
+) -> tuple[Any, float, Any, float]:
+    """Return the velocities and spins of two bodies after they have hit each other."""
+    bodies = [[1 / body[0], 1 / body[1], np.array(body[2:4]), body[4]] for body in (a, b)]
+    arms = np.array(arm_a), np.array(arm_b)
+    n = np.array(normal)
+    jn = 0.0
+    for along in (n, np.array([-n[1], n[0]])):
+        speeds, yields = [], 0.0
+        for (inv_m, inv_i, v, w), (x, y) in zip(bodies, arms, strict=True):
+            speeds.append((v + w * np.array([-y, x])) @ along)
+            yields += inv_m + inv_i * (x * along[1] - y * along[0]) ** 2
+        change = speeds[1] - speeds[0]
+        if along is n:
+            j = jn = max(-(1 + restitution) * change / yields, 0.0)
+        else:
+            j = max(-friction * jn, min(-change / yields, friction * jn))
+        for body, (x, y), side in zip(bodies, arms, (-1, 1), strict=True):
+            body[2] = body[2] + side * j * body[0] * along
+            body[3] += side * j * body[1] * (x * along[1] - y * along[0])
+    return bodies[0][2], bodies[0][3], bodies[1][2], bodies[1][3]
+
+
+def _step_discs(
+    positions: Any,
+    velocities: Any,
+    masses: Any,
+    radii: Any,
+    restitution: float,
+    gravity: Any,
+    room: Any,
+    dt: float,
+) -> tuple[Any, Any]:
+    """Return the positions and velocities of smooth discs in a room after a step."""
+    p = np.array(positions, dtype=float) + np.array(velocities) * dt
+    v = np.array(velocities, dtype=float) + np.array(gravity) * dt
+    for i in range(len(p)):
+        for j in range(i + 1, len(p)):
+            way = p[j] - p[i]
+            depth = radii[i] + radii[j] - np.hypot(*way)
+            if depth > 0:
+                n, m = way / np.hypot(*way), 1 / (1 / masses[i] + 1 / masses[j])
+                impulse = max(-(1 + restitution) * m * ((v[j] - v[i]) @ n), 0.0) * n
+                v[i], v[j] = v[i] - impulse / masses[i], v[j] + impulse / masses[j]
+                shift = depth * m * n
+                p[i], p[j] = p[i] - shift / masses[i], p[j] + shift / masses[j]
+    for disc, radius in enumerate(radii):
+        for axis in (0, 1):
+            low, high = radius, room[axis] - radius
+            outward = -1 if p[disc, axis] < low else 1 if p[disc, axis] > high else 0
+            if outward:
+                p[disc, axis] = low if outward < 0 else high
+                if v[disc, axis] * outward > 0:
+                    v[disc, axis] *= -restitution
+    return p, v
+
+
+# Parts of an answer, and reasons
+
+
+def _in_order(pairs: Any) -> list[list[Any]]:
+    """Return pairs sorted: any order is right."""
+    return sorted(list(pair) for pair in pairs)
+
+
+def momentum_of_both(arguments: Arguments, answer: Any) -> str:
+    """Say what becomes of the momentum."""
+    a, _, b, *_ = arguments
+    v_a, _, v_b, _ = answer
+    before = np.array(a[2:4]) * a[0] + np.array(b[2:4]) * b[0]
+    after = np.array(v_a) * a[0] + np.array(v_b) * b[0]
+    return f"Momentum {written(before.tolist())} kg m/s before and {written(after.tolist())} after."
+
+
+TASKS = (
+    Task(
+        id="11.1",
+        function="near_pairs",
+        objective="A broad phase: the pairs whose boxes share a point.",
+        expected=_near_pairs,
+        criteria=(
+            Criterion("apart in one direction", apart_in_one_direction, part=_in_order),
+            Criterion("crossed, and one inside another", crossed_and_nested, part=_in_order),
+            Criterion("many boxes", many_boxes, part=_in_order),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "11.1"),
+        alternatives=for_task(ALTERNATIVES, "11.1"),
+    ),
+    Task(
+        id="11.2",
+        function="hit",
+        objective="A hit of any two bodies, with spin and friction.",
+        expected=_hit,
+        criteria=(
+            Criterion("through the centres", through_the_centres),
+            Criterion("beside the centres", beside_the_centres),
+            Criterion("rough bodies", rough_bodies, points=2),
+            Criterion("whether bodies part", parting_bodies),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "11.2"),
+        alternatives=for_task(ALTERNATIVES, "11.2"),
+        explain=momentum_of_both,
+    ),
+    Task(
+        id="11.3",
+        function="step_discs",
+        objective="A whole step: move, pairs, walls.",
+        expected=_step_discs,
+        criteria=(
+            Criterion("free discs", free_discs),
+            Criterion("discs at walls", discs_at_walls),
+            Criterion("discs that meet", discs_that_meet),
+            Criterion("all at once", all_at_once),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "11.3"),
+        alternatives=for_task(ALTERNATIVES, "11.3"),
+    ),
+)

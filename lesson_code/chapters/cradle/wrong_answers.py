@@ -1,0 +1,139 @@
+"""Wrong models of Newton's cradle: a row of collisions, a pendulum, the whole cradle."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.chapters.cradle.rules import GRAVITY, swing_step
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+
+SLOWEST = 1e-12
+
+
+@wrong_model(
+    "C.1", "The last ball has got its velocity. Has every ball between passed all of it on?"
+)
+def one_pass(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """Going through the row once is enough."""
+    v = velocities.copy()
+    for k in range(len(v) - 1):
+        if v[k] > v[k + 1]:
+            j = (1 + restitution) * (v[k] - v[k + 1]) / (1 / masses[k] + 1 / masses[k + 1])
+            v[k] -= j / masses[k]
+            v[k + 1] += j / masses[k + 1]
+    return v
+
+
+@wrong_model("C.1", "Only equal masses that collide elastically swap. What are yours?")
+def always_swaps(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """Two balls that collide swap their velocities."""
+    return np.sort(velocities)
+
+
+@wrong_model("C.1", "Your balls hand on all they have. What does a restitution of 0.9 leave?")
+def always_elastic(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """Balls in a cradle are elastic."""
+    v = velocities.copy()
+    k = 0
+    while k < len(v) - 1:
+        if v[k] - v[k + 1] > SLOWEST:
+            j = 2 * (v[k] - v[k + 1]) / (1 / masses[k] + 1 / masses[k + 1])
+            v[k] -= j / masses[k]
+            v[k + 1] += j / masses[k + 1]
+            k = 0
+        else:
+            k += 1
+    return v
+
+
+@wrong_model("C.1", "Compute the momentum and the energy before and after. Which of them is kept?")
+def only_the_last_flies(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """All of the momentum goes to the last ball."""
+    v = np.zeros(len(masses))
+    v[-1] = np.dot(masses, velocities) / masses[-1]
+    return v
+
+
+@wrong_model("C.2", "How long is the string in your formula? A longer one swings more slowly.")
+def without_the_length(angle: float, rate: float, length: float, dt: float) -> Any:
+    """Gravity turns a ball by g sin(angle)."""
+    rate = rate - GRAVITY * math.sin(angle) * dt
+    return angle + rate * dt, rate
+
+
+@wrong_model("C.2", "At 60 degrees, is sin(angle) still the angle?")
+def small_angles(angle: float, rate: float, length: float, dt: float) -> Any:
+    """The pull is as large as the angle."""
+    rate = rate - GRAVITY / length * angle * dt
+    return angle + rate * dt, rate
+
+
+@wrong_model("C.2", "Which rate moves your angle: the one before the step, or the one after it?")
+def old_rate(angle: float, rate: float, length: float, dt: float) -> Any:
+    """Angle and rate change together, each from what was before."""
+    return angle + rate * dt, rate - GRAVITY / length * math.sin(angle) * dt
+
+
+@wrong_model("C.2", "The ball hangs to the right. Which way does gravity turn it?")
+def away_from_rest(angle: float, rate: float, length: float, dt: float) -> Any:
+    """Gravity makes the angle larger."""
+    rate = rate + GRAVITY / length * math.sin(angle) * dt
+    return angle + rate * dt, rate
+
+
+@wrong_model("C.3", "Do two of your balls ever touch?")
+def never_collides(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+    """Each ball swings for itself."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+    return angles, rates
+
+
+@wrong_model("C.3", "One swap a step. How many steps does a push need through five balls?")
+def one_swap_a_step(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+    """In each step one collision is enough."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        for k in range(len(angles) - 1):
+            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+                rates[k], rates[k + 1] = rates[k + 1], rates[k]
+                break
+    return angles, rates
+
+
+@wrong_model("C.3", "Two balls swing to the right, side by side. Do they collide?")
+def swaps_without_gate(
+    angles: Vector, rates: Vector, length: float, dt: float, steps: float
+) -> Any:
+    """Balls that touch swap, whether they approach or part."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        for k in range(len(angles) - 1):
+            if angles[k] >= angles[k + 1]:
+                rates[k], rates[k + 1] = rates[k + 1], rates[k]
+    return angles, rates
+
+
+@wrong_model("C.3", "Your balls stick together. What do two equal elastic balls do?")
+def sticks(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+    """Balls that touch go on together."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        for k in range(len(angles) - 1):
+            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+                rates[k] = rates[k + 1] = (rates[k] + rates[k + 1]) / 2
+    return angles, rates
+
+
+def _swung(angles: Vector, rates: Vector, length: float, dt: float) -> Any:
+    """Return every ball after one step of its own."""
+    moved = [swing_step(a, r, length, dt) for a, r in zip(angles, rates, strict=True)]
+    return np.array([angle for angle, _ in moved]), np.array([rate for _, rate in moved])
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

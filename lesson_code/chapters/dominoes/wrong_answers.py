@@ -1,0 +1,153 @@
+"""Wrong models of dominoes: when one topples, what that takes, a row of them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.chapters.dominoes.rules import GRAVITY
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+
+
+@wrong_model("D.1", "A tall, thin domino: does it stand a large tilt, or a small one?")
+def upside_down(width: float, height: float) -> float:
+    """The tipping angle is that of the diagonal above the ground."""
+    return math.atan2(height, width)
+
+
+@wrong_model("D.1", "Draw the centre and the edge. Is the tangent width / height, or half of it?")
+def half_the_width(width: float, height: float) -> float:
+    """The centre lies half a width from the edge and a whole height above it."""
+    return math.atan2(width / 2, height)
+
+
+@wrong_model("D.1", "Of which angle is width / height the tangent? And what unit is asked for?")
+def ratio_for_angle(width: float, height: float) -> float:
+    """The angle is width over height."""
+    return width / height
+
+
+@wrong_model("D.1", "Which side of your triangle is the longest one?")
+def sine_for_tangent(width: float, height: float) -> float:
+    """Width over height is the sine of the angle."""
+    return math.asin(width / height) if width < height else math.pi / 2
+
+
+@wrong_model("D.2", "It turns about an edge. Which moment of inertia belongs to that axis?")
+def about_the_centre(width: float, height: float) -> float:
+    """The domino turns about its centre."""
+    rise = (math.hypot(width, height) - height) / 2
+    return math.sqrt(2 * GRAVITY * rise / ((width**2 + height**2) / 12))
+
+
+@wrong_model(
+    "D.2", "How high is the centre of a standing domino, and how high at the tipping point?"
+)
+def whole_diagonal(width: float, height: float) -> float:
+    """The centre rises by diagonal less height."""
+    rise = math.hypot(width, height) - height
+    return math.sqrt(2 * GRAVITY * rise / ((width**2 + height**2) / 3))
+
+
+@wrong_model("D.2", "Kinetic energy has a factor in front of I w^2. Where is it?")
+def without_one_half(width: float, height: float) -> float:
+    """The energy of rotation is I w^2."""
+    rise = (math.hypot(width, height) - height) / 2
+    return math.sqrt(GRAVITY * rise / ((width**2 + height**2) / 3))
+
+
+@wrong_model("D.2", "Energy goes with the square of the rate. Is yours a rate, or its square?")
+def squared(width: float, height: float) -> float:
+    """The rate goes with the energy."""
+    rise = (math.hypot(width, height) - height) / 2
+    return 2 * GRAVITY * rise / ((width**2 + height**2) / 3)
+
+
+def _pass_by(angles: Vector, rates: Vector) -> None:
+    """Do nothing to dominoes that touch."""
+
+
+def _run(state: Vector, height: float, dt: float, steps: float, touch: Any) -> Any:
+    """Return a row after so many steps; `touch(angles, rates)` does what a model does to pairs."""
+    angles, rates = state[0].copy(), state[1].copy()
+    for _ in range(int(steps)):
+        rates += 3 * GRAVITY / (2 * height) * np.sin(angles) * dt
+        angles += rates * dt
+        touch(angles, rates)
+        lies = angles > math.pi / 2
+        angles[lies], rates[lies] = math.pi / 2, 0.0
+    return angles, rates
+
+
+@wrong_model("D.3", "Does your second domino ever hear of the first?")
+def each_for_itself(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """Dominoes do not touch."""
+    return _run((angles, rates), height, dt, steps, _pass_by)
+
+
+@wrong_model("D.3", "A domino touches the next one with its top. Where is its top at that angle?")
+def touches_by_the_tangent(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """Two dominoes touch at the angle whose tangent is spacing over height."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        for k in range(len(a) - 1):
+            if a[k] > math.atan2(spacing, height) and r[k] > r[k + 1]:
+                r[k] = r[k + 1] = (r[k] + r[k + 1]) / 2
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", "Add up the rates before and after a touch. Who has paid for the second one's?")
+def copies_the_rate(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """The next domino gets the rate of the one that pushes it, which keeps its own."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        for k in range(len(a) - 1):
+            if a[k] > math.asin(spacing / height) and r[k] > r[k + 1]:
+                r[k + 1] = r[k]
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", "The first one hangs back and the next falls away. Do they still touch?")
+def without_gate(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """A domino that leans far enough and the next one always turn together."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        for k in range(len(a) - 1):
+            if a[k] > math.asin(spacing / height):
+                r[k] = r[k + 1] = (r[k] + r[k + 1]) / 2
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", "Upright, nothing pulls at a domino. What does your gravity do at angle 0?")
+def cosine_for_sine(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """Gravity turns a domino by the cosine of its angle."""
+    a, r = angles.copy(), rates.copy()
+    for _ in range(int(steps)):
+        r += 3 * GRAVITY / (2 * height) * np.cos(a) * dt
+        a += r * dt
+        for k in range(len(a) - 1):
+            if a[k] > math.asin(spacing / height) and r[k] > r[k + 1]:
+                r[k] = r[k + 1] = (r[k] + r[k + 1]) / 2
+        lies = a > math.pi / 2
+        a[lies], r[lies] = math.pi / 2, 0.0
+    return a, r
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

@@ -1,0 +1,4 @@
+"""Pool.
+
+A cue that gives spin, cushions with friction, six pockets.
+"""

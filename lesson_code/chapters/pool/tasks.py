@@ -1,0 +1,130 @@
+"""Tasks of pool: the rack, the stroke, and a break that is as symmetric as the rack."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from random import Random
+from typing import Any
+
+import numpy as np
+
+from lesson_code.chapters import draws
+from lesson_code.chapters.pool import rules as pool_rules
+from lesson_code.chapters.pool.right_answers import ALTERNATIVES
+from lesson_code.chapters.pool.wrong_answers import WRONG_MODELS
+from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+
+RADIUS = 0.03
+SYMMETRIC = 1e-9
+"""m/s: what rounding leaves of a mirror image, and much less than any order of pairs does."""
+
+MIRRORED = [0, *(1 + row * (row + 1) // 2 + row - k for row in range(5) for k in range(row + 1))]
+"""For the cue ball and each ball of a rack: the place of its mirror image."""
+
+
+def racks(stream: Random) -> Iterator[Arguments]:
+    """Draw racks of touching balls."""
+    for _ in range(2):
+        yield draws.position(stream), round(stream.uniform(0.02, 0.05), 4), 0.0
+
+
+def loose_racks(stream: Random) -> Iterator[Arguments]:
+    """Draw racks with gaps."""
+    for _ in range(2):
+        yield draws.position(stream), round(stream.uniform(0.2, 0.5), 3), 0.05
+
+
+def strokes(stream: Random) -> Iterator[Arguments]:
+    """Draw strokes to the left and to the right of the centre, in any direction."""
+    for side in (1, -1):
+        x, y = draws.oblique_normal(stream)
+        size, radius = stream.uniform(0.2, 0.9), round(stream.uniform(0.02, 0.04), 4)
+        offset = side * round(stream.uniform(0.2, 0.5) * radius, 5)
+        yield (size * x, size * y), offset, round(stream.uniform(0.1, 0.3), 3), radius
+
+
+def centre_strokes(stream: Random) -> Iterator[Arguments]:
+    """Draw a stroke at the centre."""
+    for x, y, _, _ in [(stream.uniform(0.2, 0.9), stream.uniform(-0.9, -0.2), 0, 0)]:
+        yield (x, y), 0.0, round(stream.uniform(0.1, 0.3), 3), 0.03
+
+
+def two_balls(stream: Random) -> Iterator[Arguments]:
+    """Draw two balls that touch, meeting at an angle; and two that touch and part."""
+    for sign in (1, -1):
+        x, y = draws.oblique_normal(stream)
+        speed = sign * draws.speed(stream)
+        places = ((0.0, 0.0), (2 * RADIUS * x, 2 * RADIUS * y))
+        yield places, ((speed * x + 0.4, speed * y), (0.4, 0.3)), RADIUS, draws.restitution(stream)
+
+
+def straight_breaks(stream: Random) -> Iterator[Arguments]:
+    """Draw a break along the axis of the rack."""
+    yield _break(stream, 0.0)
+
+
+def oblique_breaks(stream: Random) -> Iterator[Arguments]:
+    """Draw a break with some motion across."""
+    yield _break(stream, stream.uniform(0.3, 0.6))
+
+
+def _break(stream: Random, across: float) -> Arguments:
+    """Return the arguments of a break: the cue ball touches the apex."""
+    places = [(-2 * RADIUS, 0.0), *pool_rules.rack((0.0, 0.0), RADIUS, 0.0)]
+    moving = [(round(stream.uniform(4, 8), 2), across), *[(0.0, 0.0)] * 15]
+    return tuple(places), tuple(moving), RADIUS, draws.restitution(stream)
+
+
+@np.errstate(all="ignore")  # an answer may hold any number
+def is_symmetric(velocities: Any) -> bool:
+    """Return whether what a straight break has made is its own mirror image."""
+    v = np.asarray(velocities, dtype=float)
+    return bool(np.abs(v[MIRRORED] * (1.0, -1.0) - v).max() <= SYMMETRIC)
+
+
+@np.errstate(all="ignore")  # an answer may hold any number
+def total(velocities: Any) -> Any:
+    """Return the sum of all velocities: the momentum of equal balls, over their mass."""
+    return np.asarray(velocities, dtype=float).sum(axis=0)
+
+
+TASKS = (
+    Task(
+        id="P.1",
+        function="rack",
+        objective="Fifteen balls in a triangle.",
+        expected=pool_rules.rack,
+        criteria=(
+            Criterion("balls that touch", racks, points=2),
+            Criterion("balls with gaps", loose_racks),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "P.1"),
+        alternatives=for_task(ALTERNATIVES, "P.1"),
+    ),
+    Task(
+        id="P.2",
+        function="strike",
+        objective="What a cue gives a ball: velocity and spin.",
+        expected=pool_rules.strike,
+        criteria=(
+            Criterion("beside the centre", strokes, points=2),
+            Criterion("at the centre", centre_strokes),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "P.2"),
+        alternatives=for_task(ALTERNATIVES, "P.2"),
+    ),
+    Task(
+        id="P.3",
+        function="share_impact",
+        objective="An impact of many balls, as symmetric as they lie.",
+        expected=pool_rules.share_impact,
+        criteria=(
+            Criterion("two balls", two_balls),
+            Criterion("the rack breaks symmetrically", straight_breaks, part=is_symmetric),
+            Criterion("a break keeps the momentum", oblique_breaks, part=total),
+            Criterion("a break", oblique_breaks, points=2),
+        ),
+        wrong_models=for_task(WRONG_MODELS, "P.3"),
+        alternatives=for_task(ALTERNATIVES, "P.3"),
+    ),
+)

@@ -1,0 +1,159 @@
+"""Wrong models of pool: the rack, the stroke, an impact of many balls."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+
+Vector: TypeAlias = Any
+
+ROWS, TOUCHING, ROUNDS = 5, 2.001, 20
+
+
+@wrong_model("P.1", "Three balls that touch: what triangle do their centres make, and how high?")
+def square_rows(apex: Vector, radius: float, gap: float) -> Any:
+    """Rows are as far apart as balls in a row."""
+    step = 2 * radius + gap
+    return [
+        (apex[0] + row * step, apex[1] + (place - row / 2) * step)
+        for row in range(ROWS)
+        for place in range(row + 1)
+    ]
+
+
+@wrong_model(
+    "P.1", "Where does the apex lie as seen along the rack: at its edge, or in its middle?"
+)
+def not_centred(apex: Vector, radius: float, gap: float) -> Any:
+    """Every row begins at the apex's height."""
+    step = 2 * radius + gap
+    return [
+        (apex[0] + row * step * np.sqrt(3) / 2, apex[1] + place * step)
+        for row in range(ROWS)
+        for place in range(row + 1)
+    ]
+
+
+@wrong_model("P.1", "Two balls of radius r touch. How far apart are their centres?")
+def radius_for_diameter(apex: Vector, radius: float, gap: float) -> Any:
+    """Neighbours' centres are one radius apart."""
+    step = radius + gap
+    return [
+        (apex[0] + row * step * np.sqrt(3) / 2, apex[1] + (place - row / 2) * step)
+        for row in range(ROWS)
+        for place in range(row + 1)
+    ]
+
+
+@wrong_model("P.1", "You are given a gap. What is the distance of two neighbours' centres?")
+def forgets_the_gap(apex: Vector, radius: float, gap: float) -> Any:
+    """Balls in a rack touch, whatever the gap."""
+    step = 2 * radius
+    return [
+        (apex[0] + row * step * np.sqrt(3) / 2, apex[1] + (place - row / 2) * step)
+        for row in range(ROWS)
+        for place in range(row + 1)
+    ]
+
+
+@wrong_model("P.2", "Push a book at its left edge, away from you. Which way does it turn?")
+def turns_the_other_way(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A hit on the left turns the ball counter-clockwise."""
+    return impulse / mass, offset * np.hypot(*impulse) / (0.4 * mass * radius**2)
+
+
+@wrong_model("P.2", "Is this a coin or a ball? What is the moment of inertia of a solid sphere?")
+def a_disc(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A ball has the moment of inertia of a disc."""
+    return impulse / mass, -offset * np.hypot(*impulse) / (0.5 * mass * radius**2)
+
+
+@wrong_model("P.2", "What unit has J / m? And what is J alone?")
+def impulse_for_velocity(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """The impulse is the velocity."""
+    return impulse, -offset * np.hypot(*impulse) / (0.4 * mass * radius**2)
+
+
+@wrong_model("P.2", "Does a cue that hits off centre push the ball's centre less?")
+def spin_costs_speed(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """What goes into spin is missing in the velocity."""
+    left = 1 - abs(offset) / radius
+    return impulse / mass * left, -offset * np.hypot(*impulse) / (0.4 * mass * radius**2)
+
+
+def _touching(positions: Vector, radius: float) -> list[tuple[int, int, Any]]:
+    """Return the pairs that touch, each with its normal."""
+    pairs = []
+    for a, b in combinations(range(len(positions)), 2):
+        offset = positions[b] - positions[a]
+        if np.hypot(*offset) <= TOUCHING * radius:
+            pairs.append((a, b, offset / np.hypot(*offset)))
+    return pairs
+
+
+@wrong_model(
+    "P.3", "Break head on. Is your answer as symmetric as the rack? Which pair came first?"
+)
+def one_pair_after_the_other(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """Pairs may be resolved in turn, each with the velocities that the last one left."""
+    v = velocities.copy()
+    for _ in range(ROUNDS):
+        for a, b, normal in _touching(positions, radius):
+            approach = np.dot(v[a] - v[b], normal)
+            if approach > 0:
+                v[a] -= (1 + restitution) / 2 * approach * normal
+                v[b] += (1 + restitution) / 2 * approach * normal
+    return v
+
+
+@wrong_model("P.3", "Add up the energies before and after. One ball met two: what did it get?")
+def every_pair_in_full(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """Each pair gets all of the impulse that it alone would need."""
+    v = velocities.copy()
+    for _ in range(ROUNDS):
+        changes = np.zeros_like(v)
+        for a, b, normal in _touching(positions, radius):
+            approach = max(np.dot(v[a] - v[b], normal), 0.0)
+            changes[a] -= (1 + restitution) / 2 * approach * normal
+            changes[b] += (1 + restitution) / 2 * approach * normal
+        v += changes
+    return v
+
+
+def _shared(velocities: Vector, pairs: Any, restitution: float, rounds: int, own: bool) -> Any:
+    """Return the velocities after shared impulses; `own`: each ball divides by its own count."""
+    v = velocities.copy()
+    for _ in range(rounds):
+        meets = [(a, b, n, np.dot(v[a] - v[b], n)) for a, b, n in pairs]
+        meets = [meeting for meeting in meets if meeting[3] > 0]
+        busy = np.bincount([ball for a, b, _, _ in meets for ball in (a, b)], minlength=len(v))
+        for a, b, normal, approach in meets:
+            change = (1 + restitution) / 2 * approach * normal
+            v[a] -= change / (busy[a] if own else max(busy[a], busy[b]))
+            v[b] += change / (busy[b] if own else max(busy[a], busy[b]))
+    return v
+
+
+@wrong_model("P.3", "Add up the momenta before and after. Is what a loses what b gains?")
+def each_by_its_own_count(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """Each ball divides by the number of its own pairs."""
+    return _shared(velocities, _touching(positions, radius), restitution, ROUNDS, own=True)
+
+
+@wrong_model("P.3", "After one round, does any pair still approach?")
+def one_round(positions: Vector, velocities: Vector, radius: float, restitution: float) -> Any:
+    """One round is enough."""
+    return _shared(velocities, _touching(positions, radius), restitution, 1, own=False)
+
+
+WRONG_MODELS = marked(globals(), WrongModel)

@@ -1,0 +1,4 @@
+"""The simulator.
+
+Launch balls, and watch momentum and energy: elastic, partial, inelastic.
+"""

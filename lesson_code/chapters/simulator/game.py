@@ -1,0 +1,291 @@
+"""The simulator: launch balls, and watch momentum and energy go from one to the other.
+
+What to notice: whatever the mode, the total momentum jumps only at the walls. The energy is kept
+in the elastic mode alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.scene import XY, Body, Material
+from lesson_code.engine.live_plan import FORCED, live_plan
+from lesson_code.engine.live_world import LiveWorld
+from lesson_code.geometry.shapes import Circle
+from lesson_code.view.pygame.effects import Flashes
+from lesson_code.view.pygame.panel import Panel
+from lesson_code.view.pygame.picture import COLOURS, Picture
+from lesson_code.view.pygame.plan_page import draw_plan
+from lesson_code.view.pygame.program import (
+    Effects,
+    Game,
+    Input,
+    Program,
+    Readings,
+    draw_bodies,
+    motion_readings,
+    room,
+)
+from lesson_code.view.pygame.sound import Sounds
+from lesson_code.view.pygame.window import INK, ORANGE, SKY, VERMILION, YELLOW
+
+WIDTH, HEIGHT = 8.0, 6.0
+"""m."""
+
+MODES = {"1": ("elastic", 1.0), "2": ("partial", 0.6), "3": ("perfectly inelastic", 0.0)}
+"""By key: name and restitution."""
+
+BALLS, MANY = 12, 50
+MOST_BALLS = 600
+"""The most balls that there may be: in machine code 600 leave half of the frame's time."""
+
+DENSITY = 10.0
+"""kg/m^2."""
+
+LAUNCH_RATE = 4.0
+"""1/s: a drag of 1 m launches at 4 m/s."""
+
+LAUNCHED_RADIUS = 0.25
+HISTORY = 240
+"""Steps that the curves show: four seconds."""
+
+FALL = (0.0, -9.81)
+CLOSE_UP = 12
+"""Balls at most whose velocity arrows do not hide one another; with more they are left out."""
+
+
+class Simulator(Game):
+    """Balls in a room, launched by hand."""
+
+    def __init__(self, seed: int = 0, balls: int = BALLS) -> None:
+        if not 0 <= balls <= MOST_BALLS:
+            raise ValueError(f"balls must be a whole number from 0 to {MOST_BALLS}, got {balls}")
+        self.ball_count = balls
+        self.mode = "1"
+        self.falls = self.shows_impulses = False
+        self.plan: tuple[float, Plan] | None = None
+        super().__init__(seed)
+
+    def reset(self) -> None:
+        """Fill the room as at the start."""
+        self.random.seed(self.seed)
+        self.aim: tuple[int, XY] | None = None
+        self.history: deque[tuple[float, float]] = deque(maxlen=HISTORY)
+        compiled = self.world.compiled
+        self.world = LiveWorld(
+            room(0, 0, WIDTH, HEIGHT, self._material),
+            gravity=FALL if self.falls else (0.0, 0.0),
+            callbacks=self.callbacks,
+        )
+        self.walls = self.world.numbers
+        self._scatter(self.ball_count)
+        if compiled:
+            self.world.compile()
+
+    @property
+    def _material(self) -> Material:
+        """The surface of all bodies in the mode that is on."""
+        return Material(restitution=MODES[self.mode][1], friction=0.0)
+
+    @property
+    def balls(self) -> list[int]:
+        """The numbers of the balls."""
+        return [number for number in self.world.numbers if number not in self.walls]
+
+    def _scatter(self, count: int) -> None:
+        """Put balls into the cells of a grid, so that none overlap."""
+        columns = max(1, math.ceil(math.sqrt(count * WIDTH / HEIGHT)))
+        rows = max(1, math.ceil(count / columns))
+        wide, high = WIDTH / columns, HEIGHT / rows
+        largest = 0.42 * min(wide, high)
+        for k in range(count):
+            radius = self.random.uniform(0.4, 1.0) * min(largest, 0.4)
+            place = (wide * (k % columns + 0.5), high * (k // columns + 0.5))
+            angle, speed = self.random.uniform(0, 2 * math.pi), self.random.uniform(0.5, 2.5)
+            self._add(place, radius, (speed * math.cos(angle), speed * math.sin(angle)))
+
+    def _add(self, place: XY, radius: float, velocity: XY = (0.0, 0.0)) -> int:
+        """Let a ball join."""
+        return self.world.add(
+            Body(
+                Circle(radius),
+                position=place,
+                velocity=velocity,
+                mass=DENSITY * math.pi * radius**2,
+                material=self._material,
+            )
+        )
+
+    def press(self, key: str) -> None:
+        """Change mode, gravity or what is shown; add balls; begin anew."""
+        super().press(key)
+        if key in MODES:
+            self.mode = key
+            self.world.coat(restitution=MODES[key][1])
+        elif key == "g":
+            self.falls = not self.falls
+            self.world.pull(FALL if self.falls else (0.0, 0.0))
+        elif key == "b":
+            self._pour(min(MANY, MOST_BALLS - len(self.balls)))
+        elif key == "c":
+            for ball in self.balls:
+                self.world.remove(ball)
+            self.aim = None
+        elif key == "i":
+            self.shows_impulses = not self.shows_impulses
+        if key == "f":
+            self.plan = self._made_plan() if self.plan is None else None
+        elif self.plan is not None:
+            self.plan = self._made_plan()
+
+    def _made_plan(self) -> tuple[float, Plan]:
+        """Return the time, s, and the plan for the scene as it is now."""
+        return self.world.time, live_plan(self.world)
+
+    def _pour(self, count: int) -> None:
+        """Add small balls where there is room; where there is none, none is added."""
+        taken = [(*self.world.position(b), self._radius(b)) for b in self.balls]
+        for _ in range(20 * count):
+            radius = self.random.uniform(0.06, 0.1)
+            x = self.random.uniform(radius, WIDTH - radius)
+            y = self.random.uniform(radius, HEIGHT - radius)
+            if count > 0 and all(math.hypot(x - u, y - v) > radius + r for u, v, r in taken):
+                velocity = self.random.uniform(-1, 1), self.random.uniform(-1, 1)
+                self._add((x, y), radius, velocity)
+                taken.append((x, y, radius))
+                count -= 1
+
+    def _radius(self, number: int) -> float:
+        """Return a ball's radius, m."""
+        return self.world.body(number).shape.bounding_radius
+
+    def down(self, place: XY) -> None:
+        """Take hold of the ball under the mouse, or of a new one."""
+        if self.plan is not None:
+            return  # its page is in front of the balls
+        for ball in self.balls:
+            if math.dist(place, self.world.position(ball)) <= self._radius(ball):
+                self.aim = ball, place
+                return
+        r = LAUNCHED_RADIUS
+        if len(self.balls) < MOST_BALLS and _is_inside(place, r) and self._is_free(place, r):
+            self.aim = self._add(place, r), place
+
+    def _is_free(self, place: XY, radius: float) -> bool:
+        """Return whether a ball would overlap no other one."""
+        return all(
+            math.dist(place, self.world.position(ball)) > radius + self._radius(ball)
+            for ball in self.balls
+        )
+
+    def drag(self, place: XY) -> None:
+        """Aim."""
+        if self.aim is not None:
+            self.aim = self.aim[0], place
+
+    def let_go(self, place: XY) -> None:
+        """Launch the ball that is held."""
+        if self.aim is not None:
+            ball, self.aim = self.aim[0], None
+            self.world.throw(ball, self.launch_velocity(ball, place))
+
+    def launch_velocity(self, ball: int, place: XY) -> XY:
+        """Return the velocity that a drag from a ball to a place gives it, m/s."""
+        x, y = self.world.position(ball)
+        return LAUNCH_RATE * (place[0] - x), LAUNCH_RATE * (place[1] - y)
+
+    def step(self) -> None:
+        """Let time pass; a ball that is held stands still."""
+        if self.aim is not None:
+            self.world.throw(self.aim[0], (0.0, 0.0), 0.0)
+        self.world.step()
+        px, py = self.world.momentum()
+        self.history.append((math.hypot(px, py), self.world.kinetic_energy()))
+
+
+def _is_inside(place: XY, radius: float) -> bool:
+    """Return whether a ball at a place lies inside the room."""
+    return radius < place[0] < WIDTH - radius and radius < place[1] < HEIGHT - radius
+
+
+def draw(game: Simulator, picture: Picture, effects: Effects) -> None:
+    """Draw balls, and what is asked for of arrows and contacts."""
+    picture.grid(1.0)
+    if len(game.world) > 100:
+        _draw_many(game, picture)
+    else:
+        draw_bodies(game.world, picture, effects)
+    if len(game.balls) <= CLOSE_UP:
+        for ball in game.balls:
+            vx, vy = game.world.velocity(ball)
+            picture.arrow(game.world.position(ball), (0.25 * vx, 0.25 * vy), INK, 2.0)
+    if game.shows_impulses:
+        _draw_impulses(game, picture)
+    if game.aim is not None:
+        ball, place = game.aim
+        vx, vy = game.launch_velocity(ball, place)
+        picture.arrow(game.world.position(ball), (vx / LAUNCH_RATE, vy / LAUNCH_RATE), ORANGE)
+    if game.plan is not None:
+        time, plan = game.plan
+        title = f"Plan for the scene as it was at {time:.1f} s (F closes it)"
+        draw_plan(picture.window, plan, title, FORCED)
+
+
+def _draw_many(game: Simulator, picture: Picture) -> None:
+    """Draw all balls at once, without spokes, too small to see, and flashes: all would be white."""
+    walls = len(game.walls)
+    balls = list(game.world.items())[walls:]
+    picture.discs(
+        game.world.states()[walls:, :2],
+        [body.shape.bounding_radius for _, body in balls],
+        [COLOURS[number % len(COLOURS)] for number, _ in balls],
+    )
+
+
+def _draw_impulses(game: Simulator, picture: Picture) -> None:
+    """Draw contact points, normals (thin) and impulses (thick) of the last step."""
+    for row in game.world.impulses.tolist():
+        x, y, nx, ny, impulse = row[3:8]
+        picture.disc((x, y), 0.04, VERMILION)
+        picture.arrow((x, y), (0.3 * nx, 0.3 * ny), SKY, 2.0)
+        picture.arrow((x, y), (0.15 * impulse * nx, 0.15 * impulse * ny), YELLOW, 4.0)
+
+
+def readings(game: Simulator) -> Readings:
+    """Return mode, momentum, energy and count."""
+    name, restitution = MODES[game.mode]
+    return [
+        ("mode", name),
+        ("restitution", f"{restitution:g}"),
+        ("balls", f"{len(game.balls)}"),
+        *motion_readings(game.world),
+    ]
+
+
+def more(game: Simulator, panel: Panel) -> None:
+    """Draw the history of momentum and energy."""
+    panel.curve("size of the momentum, 4 s", [p for p, _ in game.history], SKY)
+    panel.curve("kinetic energy, 4 s", [e for _, e in game.history], ORANGE)
+
+
+PROGRAM = Program(
+    name="simulator",
+    title="Simulator",
+    game=Simulator,
+    draw=draw,
+    readings=readings,
+    more=more,
+    keys=(
+        ("drag", "launch a ball, old or new"),
+        ("1   2   3", "elastic   partial   inelastic"),
+        ("B   C", "50 more balls   clear"),
+        ("G   R", "gravity   reset"),
+        ("I   F", "impulses   plan of effects"),
+    ),
+    tour=((0, Input("press", "i")),),
+    effects=lambda: Effects(
+        Flashes(least_impulse=0.05), sounds=Sounds("ivory", 0.2, full_impulse=8.0)
+    ),
+)

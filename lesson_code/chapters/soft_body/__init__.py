@@ -1,0 +1,4 @@
+"""Soft body.
+
+Rings of masses and springs that deform where they collide.
+"""

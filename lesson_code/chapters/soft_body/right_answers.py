@@ -1,0 +1,68 @@
+"""Unusual right answers to the soft body."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.chapters.soft_body.rules import BLOB, pressure_forces, ring_forces
+from lesson_code.course.grading.task import Alternative, alternative, marked
+
+Vector: TypeAlias = Any
+
+
+@alternative("S.1")
+def fan_of_triangles(positions: Vector) -> Any:
+    """Triangles from the first mass to each edge, by complex numbers."""
+    points = [complex(*p) - complex(*positions[0]) for p in positions]
+    return sum((a.conjugate() * b).imag for a, b in pairwise(points)) / 2
+
+
+@alternative("S.2")
+def spring_by_spring(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """A loop over complex numbers; index -1 closes the ring."""
+    place, speed = ([complex(*row) for row in rows] for rows in (positions, velocities))
+    forces = [0j] * len(place)
+    for k in range(-1, len(place) - 1):
+        line = place[k + 1] - place[k]
+        u = line / abs(line)
+        faster = ((speed[k + 1] - speed[k]) * u.conjugate()).real
+        pull = (stiffness * (abs(line) - length) + damping * faster) * u
+        forces[k] += pull
+        forces[k + 1] -= pull
+    return forces
+
+
+@alternative("S.3")
+def gradient_of_the_area(positions: Vector, area: float, stiffness: float) -> Any:
+    """The force is the pressure times the gradient of the area: half of the chord, turned."""
+    before, after = np.roll(positions, 1, axis=0), np.roll(positions, -1, axis=0)
+    now = np.sum(positions[:, 0] * after[:, 1] - after[:, 0] * positions[:, 1]) / 2
+    chord = after - before
+    return stiffness * (area - now) / now / 2 * np.stack([chord[:, 1], -chord[:, 0]], axis=1)
+
+
+@alternative("S.4")
+def with_where_and_clip(
+    positions: Vector, velocities: Vector, length: float, area: float, steps: float
+) -> Any:
+    """One array for place and motion; the floor is a choice for every mass."""
+    state = np.hstack([positions, velocities])
+    for _ in range(int(steps)):
+        p, v = state[:, :2], state[:, 2:]
+        force = ring_forces(p, v, length, BLOB.stiffness, BLOB.damping)
+        push = (force + pressure_forces(p, area, BLOB.pressure)) / BLOB.mass
+        v = v + BLOB.dt * (push - BLOB.air * v)
+        v[:, 1] -= BLOB.dt * BLOB.gravity
+        p = p + BLOB.dt * v
+        stopped = np.column_stack([BLOB.grip * v[:, 0], np.clip(v[:, 1], 0, None)])
+        v = np.where(p[:, 1:] < 0, stopped, v)
+        state = np.hstack([p[:, :1], np.clip(p[:, 1:], 0, None), v])
+    return state[:, :2], state[:, 2:]
+
+
+ALTERNATIVES = marked(globals(), Alternative)

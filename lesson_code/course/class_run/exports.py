@@ -1,0 +1,174 @@
+"""The marks of a class as files: CSV, JSON, and Gradescope's results.json.
+
+Everything is written in the order of the students' ids and holds no clock, so that the same marks
+are the same bytes.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from lesson_code.course.class_run.gradebook import Gradebook, Student, TaskSummary
+from lesson_code.course.class_run.names import file_stem, sheet_text, shown, visible
+from lesson_code.course.grading.exercises import Exercise
+
+VERSION = 1
+"""Version of the form of grades.json; it grows when a key changes."""
+
+
+def as_csv(book: Gradebook) -> str:
+    """Return a table with a line a student, which no spreadsheet takes for formulas.
+
+    Points of an exercise that was not handed in are 0, so that a sum over a row is the mark; the
+    columns `status` and `remarks` say why.
+    """
+    text = io.StringIO(newline="")
+    rows = csv.writer(text, lineterminator="\r\n")
+    rows.writerow(["id", "name", "email", "status", *_columns(book), "total", "full", "remarks"])
+    for student in book.students:
+        enrolled = student.hand_in.student
+        words = [enrolled.id, enrolled.name, enrolled.email, student.status]
+        marks = [points for exercise in book.exercises for points in _points(student, exercise)]
+        remarks = "; ".join(remarks_of(student))
+        rows.writerow(
+            [*map(_cell, words), *marks, student.points, book.full_points, sheet_text(remarks)]
+        )
+    return text.getvalue()
+
+
+def _cell(text: str) -> str:
+    """Return a text that a student or a roster has chosen, safe for a sheet."""
+    return sheet_text(shown(text))
+
+
+def _columns(book: Gradebook) -> list[str]:
+    """Return the headings of the marks: each exercise, and each of its tasks."""
+    return [
+        heading
+        for exercise in book.exercises
+        for heading in (exercise.name, *(task.title for task in exercise.tasks))
+    ]
+
+
+def _points(student: Student, exercise: Exercise) -> Iterator[int]:
+    """Yield a student's points in an exercise, and in each of its tasks."""
+    entries = [student.of_task(exercise, task) for task in exercise.tasks]
+    points = [0 if entry is None else int(entry["points"]) for entry in entries]
+    yield sum(points)
+    yield from points
+
+
+def remarks_of(student: Student) -> list[str]:
+    """Return what there is to say of what a student handed in, a line each."""
+    missing = ["nothing was handed in"] if student.hand_in.is_missing else []
+    return [visible(r) for r in (*missing, *student.problems, *student.late, *student.notes)]
+
+
+def as_dict(book: Gradebook) -> dict[str, Any]:
+    """Return everything about a class as one JSON object."""
+    return {
+        "version": VERSION,
+        "command": "grade",
+        "seed": book.seed,
+        "isolation": book.isolation,
+        "due": book.due.isoformat() if book.due else None,
+        "full_points": book.full_points,
+        "exercises": [{"name": e.name, "full_points": e.points} for e in book.exercises],
+        "students": [_student_as_dict(student) for student in book.students],
+        "tasks": [_summary_as_dict(summary) for summary in book.summary],
+    }
+
+
+def _student_as_dict(student: Student) -> dict[str, Any]:
+    """Return one student's marks."""
+    enrolled = student.hand_in.student
+    return {
+        "id": enrolled.id,
+        "name": enrolled.name,
+        "email": enrolled.email,
+        "status": student.status,
+        "points": student.points,
+        "feedback": feedback_name(student),
+        "remarks": remarks_of(student),
+        "exercises": list(student.reports.values()),
+    }
+
+
+def _summary_as_dict(summary: TaskSummary) -> dict[str, Any]:
+    """Return how a class did in a task."""
+    return {
+        "task": summary.task.id,
+        "function": summary.task.function,
+        "exercise": summary.exercise.name,
+        "handed_in": summary.handed_in,
+        "full_marks": summary.full,
+        "not_written": summary.not_written,
+        "mean_points": round(summary.mean, 3),
+        "full_points": summary.task.points,
+        "failed_criteria": dict(summary.failed),
+        "misconceptions": [vars(found) for found in summary.misconceptions],
+    }
+
+
+def feedback_name(student: Student) -> str:
+    """Return the name of the page that a student gets."""
+    return f"feedback/{file_stem(student.id)}.html"
+
+
+def gradescope(student: Student, book: Gradebook) -> dict[str, Any]:
+    """Return one student's marks as Gradescope's results.json.
+
+    A test a criterion, visible to the student, with the message and the hint. What a student may
+    not see is not in it.
+    """
+    return {
+        "score": student.points,
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "output": "\n".join(remarks_of(student)),
+        "output_format": "text",
+        "tests": [test for exercise in book.exercises for test in _tests(student, exercise)],
+    }
+
+
+def _tests(student: Student, exercise: Exercise) -> Iterator[dict[str, Any]]:
+    """Yield a Gradescope test for each task of an exercise."""
+    for task in exercise.tasks:
+        entry = student.of_task(exercise, task)
+        yield {
+            "name": task.title,
+            "number": task.id,
+            "score": entry["points"] if entry else 0,
+            "max_score": task.points,
+            "output": "\n".join(lines_of(entry)) if entry else "not handed in",
+            "output_format": "text",
+            "visibility": "visible",
+        }
+
+
+def lines_of(entry: dict[str, Any]) -> list[str]:
+    """Return what there is to say of a task, a line each: what is right, what is not, the hint."""
+    right = [f"right: {c['name']}" for c in entry["criteria"] if c["points"] == c["full_points"]]
+    wrong = [f"{c['name']}: {c['message']}" for c in entry["criteria"] if c["message"]]
+    hint = [f"hint: {entry['wrong_model']['hint']}"] if entry["wrong_model"] else []
+    return [*right, *wrong, *hint]
+
+
+def write_exports(book: Gradebook, folder: Path) -> None:
+    """Write grades.csv, grades.json and a results.json a student into a folder."""
+    (folder / "grades.csv").write_text(as_csv(book), encoding="utf-8-sig", newline="")
+    write_json(folder / "grades.json", as_dict(book))
+    for student in book.students:
+        place = folder / "gradescope" / file_stem(student.id)
+        place.mkdir(parents=True, exist_ok=True)
+        write_json(place / "results.json", gradescope(student, book))
+
+
+def write_json(path: Path, value: dict[str, Any]) -> None:
+    """Write a JSON object, in letters that any program can read."""
+    path.write_text(json.dumps(value, indent=1) + "\n", encoding="utf-8", newline="\n")

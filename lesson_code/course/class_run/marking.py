@@ -1,0 +1,133 @@
+"""What a worker of the class run does: one file, graded across the wall, as plain values.
+
+A worker keeps one warm grader for all its files. Whatever a file does, what comes back is its
+marks, or in a line why there are none.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import re
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from lesson_code.course.class_run.journal import Marks
+from lesson_code.course.grading.exercises import exercise_of
+from lesson_code.course.grading.grader import Grader
+from lesson_code.course.grading.submission import SubmissionError, read_submission
+
+ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
+"""Where an object stood in memory: another place each time, and nothing to learn from."""
+
+
+@dataclass(frozen=True)
+class Terms:
+    """What is the same for every file of a run.
+
+    `exercises` are the only ones that count, all if there are none. `grader` says which version
+    of the grader the run was begun with.
+    """
+
+    seed: int
+    exercises: tuple[str, ...]
+    isolation: str | None
+    grader: str
+
+
+@dataclass(frozen=True)
+class Job:
+    """A file to grade: where it stands, or what stands in it where a worker cannot read it."""
+
+    name: str
+    path: Path
+    content: bytes | None = None
+
+
+def mark(job: Job, terms: Terms) -> Marks:
+    """Return what a file has earned.
+
+    Raises
+    ------
+    IsolationError
+        There is less isolation to be had than the run asks for.
+    RuntimeError
+        This worker's grader is not the one that the run was begun with.
+    """
+    if grader_version() != terms.grader:
+        raise RuntimeError("this worker has another version of the workbook")
+    grader = _warm_grader(terms.isolation)  # where there is too little isolation, this raises
+    if job.content is None:
+        return _mark(job.path, job.name, terms, grader)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / job.path.name
+        path.write_bytes(job.content)
+        return _mark(path, job.name, terms, grader)
+
+
+@functools.cache
+def _warm_grader(isolation: str | None) -> Grader:
+    """Return this process's grader; it ends with the process."""
+    return Grader(isolation=isolation, hide_inputs=True).__enter__()
+
+
+def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
+    """Return what the file at a path has earned; it is called by its name in the class's folder."""
+    try:
+        exercise = _exercise(path, terms.exercises) if terms.exercises else None
+        report = grader.grade(path, exercise=exercise, seed=terms.seed)
+    except SubmissionError as error:
+        return {"problem": _told(str(error), path)}
+    except ValueError as error:  # nothing in it tells which exercise it is
+        broken = read_submission(path).unreadable
+        return {"problem": "; ".join(broken) or _told(str(error), path), "is_other": not broken}
+    except OSError as error:
+        return {"problem": f"cannot be read ({error.strerror})"}
+    marks = report.as_dict() | {"submission": name}
+    return {key: _without_addresses(value) for key, value in marks.items()}
+
+
+def _exercise(path: Path, only: tuple[str, ...]) -> str:
+    """Return which exercise a file answers, if it is one of those that count."""
+    submission = read_submission(path)
+    try:
+        found = exercise_of(submission).name
+    except ValueError:
+        if len(only) == 1:
+            return only[0]
+        raise
+    if found not in only:
+        raise SubmissionError(f"answers {found}, which is not graded here")
+    return found
+
+
+def _told(message: str, path: Path) -> str:
+    """Return a message without the path: the report says whose file it is."""
+    return message.removeprefix(f"{path}: ").replace(str(path), path.name)
+
+
+def _without_addresses(value: Any) -> Any:
+    """Return a plain value with places in memory taken out of its texts."""
+    if isinstance(value, str):
+        return ADDRESS.sub("0x...", value)
+    if isinstance(value, list):
+        return [_without_addresses(item) for item in value]
+    if isinstance(value, dict):
+        return {key: _without_addresses(item) for key, item in value.items()}
+    return value
+
+
+@functools.cache
+def grader_version() -> str:
+    """Return what tells this grader from any other version of it: a digest of its source.
+
+    >>> grader_version() == grader_version()
+    True
+    """
+    package = Path(__file__).parents[2]
+    digest = hashlib.sha256()
+    for path in sorted(package.rglob("*.py")):
+        digest.update(path.relative_to(package).as_posix().encode() + path.read_bytes())
+    return digest.hexdigest()[:16]

@@ -1,0 +1,118 @@
+"""The marks of a class as pages: one for each student, and one for whoever teaches the class.
+
+A page is one file without scripts or anything from elsewhere. It can be read by eye, by ear and on
+paper: headings in order, tables with captions, and words beside every colour.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from lesson_code.course.class_run.exports import feedback_name, remarks_of
+from lesson_code.course.class_run.gradebook import Gradebook, Misconception, Student, TaskSummary
+from lesson_code.course.class_run.names import shown
+
+MOST_TO_TEACH = 10
+"""Misconceptions that are listed as what to teach next."""
+
+
+def student_page(student: Student, book: Gradebook) -> str:
+    """Return a student's feedback: what is right, what is not, and the hints.
+
+    It holds no input, no expected value and no seed.
+    """
+    return _page(
+        "student.html",
+        student=student,
+        name=shown(student.hand_in.student.name or student.id),
+        remarks=remarks_of(student),
+        exercises=[exercise for exercise in book.exercises if exercise.name in student.reports],
+        not_handed_in=[e for e in book.exercises if e.name not in student.reports],
+        full_points=book.full_points,
+    )
+
+
+def class_page(book: Gradebook) -> str:
+    """Return the overview of a class: what to teach next, task by task, student by student."""
+    return _page(
+        "class.html",
+        book=book,
+        to_teach=to_teach(book),
+        students=[_row(student) for student in book.students],
+        remarks=[
+            (shown(student.id), remarks)
+            for student in book.students
+            if (remarks := remarks_of(student))
+        ],
+    )
+
+
+def to_teach(book: Gradebook) -> list[tuple[TaskSummary, Misconception]]:
+    """Return the commonest misconceptions of a class, the commonest first, with their tasks."""
+    found = [(summary, model) for summary in book.summary for model in summary.misconceptions]
+    found.sort(key=lambda pair: (-pair[1].students, pair[0].task.id, pair[1].name))
+    return found[:MOST_TO_TEACH]
+
+
+def write_pages(book: Gradebook, folder: Path) -> None:
+    """Write class.html and a page a student into a folder."""
+    (folder / "feedback").mkdir(parents=True, exist_ok=True)
+    _write(folder / "class.html", class_page(book))
+    for student in book.students:
+        _write(folder / feedback_name(student), student_page(student, book))
+
+
+def _row(student: Student) -> dict[str, Any]:
+    """Return what the class's page says of a student."""
+    return {
+        "id": shown(student.id),
+        "name": shown(student.hand_in.student.name),
+        "status": student.status,
+        "points": student.points,
+        "page": feedback_name(student),
+    }
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a page, the same bytes on every machine."""
+    path.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _page(template: str, **laid_in: Any) -> str:
+    """Return a template with values laid in."""
+    return str(_template(template).render(**laid_in))
+
+
+@cache
+def _template(name: str) -> Any:
+    """Return a template of this folder, which escapes whatever is laid into it."""
+    import jinja2
+
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("lesson_code.course.class_run"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["counted"] = _counted
+    environment.filters["listed"] = _listed
+    return environment.get_template(name)
+
+
+def _counted(number: int, noun: str) -> str:
+    """Return a number and its noun, which takes an s.
+
+    >>> _counted(1, "student"), _counted(2, "student")
+    ('1 student', '2 students')
+    """
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def _listed(pairs: Iterable[tuple[str, int]]) -> str:
+    """Return names and how often each came, in a line."""
+    return "; ".join(f"{name} ({count})" for name, count in pairs)

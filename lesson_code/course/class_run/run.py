@@ -1,0 +1,160 @@
+"""The class run: everything that was handed in, graded side by side, and written down at once."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+
+from lesson_code.course.class_run.collect import HandIn, Paper, collect
+from lesson_code.course.class_run.exports import write_exports
+from lesson_code.course.class_run.gradebook import Gradebook, gradebook
+from lesson_code.course.class_run.journal import Journal, Marks, key_of
+from lesson_code.course.class_run.marking import Job, Terms, grader_version, mark
+from lesson_code.course.class_run.names import shown
+from lesson_code.course.class_run.pages import write_pages
+from lesson_code.course.class_run.roster import read_roster
+from lesson_code.course.grading.check_task import LARGEST_SEED
+from lesson_code.course.grading.exercises import exercise_by_name
+from lesson_code.course.grading.grader import Grader
+from lesson_code.course.grading.submission import LARGEST_FILE
+from lesson_code.parallel import Outcome, iter_tasks
+
+JOURNAL = "journal.jsonl"
+VERSION = 1
+"""Version of the journal's form."""
+
+
+@dataclass(frozen=True)
+class Hands:
+    """Who does the work: so many processes of this machine, or the workers of a dask cluster."""
+
+    workers: int | None = None
+    cluster: str | None = None
+
+
+def grade_class(
+    folder: Path,
+    out: Path,
+    *,
+    roster: Path | None = None,
+    exercises: Sequence[str] = (),
+    seed: int | None = None,
+    due: datetime | None = None,
+    isolation: str | None = None,
+    hands: Hands | None = None,
+    fresh: bool = False,
+    told: Callable[[str], None] = lambda _: None,
+) -> Gradebook:
+    """Grade a class, and write marks, feedback and an overview into a folder.
+
+    The marks of each file are written down as they come. Called again after an interruption, it
+    goes on where it stopped, with the same seed, and writes the same bytes as without one.
+
+    Parameters
+    ----------
+    folder : Path
+        Holds one folder or file a student.
+    out : Path
+        Is made if it is not there.
+    roster : Path, optional
+        A CSV file with the students of the class.
+    exercises : sequence of str
+        Names or numbers of the exercises that count; by default all that anybody handed in.
+    seed : int, optional
+        Draws the inputs, the same ones for everybody. By default that of the journal, or one drawn
+        now.
+    due : datetime, optional
+        Files that are newer are late.
+    isolation : str, optional
+        The least that is accepted: "full", "limits" or "none".
+    hands : Hands, optional
+        Who does the work; by default one process for each core.
+    fresh : bool
+        Forget an earlier run.
+    told : callable
+        Is told in a line what goes on.
+
+    Raises
+    ------
+    ValueError
+        The folder, the roster, an exercise or the journal cannot be used; nothing has been graded.
+    OSError
+        The results cannot be written, or no cluster answers.
+    """
+    names = tuple(exercise_by_name(name).name for name in exercises)
+    class_list = None if roster is None else read_roster(roster)
+    hand_ins = collect(folder, class_list, without={p.resolve() for p in (out, roster) if p})
+    if hands is None or hands.cluster is None:
+        with Grader(isolation=isolation) as grader:  # refuses before anything is read or written
+            told(f"isolation: {grader.isolation}")
+    out.mkdir(parents=True, exist_ok=True)
+    if fresh:
+        (out / JOURNAL).unlink(missing_ok=True)
+    head = {
+        "version": VERSION,
+        "seed": seed,
+        "exercises": list(names),
+        "isolation": isolation,
+        "grader": grader_version(),
+    }
+    with Journal(out / JOURNAL, head, drawn={"seed": secrets.randbelow(LARGEST_SEED)}) as journal:
+        terms = Terms(journal.head["seed"], names, isolation, journal.head["grader"])
+        marks = _graded(hand_ins, journal, terms, hands or Hands(), told)
+    book = gradebook(hand_ins, marks, exercises=names, seed=terms.seed, due=due)
+    write_exports(book, out)
+    write_pages(book, out)
+    return book
+
+
+def _graded(
+    hand_ins: Sequence[HandIn],
+    journal: Journal,
+    terms: Terms,
+    hands: Hands,
+    told: Callable[[str], None],
+) -> dict[str, Marks]:
+    """Return the marks of every file, those that the journal lacks worked out now."""
+    papers = [paper for hand_in in hand_ins for paper in hand_in.papers]
+    waiting = [paper for paper in papers if key_of(paper) not in journal.done]
+    if len(waiting) < len(papers):
+        told(f"{len(papers) - len(waiting)} of {len(papers)} files are graded already")
+    failed: dict[str, Marks] = {}
+    outcomes = iter_tasks(
+        partial(mark, terms=terms),
+        [_job(paper, hands) for paper in waiting],
+        workers=hands.workers,
+        cluster=hands.cluster,
+        names=[shown(paper.name) for paper in waiting],
+        progress="grading" if waiting else None,
+    )
+    for outcome in outcomes:
+        paper = waiting[outcome.index]
+        if outcome.error is None:
+            journal.write(paper, outcome.result)
+        else:
+            failed[key_of(paper)] = {"problem": _lost(outcome)}
+    return {**journal.done, **failed}
+
+
+def _job(paper: Paper, hands: Hands) -> Job:
+    """Return a file as a task; workers on other machines are sent what stands in it."""
+    if hands.cluster is None or paper.path.is_symlink() or not paper.path.is_file():
+        return Job(paper.name, paper.path)
+    if paper.path.stat().st_size > LARGEST_FILE:
+        return Job(paper.name, paper.path)
+    with suppress(OSError):
+        return Job(paper.name, paper.path, paper.path.read_bytes())
+    return Job(paper.name, paper.path)
+
+
+def _lost(outcome: Outcome) -> str:
+    """Return in a line why a file has no marks; it is tried again when the run is repeated."""
+    return (
+        f"the grader failed ({type(outcome.error).__name__}: {outcome.error}); "
+        "run the same command again to grade it"
+    )

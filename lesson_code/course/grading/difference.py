@@ -1,0 +1,98 @@
+"""In words, how an answer differs from what was expected: what a reader would see at a glance.
+
+Only what holds of the whole answer is said: another form, another sign, another order, a factor.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from lesson_code.course.grading.compare import agrees
+
+COUNTS = ("no", "one", "two", "three", "four", "five", "six")
+FACTORS = {-1.0: "minus", 2.0: "twice", 0.5: "half of", -2.0: "minus twice", -0.5: "minus half of"}
+
+
+def of_form(got: Any, expected: Any) -> str:
+    """Return a sentence about how the form of two plain values differs, or nothing if it does not.
+
+    >>> of_form(None, [1.0, 2.0])
+    'Two values were asked for; is a return missing?'
+    >>> of_form([[1.0], [2.0]], [1.0, 2.0])
+    'There is a tuple where one number was asked for.'
+    """
+    if got is None and expected is not None:
+        return f"{_asked_for(expected)}; is a return missing?"
+    if expected is None:
+        return "" if got is None else "There is nothing to return here: None was asked for."
+    if isinstance(expected, list) != isinstance(got, list):
+        return f"{_asked_for(expected)}."
+    if isinstance(expected, list) and len(got) != len(expected):
+        return f"{_asked_for(expected)}, and there {_are(len(got))}."
+    return _of_form_inside(got, expected)
+
+
+def _of_form_inside(got: Any, expected: Any) -> str:
+    """Return the same of the first of some values whose form differs."""
+    if not isinstance(expected, list):
+        return ""
+    for mine, right in zip(got, expected, strict=True):
+        if said := of_form(mine, right):
+            asked = _asked_for(right)
+            there = "a tuple" if isinstance(mine, list) else "one value"
+            is_simple = isinstance(mine, list) != isinstance(right, list)
+            return f"There is {there} where {asked[0].lower()}{asked[1:]}." if is_simple else said
+    return ""
+
+
+def of_numbers(got: Any, expected: Any) -> str:
+    """Return a sentence that holds of all numbers of two answers of the same form, or nothing.
+
+    >>> of_numbers([3.0, -1.0], [-1.0, 3.0])
+    'That is the right answer in another order.'
+    """
+    mine, right = _numbers(got), _numbers(expected)
+    if mine is None or right is None or len(mine) != len(right):
+        return ""
+    if any(math.isnan(number) for number in mine):
+        return "nan is no number: it comes of 0/0, or of inf - inf."
+    if any(math.isinf(number) for number in mine):
+        return "inf is beyond all numbers: something was divided by zero."
+    if len(right) > 1 and agrees(sorted(mine), sorted(right)):
+        return "That is the right answer in another order."
+    if not any(right) or not any(mine):
+        return ""
+    for factor, words in FACTORS.items():
+        if agrees(mine, [factor * number for number in right]):
+            return f"That is {words} what was expected."
+    return ""
+
+
+def _numbers(value: Any) -> list[float] | None:
+    """Return all numbers of a plain value in their order; None where something else is in it."""
+    if isinstance(value, list):
+        parts = [_numbers(item) for item in value]
+        return None if None in parts else [number for part in parts for number in part or []]
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return [float(value)]
+
+
+def _asked_for(expected: Any) -> str:
+    """Return how many values were asked for."""
+    if not isinstance(expected, list):
+        kind = {bool: "True or False", str: "A text"}.get(type(expected), "One number")
+        return f"{kind} was asked for"
+    values = f"{_count(len(expected))} value{'s' if len(expected) != 1 else ''}"
+    return f"{values[:1].upper()}{values[1:]} {'was' if len(expected) == 1 else 'were'} asked for"
+
+
+def _are(number: int) -> str:
+    """Return how many there are."""
+    return f"{'is' if number == 1 else 'are'} {_count(number) if number else 'none'}"
+
+
+def _count(number: int) -> str:
+    """Return a small number in words."""
+    return COUNTS[number] if number < len(COUNTS) else str(number)

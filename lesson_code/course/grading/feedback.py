@@ -1,0 +1,131 @@
+"""What a student is told: what was called, what came of it, what was expected and why.
+
+No traceback: an error is named with its place in the student's own code, and with a question that
+such an error usually answers.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from lesson_code.course.grading import difference
+from lesson_code.course.grading.compare import told_apart, written
+from lesson_code.course.grading.task import Arguments, Task
+from lesson_code.course.isolation.outcome import Outcome
+
+NOT_WRITTEN = "not written yet"
+
+QUESTIONS = {
+    "ZeroDivisionError": "Which inputs make that zero?",
+    "NameError": "Is the name spelt as it was where it got its value?",
+    "UnboundLocalError": "Does it get its value on every way through the function?",
+    "IndexError": "How many entries are there? Counting starts at 0.",
+    "TypeError": "Is each of these a number or a vector, as the task says?",
+    "RecursionError": "When does the function stop calling itself?",
+    "ModuleNotFoundError": "Answers can use Python's own modules and NumPy.",
+}
+"""What to ask oneself after an error, by its name."""
+
+HIDDEN = {
+    "returned": "It returned something else than expected.",
+    "raised": "It stopped with an error.",
+    "unusable": "It returned something that is no number, vector or tuple.",
+}
+"""What is said of an outcome where the inputs stay hidden: nothing that the answer could choose."""
+
+
+def message(
+    task: Task, arguments: Arguments, outcome: Outcome, got: Any, expected: Any
+) -> tuple[str, str]:
+    """Return what to say of a call that did not do what was asked, and the reason in short.
+
+    The reason names no input: two failures of the same reason need not both be told at length. It
+    is empty where nothing but the numbers is wrong.
+
+    Parameters
+    ----------
+    task : Task
+        What is asked.
+    arguments : tuple
+        The inputs of the call.
+    outcome : Outcome
+        What came of it.
+    got, expected
+        What is looked at of the answer, and what it should have been.
+    """
+    if outcome.kind == "not written":
+        return NOT_WRITTEN, NOT_WRITTEN
+    if outcome.kind == "missing":
+        return outcome.text, outcome.text
+    called = f"Called {task.function}({', '.join(map(written, arguments))})."
+    if outcome.kind == "raised":
+        said = f"{called} It stopped with {outcome.text}. {_question(outcome.text)}"
+        return said.rstrip(), outcome.text
+    if outcome.kind != "returned":
+        said = f"it {outcome.text}" if outcome.kind == "unusable" else outcome.text
+        return f"{called} {_sentence(said)}", outcome.text
+    shown = "It returned {}; expected {}.".format(*told_apart(got, expected))
+    looks = difference.of_form(got, expected)
+    if not looks:
+        looks = difference.of_numbers(got, expected)
+        shown = " ".join(filter(None, (shown, looks, _explained(task, arguments, outcome.value))))
+        return f"{called} {shown}", looks
+    return f"{called} {shown} {looks}", looks
+
+
+def hidden_message(outcome: Outcome) -> tuple[str, str]:
+    """Return what to say where inputs, values and the words of errors stay unsaid; and why."""
+    if outcome.kind == "not written":
+        return NOT_WRITTEN, NOT_WRITTEN
+    if outcome.kind == "missing":
+        return outcome.text, outcome.text
+    said = HIDDEN.get(outcome.kind, _sentence(outcome.text))
+    return said, said
+
+
+def _sentence(text: str) -> str:
+    """Return a text as a sentence."""
+    return f"{text[:1].upper()}{text[1:]}."
+
+
+def _question(text: str) -> str:
+    """Return what to ask oneself after an error."""
+    return QUESTIONS.get(text.partition(":")[0], "")
+
+
+def _explained(task: Task, arguments: Arguments, answer: Any) -> str:
+    """Return why an answer is wrong, if the task can say it of an answer of this form."""
+    if task.explain is None:
+        return ""
+    try:
+        with np.errstate(all="ignore"):
+            return task.explain(arguments, answer)
+    except (TypeError, ValueError, IndexError):
+        return ""
+
+
+def missing_function(function: str, others: Iterable[str], lost: dict[str, str]) -> str:
+    """Return what to say of a function that is not there: why, or under which name it may be.
+
+    Parameters
+    ----------
+    function : str
+        The function that was asked for.
+    others : iterable of str
+        Functions of the submission that answer no task.
+    lost : dict
+        Why code could not be read, by the functions that stand in it.
+
+    >>> missing_function("elastic_1d", ["elastic1d", "helper"], {})
+    'there is no function named elastic_1d; did you mean elastic1d?'
+    """
+    if function in lost:
+        return f"{function} could not be read ({lost[function]})"
+    near = difflib.get_close_matches(function, list(others), n=1)
+    if near:
+        return f"there is no function named {function}; did you mean {near[0]}?"
+    return f"there is no function named {function}"

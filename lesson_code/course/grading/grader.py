@@ -1,0 +1,126 @@
+"""Grades one submission after another, each behind a wall of its own."""
+
+from __future__ import annotations
+
+import secrets
+from contextlib import ExitStack
+from pathlib import Path
+from types import TracebackType
+
+from lesson_code.course.grading.check_task import LARGEST_SEED
+from lesson_code.course.grading.exercises import Exercise, exercise_by_name, exercise_of
+from lesson_code.course.grading.feedback import missing_function
+from lesson_code.course.grading.report import Report
+from lesson_code.course.grading.submission import Submission, read_submission
+from lesson_code.course.grading.task import Arguments
+from lesson_code.course.grading.verdict import Call, judge
+from lesson_code.course.isolation import Children, InForce, Limits, StudentProcess, isolated
+from lesson_code.course.isolation.outcome import Outcome
+
+
+class Grader:
+    """Keeps a warm server for as long as there are submissions to grade; a context manager.
+
+    Parameters
+    ----------
+    isolation : str, optional
+        The least isolation that will do: "full", "limits" or "none". The best that the system
+        allows is used in any case; what that is stands in `isolation` and in every report.
+    limits : Limits, optional
+        What a submission may use.
+    hide_inputs : bool
+        Let no message name an input, a value or an error's words, so that the inputs can be used
+        again.
+    rung : str, optional
+        The only rung of the ladder to use, by name; to measure them one by one.
+
+    Raises
+    ------
+    IsolationError
+        There is less isolation to be had than asked for. Raised before any submission is read.
+    """
+
+    isolation: InForce
+
+    def __init__(
+        self,
+        *,
+        isolation: str | None = None,
+        limits: Limits | None = None,
+        hide_inputs: bool = False,
+        rung: str | None = None,
+    ) -> None:
+        self._least = isolation
+        self._rung = rung
+        self._limits = limits or Limits()
+        self._hide_inputs = hide_inputs
+        self._open = ExitStack()
+
+    def __enter__(self) -> Grader:
+        self._children: Children
+        self._children, self.isolation = self._open.enter_context(
+            isolated(self._limits, self._least, self._rung)
+        )
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._open.close()
+
+    def grade(self, path: Path, *, exercise: str | None = None, seed: int | None = None) -> Report:
+        """Return what a submission has earned.
+
+        Parameters
+        ----------
+        path : Path
+            A notebook or a .py file.
+        exercise : str, optional
+            Name or number of the exercise, where the submission itself does not tell.
+        seed : int, optional
+            Draws the inputs; by default they differ from submission to submission.
+
+        Raises
+        ------
+        ValueError
+            The file cannot be graded (SubmissionError), or there is no such exercise.
+        """
+        submission = read_submission(path)
+        chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
+        drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
+        with StudentProcess(submission.units, self._children, self._limits) as student:
+            call = _explaining(student.call, submission, chosen)
+            verdicts = tuple(
+                judge(task, call, drawn, hide_inputs=self._hide_inputs) for task in chosen.tasks
+            )
+            notes = (*submission.unreadable, *student.load_errors)
+        return Report(submission, chosen, verdicts, notes, drawn, self.isolation)
+
+
+def _explaining(call: Call, submission: Submission, exercise: Exercise) -> Call:
+    """Return a way to call functions that says of a missing one where it may be."""
+
+    def explaining(function: str, arguments: Arguments) -> Outcome:
+        outcome = call(function, arguments)
+        if outcome.kind != "missing":
+            return outcome
+        others = [name for name in submission.functions if name not in exercise.task_ids]
+        return Outcome("missing", text=missing_function(function, others, submission.lost))
+
+    return explaining
+
+
+def grade(
+    path: Path,
+    *,
+    exercise: str | None = None,
+    seed: int | None = None,
+    limits: Limits | None = None,
+    isolation: str | None = None,
+) -> Report:
+    """Grade one submission, with a server of its own; the arguments are those of a Grader."""
+    with Grader(isolation=isolation, limits=limits) as grader:
+        return grader.grade(path, exercise=exercise, seed=seed)

@@ -1,0 +1,97 @@
+"""A student's code in this very process: how a notebook calls what its reader has written.
+
+There is no wall here, only some order: the call is silent, ends in time, and cannot import
+the answer from lesson_code.
+"""
+
+from __future__ import annotations
+
+import builtins
+import contextlib
+import json
+import math
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any, cast
+
+import numpy as np
+
+from lesson_code.course.grading.task import Arguments
+from lesson_code.course.isolation.inside import answers
+from lesson_code.course.isolation.outcome import Outcome, outcome_of
+
+
+def call_here(
+    functions: dict[str, Any], function: str, arguments: Arguments, seconds: float = 3.0
+) -> Outcome:
+    """Call a function in this process, as a notebook does with its reader's own code."""
+    try:
+        with kept_apart(), silence(), time_limit(seconds):
+            reply = answers.call(function, list(arguments), functions)
+    except TimeLimitError:
+        return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
+    return outcome_of(reply)
+
+
+@contextlib.contextmanager
+def kept_apart() -> Iterator[None]:
+    """Keep the code below apart from the checks, as far as that goes within one process.
+
+    Imports of lesson_code fail there, since an answer has to stand on its own. What it changes
+    in the modules that the checks are made of is put back.
+    """
+    own = {name: m for name, m in sys.modules.items() if name.partition(".")[0] == "lesson_code"}
+    used = [(vars(module), dict(vars(module))) for module in (builtins, json, math, np)]
+    sys.modules.update(dict.fromkeys(own, cast("ModuleType", None)))
+    try:
+        yield
+    finally:
+        for names, before in used:
+            names.update(before)
+        sys.modules.update(own)
+
+
+@contextlib.contextmanager
+def silence() -> Iterator[None]:
+    """Drop what is printed below, so that a check cell shows the marks and nothing else."""
+    with (
+        Path(os.devnull).open("w", encoding="utf-8") as sink,
+        contextlib.redirect_stdout(sink),
+        contextlib.redirect_stderr(sink),
+    ):
+        yield
+
+
+class TimeLimitError(BaseException):
+    """Raised inside a call that has taken too long; not an Exception, which it might catch."""
+
+
+@contextlib.contextmanager
+def time_limit(seconds: float) -> Iterator[None]:
+    """Raise TimeLimitError in the code below, once it has run for so long.
+
+    Only the main thread of a process on a system with timers can be interrupted so; elsewhere
+    there is no limit.
+    """
+    if (
+        not hasattr(signal, "setitimer")
+        or threading.current_thread() is not threading.main_thread()
+    ):
+        yield
+        return
+
+    def stop(*_: Any) -> None:
+        raise TimeLimitError
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

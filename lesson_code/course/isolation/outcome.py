@@ -1,0 +1,42 @@
+"""What came of a call to a student's function: a plain value, or why there is none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias
+
+from lesson_code.course.isolation.inside import answers
+
+Kind: TypeAlias = Literal[
+    "returned", "raised", "unusable", "missing", "not written", "timeout", "crashed"
+]
+KINDS_FROM_CHILD = ("returned", "raised", "unusable", "missing", "not written")
+
+LONGEST_TEXT = 500
+"""Characters of what a child says in words that are kept."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a call: a plain value, or the reason why there is none."""
+
+    kind: Kind
+    value: Any = None
+    text: str = ""
+
+
+def outcome_of(reply: dict[str, Any]) -> Outcome:
+    """Return what a reply says, if it says it in the form agreed on."""
+    kind, text = reply.get("kind"), reply.get("text", "")
+    try:
+        if kind in KINDS_FROM_CHILD and isinstance(text, str):
+            return Outcome(kind, answers.plain(reply.get("value")), one_line(text))
+    except (ValueError, OverflowError):
+        pass
+    return Outcome("crashed", text="the answer could not be read")
+
+
+def one_line(text: str) -> str:
+    """Return a student's words so that they can stand in a report and forge none of it."""
+    shown = text[:LONGEST_TEXT]
+    return "".join(character if character.isprintable() else " " for character in shown)

@@ -1,0 +1,18 @@
+"""One bank of questions, one checker; the notebook, the terminal and the grader use both.
+
+The notebook's quiz stands in :mod:`lesson_code.course.quiz.notebook` and the terminal's in
+:mod:`lesson_code.course.quiz.terminal`, so that neither loads what only the other needs.
+"""
+
+from lesson_code.course.quiz.bank import Chapter, Question, chapter_numbers, load_bank, load_chapter
+from lesson_code.course.quiz.checker import Verdict, check_answer
+
+__all__ = [
+    "Chapter",
+    "Question",
+    "Verdict",
+    "chapter_numbers",
+    "check_answer",
+    "load_bank",
+    "load_chapter",
+]

@@ -1,0 +1,8 @@
+"""The workbook as pages in a browser: a folder of files that needs no server and no network.
+
+:mod:`lesson_code.course.site.build` makes it. The text, the outputs and the still figures are those
+that the notebooks hold. Figures with sliders are drawn ahead, for a grid of values
+(:mod:`lesson_code.course.site.moving`), and the quiz is judged in the page
+(:mod:`lesson_code.course.site.page_quiz`). Navigation, search, dark and light come from Sphinx and
+Furo.
+"""

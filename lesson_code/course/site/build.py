@@ -1,0 +1,195 @@
+"""Builds the site: writes Sphinx's sources from the workbook, and lets Sphinx make the pages."""
+
+from __future__ import annotations
+
+import importlib.util
+import io
+import shutil
+import tempfile
+import warnings
+from collections.abc import Callable, Collection, Iterable
+from importlib.resources import as_file, files
+from pathlib import Path
+from typing import Any
+
+from lesson_code.course.site.finishing import finish
+from lesson_code.course.site.front_pages import TITLE, exercise_page, front_page
+from lesson_code.course.site.mathml import write_font
+from lesson_code.course.site.moving import MovingFigure, figures_of
+from lesson_code.course.site.notebook_page import NotebookPage
+from lesson_code.parallel import iter_tasks
+
+NEEDS = ("sphinx", "furo", "myst_nb", "math_core", "ziamath")
+"""What builds the pages, by import name."""
+
+MARK = ".buildinfo"
+"""A file that Sphinx leaves in what it has built."""
+
+SCRIPTS = ("moving.js", "quiz.js", "scrolling.js")
+
+SETTINGS: dict[str, Any] = {
+    "project": TITLE,
+    "html_title": TITLE,
+    "author": "",
+    "copyright": "",
+    "extensions": ["myst_nb", "lesson_code.course.site.mathml"],
+    "exclude_patterns": ["downloads"],
+    "nb_execution_mode": "off",
+    "myst_enable_extensions": ["dollarmath"],
+    "html_math_renderer": "mathml",
+    "html_theme": "furo",
+    "html_static_path": ["_static"],
+    "html_extra_path": ["downloads"],
+    "html_css_files": ["site.css"],
+    "html_js_files": [(name, {"defer": "defer"}) for name in SCRIPTS],
+    "html_copy_source": False,
+    "html_use_index": False,
+    "html_show_sphinx": False,
+    "html_show_search_summary": False,  # it would read other pages, which a folder does not let it
+    "html_show_copyright": False,
+}
+"""Sphinx's, in place of a conf.py. With them no page asks the network for anything."""
+
+Told = Callable[[str, float], None]
+"""Hears what is being done, and what share of all is done."""
+
+
+class SiteError(RuntimeError):
+    """The site cannot be built; the message says what is missing or wrong."""
+
+
+class MissingToolsError(SiteError):
+    """What builds the pages is not installed."""
+
+
+def build(
+    root: Path,
+    site: Path,
+    *,
+    moving: Collection[str] | None = None,
+    told: Told = lambda *_: None,
+) -> int:
+    """Make the workbook's pages.
+
+    Parameters
+    ----------
+    root : Path
+        The workbook.
+    site : Path
+        The folder for the pages: a new one, an empty one, or a site that was built before. Files
+        of the latter that are made again are replaced; others stay.
+    moving : collection of str, optional
+        The notebooks whose figures with sliders are drawn ahead, by name; None for all. In the
+        others they stand still. Drawing them for all places of the sliders takes the time.
+    told : callable, optional
+        Hears how far it is.
+
+    Returns
+    -------
+    int
+        How many pages there are.
+
+    Raises
+    ------
+    SiteError
+        Sphinx is not installed or finds a fault, a notebook does not run, or the folder holds
+        something else.
+    """
+    _require_tools()
+    _require_own(site)
+    notebooks = sorted((root / "notebooks").glob("*.ipynb"))
+    drawn = [path for path in notebooks if moving is None or path.stem in moving]
+    figures = _moving_figures(drawn, told)
+    told("pages", 1.0)
+    with tempfile.TemporaryDirectory(prefix="workbook-site-") as folder:
+        _write_sources(root, Path(folder), notebooks, figures)
+        _run_sphinx(Path(folder), site)
+    finish(site)
+    return len(notebooks) + 2
+
+
+def missing_tools() -> list[str]:
+    """Return what of the tools that build the pages is not installed."""
+    return [name for name in NEEDS if importlib.util.find_spec(name) is None]
+
+
+def _require_tools() -> None:
+    """Say what to install if something is missing."""
+    if missing := missing_tools():
+        raise MissingToolsError(f"{', '.join(missing)} not installed: pip install -e '.[site]'")
+
+
+def _require_own(site: Path) -> None:
+    """Refuse a folder that holds something else than a site."""
+    if site.exists() and not site.is_dir():
+        raise SiteError(f"the site's folder must be a folder, got the file {site}")
+    if site.is_dir() and any(site.iterdir()) and not (site / MARK).is_file():
+        raise SiteError(f"the site's folder must be new, empty or a site, got {site} with files")
+
+
+def _moving_figures(notebooks: list[Path], told: Told) -> dict[str, list[MovingFigure]]:
+    """Return each notebook's figures with sliders, drawn ahead on all cores."""
+    found = {}
+    # The largest files hold the largest figures. Begun first, they do not end alone.
+    by_size = sorted(notebooks, key=lambda path: -path.stat().st_size)
+    outcomes = iter_tasks(figures_of, by_size, names=[path.stem for path in by_size])
+    for done, outcome in enumerate(outcomes, start=1):
+        if outcome.error is not None:
+            raise SiteError(str(outcome.error)) from outcome.error
+        found[outcome.name] = outcome.result
+        told(f"figures of {outcome.name}", done / (len(notebooks) + 1))
+    return found
+
+
+def _write_sources(
+    root: Path, folder: Path, notebooks: Iterable[Path], moving: dict[str, list[MovingFigure]]
+) -> None:
+    """Write what Sphinx reads."""
+    import nbformat
+
+    with as_file(files("lesson_code.course.site").joinpath("assets")) as assets:
+        shutil.copytree(assets, folder / "_static")
+    write_font(folder / "_static" / "math.woff")
+    downloads = folder / "downloads" / "exercises"
+    shutil.copytree(root / "exercises", downloads, ignore=shutil.ignore_patterns(".*", "_*"))
+    shutil.make_archive(str(downloads), "zip", downloads.parent, "exercises")
+    (folder / "notebooks").mkdir()
+    read: list[tuple[str, Any]] = [
+        (path.stem, nbformat.read(path, as_version=4))  # type: ignore[no-untyped-call]
+        for path in notebooks
+    ]
+    for name, notebook in read:
+        page = NotebookPage(name, folder, moving.get(name, ())).page_of(notebook)
+        text = nbformat.writes(page)  # type: ignore[no-untyped-call]
+        (folder / "notebooks" / f"{name}.ipynb").write_text(text, encoding="utf-8")
+    (folder / "index.md").write_text(front_page(read), encoding="utf-8")
+    (folder / "exercises.md").write_text(exercise_page(root), encoding="utf-8")
+
+
+def _run_sphinx(sources: Path, site: Path) -> None:
+    """Let Sphinx make the pages; a warning is an error."""
+    from sphinx.application import Sphinx
+    from sphinx.errors import SphinxError
+    from sphinx.util.docutils import docutils_namespace, patch_docutils
+
+    found = io.StringIO()
+    try:
+        with patch_docutils(), docutils_namespace(), warnings.catch_warnings():
+            # What Sphinx's extensions call that Sphinx will drop one day is their business.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            warnings.simplefilter("ignore", PendingDeprecationWarning)
+            app = Sphinx(
+                sources,
+                confdir=None,
+                outdir=site,
+                doctreedir=sources / ".trees",
+                buildername="html",
+                confoverrides=SETTINGS,
+                status=None,
+                warning=found,
+            )
+            app.build(force_all=True)
+    except SphinxError as error:
+        raise SiteError(f"Sphinx found a fault: {error}") from error
+    if app.statuscode or found.getvalue():
+        raise SiteError(f"Sphinx found a fault:\n{found.getvalue()}")

@@ -1,0 +1,138 @@
+"""Chromium, driven by Playwright: for the pictures of the README, and for tests in a browser."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lesson_code.course.notebooks import server
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Locator, Page
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
+"""What the browser may be called on this machine."""
+
+SETTINGS: dict[str, dict[str, Any]] = {
+    # All cells stand in the page, also those that are not in sight.
+    "@jupyterlab/notebook-extension/tracker": {"windowingMode": "none"},
+    "@jupyterlab/apputils-extension/notification": {"fetchNews": "false", "checkForUpdates": False},
+}
+"""JupyterLab's, by plugin."""
+
+KERNEL_STARTS = 60_000
+"""ms: a kernel answers after 3 to 8 s, on a machine that is busy later."""
+
+NOTEBOOK_RUNS = 300_000
+"""ms: a notebook runs for some seconds, a few of them for half a minute."""
+
+
+ALL_HAVE_RUN = r"""() => {
+    const prompts = [...document.querySelectorAll(".jp-Notebook .jp-CodeCell .jp-InputPrompt")];
+    return prompts.length && prompts.every((prompt) => /\[\d+\]/.test(prompt.textContent));
+}"""
+"""In the page: whether every prompt holds a number, and none is empty or a star."""
+
+
+class NoBrowserError(RuntimeError):
+    """Playwright or Chromium is not installed; the message says what to do."""
+
+
+def browser_path() -> str:
+    """Return where Chromium is.
+
+    Raises
+    ------
+    NoBrowserError
+        It is not there, or Playwright is not installed.
+    """
+    if importlib.util.find_spec("playwright") is None:
+        raise NoBrowserError("Playwright is not installed: pip install -e '.[browser]'")
+    for name in NAMES:
+        if found := shutil.which(name):
+            return found
+    raise NoBrowserError("Chromium is not installed: apt-get install chromium, for example")
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """Start Chromium without a window, and close it afterwards."""
+    path = browser_path()
+    from playwright.sync_api import sync_playwright
+
+    as_root = hasattr(os, "geteuid") and os.geteuid() == 0
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=path, args=["--no-sandbox"] if as_root else []
+        )
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+@contextmanager
+def jupyterlab(root: Path) -> Iterator[JupyterLab]:
+    """Serve a workbook in JupyterLab with settings of its own, and stop it afterwards."""
+    with tempfile.TemporaryDirectory(prefix="workbook-lab-") as folder:
+        for plugin, settings in SETTINGS.items():
+            file = Path(folder) / "lab" / "user-settings" / f"{plugin}.jupyterlab-settings"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(json.dumps(settings), encoding="utf-8")
+        running = server.start(root, Path("notebooks"), config=Path(folder))
+        try:
+            yield JupyterLab(running.address)
+        finally:
+            running.stop()
+
+
+@dataclass(frozen=True)
+class JupyterLab:
+    """A running JupyterLab: the address at which the folder of notebooks opens."""
+
+    address: str
+
+    def open(self, page: Page, notebook: str) -> LabNotebook:
+        """Open a notebook, "notebooks/02_restitution.ipynb", and wait for its kernel."""
+        page.goto(self.address.replace("/tree/notebooks", f"/tree/{notebook}") + "&reset")
+        page.locator(".jp-Notebook .jp-Cell:visible").first.wait_for(timeout=KERNEL_STARTS)
+        page.get_by_text("Python 3 (ipykernel) | Idle").wait_for(timeout=KERNEL_STARTS)
+        return LabNotebook(page)
+
+    def end_kernels(self, page: Page) -> None:
+        """End all kernels that run."""
+        place, token = self.address.split("/lab/")[0], self.address.split("token=")[1]
+        headers = {"Authorization": f"token {token}"}
+        for session in page.request.get(f"{place}/api/sessions", headers=headers).json():
+            page.request.delete(f"{place}/api/sessions/{session['id']}", headers=headers)
+
+
+@dataclass(frozen=True)
+class LabNotebook:
+    """A notebook that is open in JupyterLab, and the page it is in."""
+
+    page: Page
+
+    @property
+    def errors(self) -> Locator:
+        """The tracebacks in all outputs."""
+        return self.page.locator('[data-mime-type="application/vnd.jupyter.error"]')
+
+    def run_all(self) -> None:
+        """Run all cells and wait for the last one."""
+        self._choose("Edit", "Clear Outputs of All Cells")
+        self._choose("Run", "Run All Cells")
+        self.page.wait_for_function(ALL_HAVE_RUN, timeout=NOTEBOOK_RUNS)
+
+    def _choose(self, menu: str, entry: str) -> None:
+        """Choose an entry of a menu."""
+        self.page.get_by_role("menuitem", name=menu, exact=True).click()
+        self.page.get_by_role("menuitem", name=entry, exact=True).click()

@@ -1,0 +1,131 @@
+"""A notebook as a page: the same cells, their outputs made ready for a browser without a kernel."""
+
+from __future__ import annotations
+
+import base64
+import copy
+import json
+import re
+import struct
+from collections.abc import Iterable
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from lesson_code.course.quiz.bank import load_chapter
+from lesson_code.course.site.moving import Control, MovingFigure
+from lesson_code.course.site.page_quiz import quiz_html
+
+FIGURES = "_static/figures"
+"""Where the files of figures are put, from the root of the site."""
+
+FROM_A_PAGE = f"../{FIGURES}"
+"""The same from a notebook's page."""
+
+EXERCISE = re.compile(r"\[([^\]]+)\]\(\.\./exercises/([^)]+)\)")
+"""A link to an exercise."""
+
+QUIZ = re.compile(r"show_quiz\(\"(\d\d)\"\)")
+"""The line of a cell that shows a chapter's quiz."""
+
+COMES_TO_LIFE = "(Run the cell to "
+"""Stands in the text of a figure with sliders."""
+
+STANDS_STILL = "Open the notebook to move this figure."
+"""Stands below a figure with sliders that has not been drawn ahead."""
+
+
+class NotebookPage:
+    """Makes one notebook's page, and writes the files of its figures.
+
+    Parameters
+    ----------
+    name : str
+        The notebook's name without its suffix.
+    folder : Path
+        The root of the site's sources.
+    moving : iterable of MovingFigure
+        Its figures with sliders; those that are left out stand still.
+    """
+
+    def __init__(self, name: str, folder: Path, moving: Iterable[MovingFigure] = ()) -> None:
+        self._name, self._folder, self._count = name, folder / FIGURES, 0
+        self._moving = {figure.alt: figure for figure in moving}
+        self._folder.mkdir(parents=True, exist_ok=True)
+
+    def page_of(self, notebook: Any) -> Any:
+        """Return the notebook as its page shows it; the one given is not changed."""
+        page = copy.deepcopy(notebook)
+        for cell in page.cells:
+            if cell.cell_type == "markdown":
+                cell.source = EXERCISE.sub(
+                    lambda link: download(link[1], f"../exercises/{link[2]}"), cell.source
+                )
+            else:
+                shown = (self._shown(output, cell.source) for output in cell.outputs)
+                cell.outputs = [output for output in shown if output is not None]
+        return page
+
+    def _shown(self, output: Any, source: str) -> Any:
+        """Return what a page shows of an output; None for a figure's text, which its image has."""
+        data = output.get("data", {})
+        if "image/png" in data:
+            return _html_output(output, self._figure(output))
+        if data.get("text/plain", "").startswith("Figure: "):
+            return None
+        if "text/html" in data and (quiz := QUIZ.search(source)):
+            return _html_output(output, quiz_html(load_chapter(quiz[1])))
+        return output
+
+    def _figure(self, output: Any) -> str:
+        """Return a figure, with its sliders if it has some, and write its files."""
+        self._count += 1
+        name = f"{self._name}-{self._count}"
+        alt, png = output.metadata["image/png"]["alt"], base64.b64decode(output.data["image/png"])
+        if alt in self._moving:
+            return self._with_sliders(name, self._moving[alt], png)
+        (self._folder / f"{name}.png").write_bytes(png)
+        still = COMES_TO_LIFE in output.data["text/plain"]
+        caption = f"<figcaption>{STANDS_STILL}</figcaption>" if still else ""
+        return f'<figure class="drawn">{_image(f"{name}.png", alt, png)}{caption}</figure>'
+
+    def _with_sliders(self, name: str, figure: MovingFigure, png: bytes) -> str:
+        """Return a figure that is drawn ahead; `png` is how it stands in the notebook."""
+        start = figure.pictures[figure.start]
+        (self._folder / f"{name}.svg").write_text(start, encoding="utf-8")
+        call = f'drawnAhead("{name}", "{figure.packed()}");\n'
+        (self._folder / f"{name}.js").write_text(call, encoding="utf-8")
+        status = '<p role="status"></p>' if figure.words else ""
+        return (
+            f'<figure class="drawn moving" data-name="{name}" '
+            f'data-pictures="{FROM_A_PAGE}/{name}.js">\n<div class="sliders">\n'
+            f"{''.join(_slider(control) for control in figure.controls)}</div>\n"
+            f"{_image(f'{name}.svg', figure.alt, png)}\n{status}</figure>"
+        )
+
+
+def download(words: str, address: str) -> str:
+    """Return a link to a file that is kept, not opened."""
+    return f'<a href="{address}" download>{words}</a>'
+
+
+def _html_output(output: Any, html: str) -> Any:
+    """Return an output that is this HTML."""
+    return type(output)(output_type="display_data", metadata={}, data={"text/html": html})
+
+
+def _image(file: str, alt: str, png: bytes) -> str:
+    """Return an image that takes the room of a PNG from the start."""
+    width, height = struct.unpack(">II", png[16:24])
+    return f'<img src="{FROM_A_PAGE}/{file}" alt="{escape(alt)}" width="{width}" height="{height}">'
+
+
+def _slider(control: Control) -> str:
+    """Return a slider with its label and the value it stands at; ``moving.js`` switches it on."""
+    values = [f"{value:g}".replace("-", "\N{MINUS SIGN}") for value in control.values]
+    return (
+        f'<label><span>{escape(control.label)}</span> <input type="range" min="0" '
+        f'max="{len(values) - 1}" value="{control.start}" disabled autocomplete="off" '
+        f'aria-valuetext="{values[control.start]}" data-values="{escape(json.dumps(values))}"> '
+        f"<output>{values[control.start]}</output></label>\n"
+    )

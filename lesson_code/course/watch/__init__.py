@@ -1,0 +1,9 @@
+"""``workbook watch``: exercises checked each time they are saved.
+
+files (what changed) -> check -> progress (kept) -> screen (rich, or plain lines)
+"""
+
+from lesson_code.course.watch.screen import Screen
+from lesson_code.course.watch.session import Session, listen
+
+__all__ = ["Screen", "Session", "listen"]

@@ -1,0 +1,1 @@
+"""What every solver shares: a scene and its tables, and the stages of a step."""

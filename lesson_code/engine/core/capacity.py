@@ -1,0 +1,81 @@
+"""Room in the tables: spare rows, so that no row is made while a step runs.
+
+A stage that finds a table too small says how many rows it wants, and the step is interrupted. Then
+room is made, and the step goes on where it was.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from lesson_code.engine.compiled.arrays import lengthened
+from lesson_code.engine.core.broad_phase import most_pairs
+from lesson_code.engine.core.rows import (
+    ContactRow,
+    ImpulseRow,
+    IndexRow,
+    MemoryRow,
+    PairRow,
+    RestingRow,
+    World,
+)
+
+SPARE, LARGE_SPARE = 1.5, 1.1
+"""Times the rows that are wanted: how many there are then, so that a table seldom grows; in a large
+table, whose rows change less in proportion, and cost more memory, the second."""
+
+LARGE = 10_000
+"""Rows from which on a table is large."""
+
+FEWEST_ROWS = 16
+"""Rows that a table grows to at least."""
+
+
+def make_room(world: World) -> World:
+    """Return the tables, each that was too small with the rows it needs and some to grow into.
+
+    Raises
+    ------
+    ValueError
+        The bodies overlap in so many pairs that no memory would hold them.
+    """
+    state = world.state
+    refuse_heap(len(world.bodies), state.pairs_wanted)
+    world = world._replace(
+        pairs=longer(world.pairs, state.pairs_wanted, PairRow),
+        sorted_pairs=longer(world.sorted_pairs, state.pairs_wanted, PairRow),
+        contacts=longer(world.contacts, state.contacts_wanted, ContactRow),
+        static_contacts=longer(world.static_contacts, state.contacts_wanted, IndexRow),
+        memory=longer(world.memory, state.contacts_wanted, MemoryRow),
+        resting=longer(world.resting, state.contacts_wanted, RestingRow),
+        impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow),
+    )
+    state.pairs_wanted = state.contacts_wanted = state.impulses_wanted = 0
+    return world
+
+
+def refuse_heap(bodies: int, pairs: int) -> None:
+    """Raise a ValueError if so many bodies have too many candidate pairs."""
+    if pairs > most_pairs(bodies):
+        raise ValueError(
+            "bodies must not be heaped into one another: "
+            f"{bodies} of them overlap in {pairs} pairs or more"
+        )
+
+
+def rows_for(wanted: int) -> int:
+    """Return how many rows a table gets when so many are wanted."""
+    if wanted == 0:
+        return 0
+    return max(FEWEST_ROWS, int((SPARE if wanted < LARGE else LARGE_SPARE) * wanted))
+
+
+def longer(table: Any, wanted: int, row: type) -> Any:
+    """Return a table with the rows that are wanted: the same list, or another array."""
+    rows = rows_for(wanted)
+    if isinstance(table, np.ndarray):
+        return lengthened(table, rows)
+    table.extend(row() for _ in range(rows - len(table)))
+    return table

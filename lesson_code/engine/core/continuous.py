@@ -1,0 +1,193 @@
+"""Continuous detection: a step is split at the impacts that it would jump over.
+
+Only a body that moves in a step by more than half of its width, or of the thinnest body's, can
+pass through another unseen. If there is one, the time of its first impact is found. The step ends
+there, a little later than the impact, so that the overlap is seen; the impact is resolved like
+every other; and what is left of the step follows. Scenes without fast bodies pay for one look at
+the speeds.
+
+After many impacts within one step the fast bodies wait for the next step. They lose time then,
+but pass through nothing.
+"""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.core.broad_phase import bound
+from lesson_code.engine.core.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
+from lesson_code.engine.core.narrow_phase import touch
+from lesson_code.engine.core.rows import BodyRow, World
+from lesson_code.engine.core.step import Pipeline, rest, seek_pairs, step
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.sleeping import everything_sleeps
+from lesson_code.geometry.advancement import advance_to_impact
+from lesson_code.geometry.rows import ManifoldRow
+from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
+
+
+def advance(world: World, pipeline: Pipeline) -> bool:
+    """Make the steps that are left, and return whether all are made.
+
+    They are not when a table was too small or a body was lost. Once there is room, the next call
+    goes on where this one stopped.
+    """
+    state = world.state
+    while state.steps_left > 0:
+        if state.left == 0.0:
+            state.left, state.impacts = state.whole, 0
+        while state.left > 0.0:
+            if not pipeline.make_part(world, pipeline):
+                return False
+            state.left -= state.dt
+        state.steps_done += 1
+        state.steps_left -= 1
+    return True
+
+
+def rigid_part(world: World, pipeline: Pipeline) -> bool:
+    """Make a step, or the part of it until a fast body has hit something; return if it is made."""
+    if pipeline.effects.sleeping and everything_sleeps(world):
+        return rest(world, pipeline)
+    if not world.state.has_moved and not choose_part(world, pipeline):
+        return False
+    return step(world, pipeline)
+
+
+def choose_part(world: World, pipeline: Pipeline) -> bool:
+    """Choose how much of what is left of the step is made now; return whether that was possible.
+
+    All of it, or as much as passes until a fast body hits something.
+    """
+    state = world.state
+    state.dt = state.left
+    if pipeline.is_continuous and not pipeline.splits_steps:
+        state.has_fast = has_fast_body(world, state.left, pipeline.effects)
+        if state.has_fast:
+            return False
+    elif pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
+        state.dt = time_to_impact(world, pipeline, state.left)
+        if state.pairs_wanted > 0:
+            return False
+        state.impacts += 1
+        if state.dt < state.left and state.impacts > MOST_IMPACTS:
+            state.dt = state.left
+            let_fast_wait(world)
+    state.time = (state.steps_done + 1) * state.whole - (state.left - state.dt)
+    return True
+
+
+def has_fast_body(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
+    """Return whether any body could pass through another one unseen."""
+    found = False
+    for body in world.bodies:
+        way = way_of(body, duration, effects)
+        if not math.isfinite(way):
+            return False  # the move will say that it cannot be made
+        found = found or is_far(world, way)
+    return found
+
+
+def mark_fast(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> bool:
+    """Mark the bodies that could; return whether there are any."""
+    found = has_fast_body(world, duration, effects)
+    for body in world.bodies:
+        body.waits = False
+        body.is_fast = found and is_far(world, way_of(body, duration, effects))
+    return found
+
+
+def is_far(world: World, way: float) -> bool:
+    """Return whether on so long a way a body or a thinner one could be passed."""
+    return way > 0.5 * world.state.thinnest
+
+
+def way_of(body: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> float:
+    """Return how far a point of a body may move at the most, m."""
+    speed = math.sqrt(body.vx * body.vx + body.vy * body.vy)
+    return (speed + rim_speed(body, effects)) * duration
+
+
+def rim_speed(body: BodyRow, effects: Effects) -> float:
+    """Return how fast a body's farthest corner turns about its centre, m/s; a circle has none."""
+    if not (effects.outlines and effects.rotation) or body.corner_count == 0:
+        return 0.0
+    return abs(body.w) * body.reach
+
+
+def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
+    """Return how long the world may move until its first fast body is just in another one, s.
+
+    When the table of pairs is too small, that is noted, and the answer means nothing.
+    """
+    bound_way(world, duration, pipeline.effects)
+    has_room = seek_pairs(world, pipeline.broad_phase)
+    world.state.has_pairs = False  # these are not the pairs of the step
+    if not has_room:
+        return duration
+    earliest = duration
+    for k in range(world.state.pair_count):
+        a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
+        if a.is_fast or b.is_fast:
+            after = pair_impact_time(world, a, b, earliest, pipeline.effects)
+            if after < earliest:
+                earliest = min(earliest, after + time_into(a, b, pipeline.effects))
+    return earliest
+
+
+def bound_way(world: World, duration: float, effects: Effects = EVERY_EFFECT) -> None:
+    """Put a box around every body and all of its way."""
+    bound(world, effects)
+    for body in world.bodies:
+        x, y = body.vx * duration, body.vy * duration
+        margin = min(rim_speed(body, effects) * duration, 2.0 * body.reach)
+        body.min_x += min(x, 0.0) - margin
+        body.max_x += max(x, 0.0) + margin
+        body.min_y += min(y, 0.0) - margin
+        body.max_y += max(y, 0.0) + margin
+
+
+def pair_impact_time(
+    world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects = EVERY_EFFECT
+) -> float:
+    """Return when two bodies first touch, s; ``math.inf``: not within the duration.
+
+    Of two that touch already it is now if they would pass through each other, and else never: the
+    solver has seen them.
+    """
+    touch(world, a, b, effects)
+    if world.manifold.count > 0:
+        return 0.0 if is_far(world, way_into(world.manifold, a, b, duration)) else math.inf
+    if effects.outlines and effects.rotation and (is_turning(a) or is_turning(b)):
+        return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
+    if effects.manifolds:
+        return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+    return impact_time_with_circle(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+
+
+def way_into(m: ManifoldRow, a: BodyRow, b: BodyRow, duration: float) -> float:
+    """Return how much deeper into each other two bodies would move along their normal, m."""
+    return -((b.vx - a.vx) * m.nx + (b.vy - a.vy) * m.ny) * duration
+
+
+def is_turning(body: BodyRow) -> bool:
+    """Return whether a body's outline turns; that of a circle stays the same."""
+    return body.w != 0.0 and body.corner_count > 0
+
+
+def depth_into(a: BodyRow, b: BodyRow) -> float:
+    """Return how deep two bodies are let overlap, so that their impact is seen, m."""
+    return IMPACT_DEPTH * SLOP * min(a.extent, b.extent)
+
+
+def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
+    """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
+    vx, vy = b.vx - a.vx, b.vy - a.vy
+    turning = rim_speed(a, effects) + rim_speed(b, effects)
+    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning)
+
+
+def let_fast_wait(world: World) -> None:
+    """Let every fast body stay where it is for what is left of the step."""
+    for body in world.bodies:
+        body.waits = body.is_fast and body.inv_m > 0.0

@@ -1,0 +1,155 @@
+"""Islands: contacts that disturb each other, and the matrix that says how.
+
+Two contacts belong to one island if a body that can be pushed leads from one to the other. Static
+bodies do not connect: two boxes on one floor know nothing of each other.
+
+    u = G v            velocities at the contacts, first all along the normals, then the tangents
+    v' = v + W G^T x   velocities of the bodies after impulses x at the contacts
+    K = G W G^T        so that u' = u + K x
+
+Row k of G holds, for a contact's direction d and lever arms r,  -d, -(r_a x d)  in the columns of
+body a and  d, r_b x d  in those of body b; W holds the inverse masses and inertias. Only these six
+numbers of a row are kept, and K is summed up body by body: most of it is 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.formulas.arithmetic import cross
+
+Floats: TypeAlias = NDArray[np.float64]
+Integers: TypeAlias = NDArray[np.int64]
+
+
+class Island(NamedTuple):
+    """An island of m contacts between n bodies."""
+
+    contacts: list[ContactRow]
+    bodies: list[BodyRow]
+    of_a: Integers  # the place of each row's body a among the bodies, shape (2m,)
+    of_b: Integers
+    on_a: Floats  # G in the columns of body a, shape (2m, 3)
+    on_b: Floats
+    inverse_masses: Floats  # W, shape (n, 3)
+    compliance: Floats  # K, shape (2m, 2m), 1/kg
+    friction: Floats  # mu, shape (m,)
+
+
+def islands_of(world: World) -> list[list[ContactRow]]:
+    """Return the contacts of each island, in the order of the contact table.
+
+    A contact between two bodies that nothing can push is in none.
+    """
+    bodies = world.bodies
+    contacts = world.contacts[: world.state.contact_count]
+    leader = list(range(len(bodies)))
+    for c in contacts:
+        if bodies[c.a].inv_m > 0.0 and bodies[c.b].inv_m > 0.0:
+            first, second = _leader_of(leader, c.a), _leader_of(leader, c.b)
+            leader[max(first, second)] = min(first, second)
+    islands: dict[int, list[ContactRow]] = {}
+    for c in contacts:
+        if bodies[c.a].inv_m > 0.0 or bodies[c.b].inv_m > 0.0:
+            pushed = c.a if bodies[c.a].inv_m > 0.0 else c.b
+            islands.setdefault(_leader_of(leader, pushed), []).append(c)
+    return list(islands.values())
+
+
+def island_of(world: World, contacts: list[ContactRow]) -> Island:
+    """Return the matrices of an island."""
+    numbers = sorted({number for c in contacts for number in (c.a, c.b)})
+    place = {number: k for k, number in enumerate(numbers)}
+    bodies = [world.bodies[number] for number in numbers]
+    w = np.array([(body.inv_m, body.inv_m, body.inv_i) for body in bodies])
+    of_a = np.array([place[c.a] for c in contacts] * 2)
+    of_b = np.array([place[c.b] for c in contacts] * 2)
+    on_a, on_b = _directions(contacts, world.bodies)
+    compliance = _compliance(of_a, of_b, on_a, on_b, w)
+    friction = np.array([c.friction for c in contacts])
+    return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, compliance, friction)
+
+
+def velocities(island: Island) -> Floats:
+    """Return the velocities at the contacts, shape (2m,), m/s; > 0 along the normal: parting."""
+    return _at_contacts(island, np.array([(body.vx, body.vy, body.w) for body in island.bodies]))
+
+
+def push_velocities(island: Island) -> Floats:
+    """Return the same for the velocities of the position correction."""
+    pushes = [(body.push_vx, body.push_vy, body.push_w) for body in island.bodies]
+    return _at_contacts(island, np.array(pushes))
+
+
+def apply_impulses(island: Island, x: Floats) -> None:
+    """Change the velocities of the bodies by impulses at all contacts, shape (2m,), N s."""
+    for body, (vx, vy, w) in zip(island.bodies, _changes(island, x), strict=True):
+        body.vx += vx
+        body.vy += vy
+        body.w += w
+
+
+def apply_pushes(island: Island, x: Floats) -> None:
+    """Change the velocities of the position correction likewise."""
+    for body, (vx, vy, w) in zip(island.bodies, _changes(island, x), strict=True):
+        body.push_vx += vx
+        body.push_vy += vy
+        body.push_w += w
+
+
+def _at_contacts(island: Island, v: Floats) -> Floats:
+    """Return G v."""
+    u: Floats = (island.on_a * v[island.of_a] + island.on_b * v[island.of_b]).sum(axis=1)
+    return u
+
+
+def _changes(island: Island, x: Floats) -> list[list[float]]:
+    """Return W G^T x: the changes of vx, vy, w of every body."""
+    received = np.zeros_like(island.inverse_masses)
+    np.add.at(received, island.of_a, island.on_a * x[:, np.newaxis])
+    np.add.at(received, island.of_b, island.on_b * x[:, np.newaxis])
+    changes: list[list[float]] = (island.inverse_masses * received).tolist()
+    return changes
+
+
+def _leader_of(leader: list[int], body: int) -> int:
+    """Return the first body of an island; the way to it is made shorter for the next time."""
+    while leader[body] != body:
+        leader[body] = leader[leader[body]]
+        body = leader[body]
+    return body
+
+
+def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> tuple[Floats, Floats]:
+    """Return the rows of G in the columns of body a, and of body b.
+
+    The normal of a disc goes through its centre: it has no lever arm, not even a rounding error.
+    """
+    nx, ny, ax, ay, bx, by = np.array(
+        [(c.nx, c.ny, c.ax, c.ay, c.bx, c.by) for c in contacts], dtype=float
+    ).T
+    dx, dy = np.concatenate((nx, -ny)), np.concatenate((ny, nx))
+    ax, ay, bx, by = np.tile((ax, ay, bx, by), 2)
+    ra_x_d, rb_x_d = cross((ax, ay), (dx, dy)), cross((bx, by), (dx, dy))
+    for k, c in enumerate(contacts):
+        if bodies[c.a].corner_count == 0:
+            ra_x_d[k] = 0.0
+        if bodies[c.b].corner_count == 0:
+            rb_x_d[k] = 0.0
+    return np.column_stack((-dx, -dy, -ra_x_d)), np.column_stack((dx, dy, rb_x_d))
+
+
+def _compliance(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Floats) -> Floats:
+    """Return K: each body that can be pushed couples all the rows that it has a part in."""
+    k = np.zeros((len(of_a), len(of_a)))
+    rows, of, on = np.tile(np.arange(len(of_a)), 2), np.append(of_a, of_b), np.vstack((on_a, on_b))
+    for body in np.flatnonzero(w.any(axis=1)):
+        parts = np.flatnonzero(of == body)
+        own = on[parts]
+        k[np.ix_(rows[parts], rows[parts])] += (own * w[body]) @ own.T
+    return k

@@ -1,0 +1,185 @@
+"""Recording: any solver that advances in equal steps, turned into a Run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.run import ImpulseEvents, Run
+from lesson_code.engine.core.scene import Scene
+from lesson_code.formulas.arithmetic import whole_parts
+from lesson_code.formulas.validation import non_negative
+
+Sample: TypeAlias = Literal["end"] | Any
+"""None: every step. "end": the first and the last state. Otherwise times, shape (F,), s."""
+
+Event: TypeAlias = tuple[float, int, int, float, float, float, float, float, float, float]
+"""time, body a, body b, point x and y, normal x and y, normal and tangent impulse, penetration."""
+
+EVENT_NUMBERS = 10
+
+MOST_STEPS = 1e9
+"""More would take a day at 100 microseconds each: somebody has mistaken a unit."""
+
+STATE_NUMBERS = 6
+"""Numbers in a body's state: x, y, angle, vx, vy, w."""
+
+
+class Stepper(Protocol):
+    """A solver at work on a scene: it advances by equal steps and can be asked for its state."""
+
+    dt: float
+
+    def advance(self, steps: int) -> None:
+        """Advance by so many steps of dt."""
+
+    def states(self) -> NDArray[np.float64]:
+        """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
+
+    def events(self) -> NDArray[np.float64]:
+        """Return the impulses of all steps so far, shape (K, 10); see :data:`Event`."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A time at which the state is wanted: so many whole steps, and a rest of time, s."""
+
+    time: float
+    steps: int
+    rest: float
+
+
+def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan: Plan) -> Run:
+    """Let a solver run for a while, and return what it did.
+
+    All steps have the same length. A state between two steps is that of the earlier one, moved
+    on at its velocity: what the solver's next step does, but for a push out of an overlap.
+    """
+    _require_few_steps(duration, stepper.dt)
+    moments = _moments(duration, stepper.dt, sample)
+    frames = np.zeros((len(moments), len(scene.bodies), STATE_NUMBERS))
+    done = 0
+    for frame, moment in sorted(enumerate(moments), key=lambda item: item[1].time):
+        stepper.advance(max(moment.steps - done, 0))
+        done = max(done, moment.steps)
+        frames[frame] = stepper.states()
+        frames[frame, :, 0:3] += moment.rest * frames[frame, :, 3:6]
+    stepper.advance(whole_parts(duration, stepper.dt) - done)
+    return run_of(scene, [moment.time for moment in moments], frames, stepper.events(), plan)
+
+
+def run_of(scene: Scene, times: Sequence[float], frames: Any, events: Any, plan: Plan) -> Run:
+    """Return a run from the states of all bodies, shape (F, N, 6), at F times.
+
+    Raises
+    ------
+    FloatingPointError
+        A number is not finite: a body has left the range of floating point.
+    """
+    table = np.asarray(frames, dtype=float).reshape(len(times), len(scene.bodies), STATE_NUMBERS)
+    _require_finite(table, times)
+    return Run(
+        scene=scene,
+        times=_frozen(np.array(times)),
+        positions=_frozen(table[:, :, 0:2]),
+        velocities=_frozen(table[:, :, 3:5]),
+        angles=_frozen(table[:, :, 2]),
+        angular_velocities=_frozen(table[:, :, 5]),
+        contacts=_events(events),
+        plan=plan,
+    )
+
+
+def _moments(duration: float, dt: float, sample: Sample) -> list[Moment]:
+    """Return the times at which the state is wanted."""
+    return [_moment(time, dt) for time in _times(duration, dt, sample)]
+
+
+def _moment(time: float, dt: float) -> Moment:
+    """Return a time as whole steps and a rest; a rest that is only rounding is none."""
+    steps = whole_parts(time, dt)
+    return Moment(time, steps, max(time - steps * dt, 0.0))
+
+
+def _times(duration: float, dt: float, sample: Sample) -> Iterator[float]:
+    """Yield the times at which the state is wanted, s."""
+    yield from step_times(duration, dt) if sample is None else given_times(duration, sample)
+
+
+def step_times(duration: float, dt: float) -> list[float]:
+    """Return the times of all steps, from 0 on, and the end of a run, s.
+
+    Raises
+    ------
+    ValueError
+        There are more than anybody can want.
+
+    >>> step_times(0.25, 0.1)
+    [0.0, 0.1, 0.2, 0.25]
+    """
+    _require_few_steps(duration, dt)
+    steps = whole_parts(duration, dt)
+    times = [min(step * dt, duration) for step in range(steps + 1)]
+    if not math.isclose(steps * dt, duration, rel_tol=1e-9, abs_tol=1e-9 * dt):
+        times.append(duration)
+    return times
+
+
+def _require_few_steps(duration: float, dt: float) -> None:
+    """Refuse a run of more steps than anybody can want."""
+    if not duration / dt <= MOST_STEPS:
+        raise ValueError(
+            f"duration must be at most {MOST_STEPS:g} dt, got {duration} s with dt {dt} s"
+        )
+
+
+def given_times(duration: float, sample: Any) -> list[float]:
+    """Return the times that a user asks for, or refuse those the run does not reach."""
+    if isinstance(sample, str):
+        if sample != "end":
+            raise ValueError(f'sample must be None, "end" or an array of times, got {sample!r}')
+        return [0.0, duration]
+    times = np.asarray(non_negative("sample", sample), dtype=float)
+    if times.ndim != 1:
+        raise ValueError(f"sample must have shape (F,), got shape {times.shape}")
+    if (times > duration).any():
+        raise ValueError(f"sample must be <= duration = {duration} s, got {times.max()}")
+    given: list[float] = times.tolist()
+    return given
+
+
+def _require_finite(frames: NDArray[np.float64], times: Sequence[float]) -> None:
+    """Refuse a run in which a body has left the range of floating point."""
+    if not np.isfinite(frames).all():
+        frame, body, _ = (int(index) for index in np.argwhere(~np.isfinite(frames))[0])
+        raise FloatingPointError(
+            f"body {body} has left the range of floating point at {times[frame]} s"
+        )
+
+
+def _events(events: Any) -> ImpulseEvents:
+    """Return the impulses, shape (K, 10), as columns."""
+    table = np.asarray(events, dtype=float).reshape(-1, EVENT_NUMBERS)
+    return ImpulseEvents(
+        time=_frozen(table[:, 0]),
+        body_a=_frozen(table[:, 1].astype(np.int64)),
+        body_b=_frozen(table[:, 2].astype(np.int64)),
+        point=_frozen(table[:, 3:5]),
+        normal=_frozen(table[:, 5:7]),
+        normal_impulse=_frozen(table[:, 7]),
+        tangent_impulse=_frozen(table[:, 8]),
+        penetration=_frozen(table[:, 9]),
+    )
+
+
+def _frozen(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array that nobody can change by accident."""
+    copy = np.ascontiguousarray(array)
+    copy.setflags(write=False)
+    return copy

@@ -1,0 +1,1 @@
+"""The solvers of contacts, one file each, and what they share."""

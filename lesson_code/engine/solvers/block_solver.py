@@ -1,0 +1,169 @@
+"""Two points of one manifold, solved together: a complementarity problem of size two.
+
+With k11 and k22 for each point's own compliance (1 / effective mass) and k12 for their coupling,
+an impulse x at the points changes the normal velocities by K x. Wanted are totals x with
+
+    x >= 0,    w = b + K x >= 0,    x1 w1 = x2 w2 = 0
+
+Each point either carries the load or opens. There are four cases; exactly one fits.
+
+Visiting the points in turn finds the same, but slowly: the error falls by (k12/k11)^2 a sweep,
+and a wide box that lands flat is left turning.
+
+References
+----------
+Catto, Box2D 2.4, src/dynamics/b2_contact_solver.cpp: the block solver. Cottle, Pang and Stone,
+The Linear Complementarity Problem (1992), section 3.3: why one case fits (K is a P-matrix).
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+from lesson_code.engine.core.constants import LEAST_DETERMINANT
+from lesson_code.engine.core.contact_frame import (
+    friction_impulse,
+    missing_push,
+    missing_velocity,
+    velocity_at,
+)
+from lesson_code.engine.core.rows import BodyRow, ContactRow
+
+Two: TypeAlias = tuple[float, float]
+Three: TypeAlias = tuple[float, float, float]
+
+
+def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Compute K for two points, and its inverse unless they are as good as one."""
+    turning = c.ra_x_n * d.ra_x_n * a.inv_i + c.rb_x_n * d.rb_x_n * b.inv_i
+    c.coupling = a.inv_m + b.inv_m + turning
+    c.compliance, d.compliance = 1 / c.normal_mass, 1 / d.normal_mass
+    c.is_block = 1 - c.coupling * c.coupling * c.normal_mass * d.normal_mass > LEAST_DETERMINANT
+    if c.is_block:
+        share = 1 / (c.compliance * d.compliance - c.coupling * c.coupling)
+        c.block_mass, d.block_mass = d.compliance * share, c.compliance * share
+        c.shared_mass = -c.coupling * share
+
+
+def couple_tangents(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Compute how friction at one point moves the other along the tangent."""
+    turning = c.ra_x_t * d.ra_x_t * a.inv_i + c.rb_x_t * d.rb_x_t * b.inv_i
+    c.tangent_coupling = a.inv_m + b.inv_m + turning
+
+
+def solve_manifold(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Bring both normal velocities to their targets, then stop the sliding at each point in turn.
+
+    What one impulse does to the next is computed ahead, and the bodies are moved once, by all four.
+    """
+    (vn_c, vt_c), (vn_d, vt_d) = velocity_at(c, a, b), velocity_at(d, a, b)
+    before = c.normal_impulse, d.normal_impulse
+    jn = block_impulses(c, d, (vn_c - c.target_vn, vn_d - d.target_vn), before)
+    more_n = jn[0] - before[0], jn[1] - before[1]
+    wa, wb = spins_by_normals(c, d, a, b, more_n)
+    vt = vt_c + wb * c.rb_x_t - wa * c.ra_x_t, vt_d + wb * d.rb_x_t - wa * d.ra_x_t
+    jt = friction_impulses(c, d, vt, jn)
+    more_t = jt[0] - c.tangent_impulse, jt[1] - d.tangent_impulse
+    apply_at_two(c, d, a, b, more_n, more_t)
+    c.normal_impulse, d.normal_impulse = jn
+    c.tangent_impulse, d.tangent_impulse = jt
+
+
+def solve_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Bring both normal velocities to their targets: all there is to do where nothing rubs."""
+    before = c.normal_impulse, d.normal_impulse
+    missing = missing_velocity(c, a, b), missing_velocity(d, a, b)
+    jn = block_impulses(c, d, missing, before)
+    apply_normals(c, d, a, b, (jn[0] - before[0], jn[1] - before[1]))
+    c.normal_impulse, d.normal_impulse = jn
+
+
+def solve_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+    """Undo the overlap at both points."""
+    before = c.push_impulse, d.push_impulse
+    missing = missing_push(c, a, b), missing_push(d, a, b)
+    totals = block_impulses(c, d, missing, before)
+    apply_pushes(c, d, a, b, (totals[0] - before[0], totals[1] - before[1]))
+    c.push_impulse, d.push_impulse = totals
+
+
+def friction_impulses(c: ContactRow, d: ContactRow, vt: Two, jn: Two) -> Two:
+    """Return the total friction at two points that slide at vt: of c, then of d after it."""
+    jt_c = friction_impulse(vt[0], c.tangent_mass, c.friction, jn[0], c.tangent_impulse)
+    vt_d = vt[1] + c.tangent_coupling * (jt_c - c.tangent_impulse)
+    return jt_c, friction_impulse(vt_d, d.tangent_mass, d.friction, jn[1], d.tangent_impulse)
+
+
+def spins_by_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jn: Two) -> Two:
+    """Return how impulses along the normal at both points change the angular velocities, rad/s."""
+    wa = -(jn[0] * c.ra_x_n + jn[1] * d.ra_x_n) * a.inv_i
+    return wa, (jn[0] * c.rb_x_n + jn[1] * d.rb_x_n) * b.inv_i
+
+
+def apply_at_two(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jn: Two, jt: Two) -> None:
+    """Change the velocities of both bodies by impulses along normal and tangent at both points."""
+    along, across = jn[0] + jn[1], jt[0] + jt[1]
+    j = along * c.nx - across * c.ny, along * c.ny + across * c.nx
+    wa, wb = spins_by_normals(c, d, a, b, jn)
+    wa -= (jt[0] * c.ra_x_t + jt[1] * d.ra_x_t) * a.inv_i
+    wb += (jt[0] * c.rb_x_t + jt[1] * d.rb_x_t) * b.inv_i
+    set_off(a, b, j, (wa, wb))
+
+
+def apply_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jn: Two) -> None:
+    """Change them by impulses along the normal, N s."""
+    j = (jn[0] + jn[1]) * c.nx, (jn[0] + jn[1]) * c.ny
+    set_off(a, b, j, spins_by_normals(c, d, a, b, jn))
+
+
+def set_off(a: BodyRow, b: BodyRow, j: Two, spins: Two) -> None:
+    """Give an impulse to b and its opposite to a, N s, and to both what they turn by it, rad/s."""
+    a.vx -= j[0] * a.inv_m
+    a.vy -= j[1] * a.inv_m
+    a.w += spins[0]
+    b.vx += j[0] * b.inv_m
+    b.vy += j[1] * b.inv_m
+    b.w += spins[1]
+
+
+def apply_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, j: Two) -> None:
+    """Change the velocities of the position correction likewise."""
+    jx, jy = (j[0] + j[1]) * c.nx, (j[0] + j[1]) * c.ny
+    wa, wb = spins_by_normals(c, d, a, b, j)
+    a.push_vx -= jx * a.inv_m
+    a.push_vy -= jy * a.inv_m
+    a.push_w += wa
+    b.push_vx += jx * b.inv_m
+    b.push_vy += jy * b.inv_m
+    b.push_w += wb
+
+
+def block_impulses(c: ContactRow, d: ContactRow, missing: Two, before: Two) -> Two:
+    """Return the total impulses of two rigid points; most often both carry."""
+    x1 = before[0] - (c.block_mass * missing[0] + c.shared_mass * missing[1])
+    x2 = before[1] - (c.shared_mass * missing[0] + d.block_mass * missing[1])
+    if x1 >= 0 and x2 >= 0:
+        return x1, x2
+    return two_impulses((c.compliance, c.coupling, d.compliance), missing, before)
+
+
+def two_impulses(k: Three, missing: Two, before: Two) -> Two:
+    """Return the total impulses of two points, from what is missing after those so far.
+
+    k holds k11, k12 and k22, 1/kg: the velocity at a point from 1 N s there or at the other.
+    """
+    k11, k12, k22 = k
+    b1 = missing[0] - (k11 * before[0] + k12 * before[1])
+    b2 = missing[1] - (k12 * before[0] + k22 * before[1])
+    share = 1 / (k11 * k22 - k12 * k12)
+    x1 = (k12 * b2 - k22 * b1) * share
+    x2 = (k12 * b1 - k11 * b2) * share
+    if x1 >= 0 and x2 >= 0:  # both carry
+        return x1, x2
+    if b1 < 0 and b2 - k12 * b1 / k11 >= 0:  # the first carries, the second opens
+        return -b1 / k11, 0.0
+    if b2 < 0 and b1 - k12 * b2 / k22 >= 0:  # the second carries, the first opens
+        return 0.0, -b2 / k22
+    if b1 >= 0 and b2 >= 0:  # both open
+        return 0.0, 0.0
+    return before  # rounding has left none: keep what there is

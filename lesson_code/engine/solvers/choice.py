@@ -1,0 +1,130 @@
+"""Which solver suits a scene: the rules behind `solver="auto"`, each with its reason.
+
+1. A rule for impacts is asked for: only the direct solver has one.
+2. Sweeps or sub-steps are asked for: the sequential solver makes them.
+3. Discs in free flight, one collision at a time: the exact solver.
+4. Few bodies: the direct solver. All contacts are solved at once, and in plain Python that takes
+   no longer than sweeps do.
+5. Many bodies, heavy ones on light ones: the solver with sub-steps.
+6. Other scenes of many bodies: the sequential solver.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
+from lesson_code.engine.core.penetration import deepest_overlaps
+from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.effects.choice import BUILT_IN, LACKING, checked_wishes
+from lesson_code.engine.effects.rules import Question, is_mover, smallest_restitution
+from lesson_code.engine.event_driven import why_not
+from lesson_code.geometry.shapes import Circle
+
+
+class SolverChoice(NamedTuple):
+    """A solver, and why it."""
+
+    solver: str
+    reason: str
+
+
+def solvers_for(
+    question: Question,
+    *,
+    asked: Mapping[str, Any],
+    effects: Mapping[str, bool] | None = None,
+    compiled: bool | None = None,
+) -> Iterator[SolverChoice]:
+    """Yield the solvers that suit a scene, the best first: the next one is for when it gives up.
+
+    Parameters
+    ----------
+    question : Question
+        The scene and how it is to be run; its solver does not matter.
+    asked : mapping
+        Settings that the user has given; "iterations", "substeps" and "impact_rules" matter.
+    effects : mapping, optional
+        Effects that are forced on rule out the solvers that do not have them; those that are left
+        out, the solvers that cannot do without.
+    compiled : bool, optional
+        True rules out the direct solver.
+
+    Examples
+    --------
+    >>> from lesson_code.engine.core.scene import Body, Material
+    >>> ball = {"mass": 1.0, "material": Material(restitution=1.0)}
+    >>> scene = Scene([Body(Circle(1), position=(3 * k, 0), **ball) for k in range(3)])
+    >>> first, *_ = solvers_for(Question(scene, duration=1.0), asked={})
+    >>> first.solver, first.reason
+    ('exact', 'discs that fly freely between their collisions')
+    """
+    scene = question.scene
+    wishes = checked_wishes(effects)
+    suits = {solver: _has_all(solver, wishes) for solver in LACKING}
+    if asked.get("impact_rules"):
+        yield SolverChoice("direct", "it alone knows the rule for impacts that is asked for")
+        return
+    if asked.get("iterations") or asked.get("substeps"):
+        yield SolverChoice("sequential", "iterations or sub-steps are asked for")
+        return
+    if suits["exact"] and flies_freely(question):
+        yield SolverChoice("exact", "discs that fly freely between their collisions")
+    free = sum(not body.is_static for body in scene.bodies)
+    if suits["direct"] and free <= MOST_FOR_DIRECT and compiled is not True:
+        yield SolverChoice("direct", "few bodies: all contacts are solved at once")
+    ratio = mass_ratio(scene)
+    if suits["substep"] and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
+        yield SolverChoice(
+            "substep", f"masses differ {ratio:.3g} times, and may lie on one another"
+        )
+    yield SolverChoice("sequential", "contacts are swept, one after the other")
+
+
+def _has_all(solver: str, wishes: Mapping[str, bool]) -> bool:
+    """Return whether a solver has what is forced on, and can do without what is left out."""
+    lacking, built_in = LACKING.get(solver, {}), BUILT_IN.get(solver, {})
+    return not any(name in (lacking if wish else built_in) for name, wish in wishes.items())
+
+
+def flies_freely(question: Question) -> bool:
+    """Return whether the exact solver suits a scene: discs that meet two at a time, and part.
+
+    With gravity a single disc over a single obstacle: several may come to rest in a pile, and one
+    between two obstacles in a wedge. Bodies that touch at the start are struck together; those
+    that never bounce stay together. Walls that move may come together, and what is between them
+    bounces more and more often.
+    """
+    scene = question.scene
+    free = [body for body in scene.bodies if not body.is_static]
+    if why_not(scene) or not free or any(map(is_mover, scene.bodies)):
+        return False
+    if any(scene.gravity) and (len(free) > 1 or len(scene.bodies) > 2):
+        return False
+    if not any(scene.gravity) and smallest_restitution(question) <= 0.0:
+        return False
+    return is_apart(scene)
+
+
+def is_apart(scene: Scene) -> bool:
+    """Return whether no two bodies touch, one of which is a disc that can be pushed."""
+    larger = [
+        replace(body, shape=Circle(body.shape.radius * (1 + TOUCHING)))
+        if isinstance(body.shape, Circle) and not body.is_static
+        else body
+        for body in scene.bodies
+    ]
+    positions = np.array([[body.position for body in scene.bodies]])
+    angles = np.array([[body.angle for body in scene.bodies]])
+    overlaps = deepest_overlaps(Scene(larger), positions, angles)
+    return bool(overlaps[0] == 0.0)
+
+
+def mass_ratio(scene: Scene) -> float:
+    """Return the largest mass of a body that can be pushed over the smallest."""
+    masses = [body.mass for body in scene.bodies if body.mass is not None]
+    return max(masses) / min(masses) if masses else 1.0

@@ -1,0 +1,174 @@
+"""The contact problem of an island, solved all at once.
+
+Four ways, in this order; the answer of each is judged by its own complementarity error.
+
+==============  ===========================================================================
+`one`           a single contact: sticking is two equations, sliding one
+`pivoting`      block principal pivoting: exact, and usually done in a few rounds
+`lemke`         Lemke's method, where that has not come to an end; but for rounding it always
+                does
+`softened`      every contact gives way a little: for what has no answer at all, a body between
+                two walls that close
+==============  ===========================================================================
+
+Two corners of a face that both stick, or a box on three posts, leave the loads undecided. Taken is
+the load with the least sum of squares: an even load comes out even.
+
+References
+----------
+Cottle, Pang and Stone, The Linear Complementarity Problem (1992), chapters 3 and 4.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from lesson_code.engine.solvers.contact_problem import (
+    ENOUGH,
+    Answer,
+    Cases,
+    Floats,
+    Problem,
+    cases_of,
+    complementarity_error,
+    legal,
+    spring_of,
+    tolerance,
+)
+from lesson_code.engine.solvers.lemke import lemke
+from lesson_code.engine.solvers.pivoting import by_pivoting, first_guess
+
+SOFT = 1e-3
+"""The same for a problem without an answer: bodies give way by a thousandth of the velocity."""
+
+MUCH_BETTER = 0.1
+"""Of the softened answer's error: an answer that is not exact must be so much nearer to it. Where
+there is none, the other methods find impulses that are as wrong, and a million times as large."""
+
+MOST_FOR_LEMKE = 300
+"""Contacts of an island for which Lemke's method is tried; with more it takes seconds."""
+
+
+def solve_contacts(problem: Problem, guess: Cases | None = None) -> Answer:
+    """Return the impulses of all contacts of an island.
+
+    Parameters
+    ----------
+    problem : Problem
+        K must come from bodies of which one at each contact can be moved.
+    guess : ndarray of int, shape (m,), optional
+        The case that each contact may have; saves rounds where it is right, and else nothing.
+
+    Returns
+    -------
+    Answer
+        The impulses. Unless the method is "softened" they are exact but for rounding.
+
+    Examples
+    --------
+    A box lands on two corners, 1 m apart from its middle; each corner carries half:
+
+    >>> k = np.array([[2.0, 1.0, 0, 0], [1.0, 2.0, 0, 0], [0, 0, 1.0, 1.0], [0, 0, 1.0, 1.0]])
+    >>> b = np.array([-3.0, -3.0, 0, 0])
+    >>> answer = solve_contacts(Problem(k, b, friction=np.array([0.0, 0.0])))
+    >>> answer.impulses.round(12).tolist(), answer.method
+    ([1.0, 1.0, 0.0, 0.0], 'pivoting')
+    """
+    m = len(problem.friction)
+    if not (problem.velocity[:m] < 0.0).any():
+        return Answer(np.zeros(2 * m), 0.0, "open")
+    if m == 1:
+        single = _one_contact(problem)
+        if single is not None:
+            return Answer(single, complementarity_error(problem, single), "one")
+    best = by_pivoting(problem, first_guess(problem, guess))
+    if not _is_solved(problem, best) and m <= MOST_FOR_LEMKE:
+        best = min(best, by_lemke(problem), key=_error)
+    if _is_solved(problem, best):
+        return best
+    softened = _softened(problem)
+    return best if best.error < MUCH_BETTER * softened.error else softened
+
+
+def _error(answer: Answer) -> float:
+    """Return how far an answer is from solving its problem, m/s."""
+    return answer.error
+
+
+def _is_solved(problem: Problem, answer: Answer) -> bool:
+    """Return whether so little is left of the error that no other method is worth trying."""
+    return answer.error <= max(
+        ENOUGH * float(np.abs(problem.velocity).max()), tolerance(problem, answer.impulses)
+    )
+
+
+def _one_contact(problem: Problem) -> Floats | None:
+    """Return the impulses of a single contact that approaches, in closed form."""
+    (knn, knt), (_, ktt) = problem.compliance.tolist()
+    bn, bt = problem.velocity.tolist()
+    mu = float(problem.friction[0])
+    determinant = knn * ktt - knt * knt
+    if mu > 0.0 and determinant > 0.0:
+        jn, jt = (knt * bt - ktt * bn) / determinant, (knt * bn - knn * bt) / determinant
+        if abs(jt) <= mu * jn:
+            return np.array([jn, jt])
+    for edge in (mu, -mu):
+        yields = knn + edge * knt
+        jn = -bn / yields if yields > 0.0 else 0.0
+        if jn > 0.0 and edge * (bt + (knt + ktt * edge) * jn) <= 0.0:
+            return np.array([jn, edge * jn])
+    return None  # rounding has left no case
+
+
+def by_lemke(problem: Problem) -> Answer:
+    """Return the answer by Lemke's method, improved by pivoting from its cases."""
+    x = _lemke_impulses(problem)
+    if x is None:
+        zero = np.zeros(2 * len(problem.friction))
+        return Answer(zero, complementarity_error(problem, zero), "lemke")
+    x = legal(problem, x)
+    found = Answer(x, complementarity_error(problem, x), "lemke")
+    improved = by_pivoting(problem, cases_of(problem.friction, x))
+    return improved._replace(method="lemke") if improved.error < found.error else found
+
+
+def _lemke_impulses(problem: Problem) -> Floats | None:
+    """Return impulses from the linear complementarity problem of Anitescu and Potra.
+
+    Friction is the difference of two impulses, forwards and backwards; a slack, which is the
+    sliding speed, holds their sum to mu jn. With springs its matrix is strictly copositive, and
+    Lemke's method ends with an answer whatever b is.
+
+    References
+    ----------
+    Anitescu and Potra, Formulating dynamic multi-rigid-body contact problems with friction as
+    solvable linear complementarity problems (1997).
+    """
+    k, b, mu = problem
+    m = len(mu)
+    rough = np.flatnonzero(mu > 0.0)
+    r = len(rough)
+    tangents = np.zeros((2 * m, r))
+    tangents[m + rough, np.arange(r)] = 1.0
+    basis = np.hstack((np.eye(2 * m)[:, :m], tangents, -tangents))  # x = basis z
+    size = m + 3 * r
+    matrix = np.zeros((size, size))
+    matrix[: m + 2 * r, : m + 2 * r] = basis.T @ k @ basis
+    slack = np.arange(m + 2 * r, size)
+    forwards, backwards = np.arange(m, m + r), np.arange(m + r, m + 2 * r)
+    matrix[slack, rough] = mu[rough]
+    for side in (forwards, backwards):
+        matrix[slack, side] = -1.0
+        matrix[side, slack] = 1.0
+    matrix += spring_of(problem) * np.eye(size)
+    z = lemke(matrix, np.concatenate((basis.T @ b, np.zeros(r))))
+    return None if z is None else np.asarray(basis @ z[: m + 2 * r])
+
+
+def _softened(problem: Problem) -> Answer:
+    """Return the answer of a problem in which every contact gives way a little."""
+    k = problem.compliance
+    soft = k + SOFT * float(np.trace(k)) / len(k) * np.eye(len(k))
+    yielding = problem._replace(compliance=soft)
+    x = by_pivoting(yielding, first_guess(yielding, None)).impulses
+    return Answer(x, complementarity_error(problem, x), "softened")

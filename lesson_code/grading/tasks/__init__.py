@@ -1,1 +1,0 @@
-"""The tasks, one file a chapter: criteria, seeded inputs, and the expected answers."""

@@ -1,9 +1,0 @@
-"""``workbook watch``: exercises checked each time they are saved.
-
-files (what changed) -> check -> progress (kept) -> screen (rich, or plain lines)
-"""
-
-from lesson_code.grading.watch.screen import Screen
-from lesson_code.grading.watch.session import Session, listen
-
-__all__ = ["Screen", "Session", "listen"]

@@ -1,0 +1,1 @@
+"""Windows and films of the programs, and what is heard."""

@@ -1,0 +1,264 @@
+"""A picture of a world in metres, y up, in a window in pixels, y down.
+
+`Camera` is the only place where the one becomes the other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from lesson_code.engine.core.scene import XY, Body
+from lesson_code.formulas.validation import Vector
+from lesson_code.geometry.shapes import Circle, Segment
+from lesson_code.view.pygame.window import (
+    BACKGROUND,
+    BLUE,
+    FADED_INK,
+    GREEN,
+    INK,
+    ORANGE,
+    PURPLE,
+    SKY,
+    SMALL_TEXT_SIZE,
+    VERMILION,
+    YELLOW,
+    Colour,
+    Place,
+    Window,
+    blend,
+    draw_capsule,
+    pygame,
+    smooth_disc,
+)
+
+FIELD_SIZE = (800, 600)
+"""px: the part of the window that shows the world."""
+
+COLOURS: tuple[Colour, ...] = (SKY, ORANGE, GREEN, PURPLE, YELLOW, VERMILION, BLUE)
+"""What bodies are drawn in, in turn. Size and a spoke tell them apart too."""
+
+WALL: Colour = (92, 102, 112)
+FLASH: Colour = (255, 255, 255)
+GRID: Colour = (36, 43, 52)
+
+FAR = 10_000.0
+"""px: pygame cannot draw at any distance."""
+
+SPOKE = 0.5
+"""Of the radius: where a spoke begins."""
+
+LARGEST_SPRITE = 120.0
+"""px, radius: a larger disc is drawn anew each time, and not kept."""
+
+
+@dataclass(frozen=True)
+class Camera:
+    """What part of the world is seen: its lower left corner, and how large a metre is.
+
+    Attributes
+    ----------
+    left, bottom : float
+        m.
+    scale : float
+        px/m, > 0.
+    height : float
+        px, of the picture.
+    up : int
+        1 where y points up, as everywhere but on the billiard table; there it is -1.
+
+    Examples
+    --------
+    >>> camera = Camera(left=0.0, bottom=0.0, scale=100.0, height=600.0)
+    >>> camera.world_to_screen((1.0, 2.0))
+    (100.0, 400.0)
+    >>> camera.screen_to_world((100.0, 400.0))
+    (1.0, 2.0)
+    """
+
+    left: float
+    bottom: float
+    scale: float
+    height: float = float(FIELD_SIZE[1])
+    up: int = 1
+
+    def world_to_screen(self, point: XY) -> Place:
+        """Return the place of a point of the world in the window, px."""
+        x = (point[0] - self.left) * self.scale
+        y = self.height - (point[1] - self.bottom) * self.scale * self.up
+        return min(max(x, -FAR), FAR), min(max(y, -FAR), FAR)
+
+    def places_of(self, points: Vector) -> Vector:
+        """Return the places of many points, shape (N, 2), px; faster than one by one."""
+        steps = np.asarray(points, dtype=float) - (self.left, self.bottom)
+        corner, scales = np.array((0.0, self.height)), (self.scale, -self.scale * self.up)
+        return np.clip(corner + steps * scales, -FAR, FAR)
+
+    def screen_to_world(self, place: Place) -> XY:
+        """Return the point of the world that is seen at a place of the window, m."""
+        x = place[0] / self.scale + self.left
+        return x, self.up * (self.height - place[1]) / self.scale + self.bottom
+
+
+class Picture:
+    """Draws bodies, arrows and marks, given in metres, into the field of a window.
+
+    Parameters
+    ----------
+    window : Window
+        What is drawn in.
+    camera : Camera
+        What is seen.
+    """
+
+    def __init__(self, window: Window, camera: Camera) -> None:
+        self.window, self.camera = window, camera
+        self._field = window.surface.subsurface(((0, 0), FIELD_SIZE))
+
+    def clear(self, colour: Colour = BACKGROUND) -> None:
+        """Empty the field."""
+        self._field.fill(colour)
+
+    def grid(self, spacing: float) -> None:
+        """Draw a grid, its lines `spacing` apart, m."""
+        step = spacing * self.camera.scale
+        for k in range(1, math.ceil(FIELD_SIZE[0] / step)):
+            self._field.fill(GRID, (round(k * step), 0, 1, FIELD_SIZE[1]))
+        for k in range(1, math.ceil(FIELD_SIZE[1] / step)):
+            self._field.fill(GRID, (0, round(FIELD_SIZE[1] - k * step), FIELD_SIZE[0], 1))
+
+    def body(self, body: Body, position: XY, angle: float, colour: Colour) -> None:
+        """Draw a body of any shape where it is."""
+        if isinstance(body.shape, Circle):
+            self.disc(position, body.shape.radius, colour, angle)
+            return
+        points = [moved(point, position, angle) for point in body.shape.outline]
+        if isinstance(body.shape, Segment):
+            self.capsule(points[0], points[1], body.shape.radius, colour)
+        else:
+            self.polygon(points, colour)
+
+    def discs(self, centres: Vector, radii: Iterable[float], colours: Iterable[Colour]) -> None:
+        """Draw many discs at centres of shape (N, 2), m; faster than one by one."""
+        places = np.round(self.camera.places_of(centres)).astype(int)
+        sprites = []
+        for (x, y), radius, colour in zip(places.tolist(), radii, colours, strict=True):
+            sprite, half = _disc(round(radius * self.camera.scale, 1), colour)
+            sprites.append((sprite, (x - half, y - half)))
+        self._field.blits(sprites, False)
+
+    def disc(self, centre: XY, radius: float, colour: Colour, angle: float | None = None) -> None:
+        """Draw a disc; with an angle it has a spoke, which shows how it turns."""
+        if radius * self.camera.scale <= LARGEST_SPRITE:
+            self.discs([centre], [radius], [colour])
+        else:
+            place = self.camera.world_to_screen(centre)
+            pygame.draw.circle(self._field, colour, place, radius * self.camera.scale)
+        if angle is not None:
+            self.spoke(centre, radius, angle, blend(colour, BACKGROUND, 0.65))
+
+    def spoke(self, centre: XY, radius: float, angle: float, colour: Colour) -> None:
+        """Draw a mark at a disc's rim; its middle stays free for a number."""
+        across, up = radius * math.cos(angle), radius * math.sin(angle)
+        inner = centre[0] + SPOKE * across, centre[1] + SPOKE * up
+        self.line(inner, (centre[0] + across, centre[1] + up), colour)
+
+    def ring(self, centre: XY, radius: float, colour: Colour, width: int = 2) -> None:
+        """Draw a circle line."""
+        place, r = self.camera.world_to_screen(centre), radius * self.camera.scale
+        pygame.draw.circle(self._field, colour, place, r, width)
+
+    def polygon(self, points: Sequence[XY], colour: Colour) -> None:
+        """Draw a filled polygon with smooth edges; an upright rectangle has sharp ones."""
+        places = [self.camera.world_to_screen(point) for point in points]
+        if is_upright(places):
+            xs, ys = zip(*places, strict=True)
+            left, top, right, bottom = map(round, (min(xs), min(ys), max(xs), max(ys)))
+            self._field.fill(colour, (left, top, right - left, bottom - top))
+            return
+        pygame.draw.aalines(self._field, colour, True, places)
+        pygame.draw.polygon(self._field, colour, places)
+
+    def capsule(self, start: XY, end: XY, radius: float, colour: Colour) -> None:
+        """Draw a thick line with round ends; at least 2 px thick."""
+        half = max(radius * self.camera.scale, 1.0)
+        a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
+        draw_capsule(self._field, a, b, half, colour)
+
+    def line(self, start: XY, end: XY, colour: Colour) -> None:
+        """Draw a thin line."""
+        a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
+        pygame.draw.line(self._field, colour, a, b, 2)
+
+    def lines(self, starts: Vector, ends: Vector, colour: Colour) -> None:
+        """Draw many thin lines between points of shape (N, 2), m; faster than one by one."""
+        for a, b in zip(self.camera.places_of(starts), self.camera.places_of(ends), strict=True):
+            pygame.draw.line(self._field, colour, a, b, 2)
+
+    def trail(self, places: Sequence[XY], colour: Colour, ground: Colour = BACKGROUND) -> None:
+        """Draw the way that something has come, out of the ground into its colour."""
+        way = [self.camera.world_to_screen(place) for place in places]
+        for k in range(1, len(way)):
+            faded = blend(ground, colour, k / len(way))
+            pygame.draw.line(self._field, faded, way[k - 1], way[k], 2)
+
+    def arrow(self, tail: XY, along: XY, colour: Colour, width: float = 3.0) -> None:
+        """Draw an arrow from `tail` to `tail` + `along`, m."""
+        x, y = self.camera.world_to_screen(tail)
+        tip = self.camera.world_to_screen((tail[0] + along[0], tail[1] + along[1]))
+        self.window.arrow((x, y), (tip[0] - x, tip[1] - y), colour, width=width)
+
+    def text(
+        self,
+        words: str,
+        point: XY,
+        *,
+        colour: Colour = INK,
+        size: int = SMALL_TEXT_SIZE,
+        anchor: str = "center",
+    ) -> None:
+        """Write a line at a point of the world."""
+        place = self.camera.world_to_screen(point)
+        self.window.text(words, place, colour=colour, size=size, anchor=anchor)
+
+    def notice(self, words: str) -> None:
+        """Write a line in a box in the middle of the field, over everything; no words, no box."""
+        if not words:
+            return
+        centre = FIELD_SIZE[0] / 2, FIELD_SIZE[1] / 3
+        box = self.window.text(words, centre, anchor="center").inflate(28, 18)
+        pygame.draw.rect(self._field, BACKGROUND, box)
+        pygame.draw.rect(self._field, FADED_INK, box, 1)
+        self.window.text(words, centre, anchor="center")
+
+
+def is_upright(corners: Sequence[Place]) -> bool:
+    """Return whether corners are those of a rectangle with upright and level sides.
+
+    >>> is_upright([(0, 0), (2, 0), (2, 1), (0, 1)]), is_upright([(0, 0), (2, 0.5), (2, 1), (0, 1)])
+    (True, False)
+    """
+    xs, ys = ({round(corner[axis], 6) for corner in corners} for axis in (0, 1))
+    return len(corners) == 4 and len(xs) == len(ys) == 2 and len(set(corners)) == 4
+
+
+def moved(point: XY, position: XY, angle: float) -> XY:
+    """Return a point of a body, given as seen from the body, where it is in the world.
+
+    >>> moved((1.0, 0.0), (5.0, 0.0), 0.0)
+    (6.0, 0.0)
+    """
+    c, s = math.cos(angle), math.sin(angle)
+    x, y = point
+    return position[0] + c * x - s * y, position[1] + s * x + c * y
+
+
+@cache
+def _disc(radius: float, colour: Colour) -> tuple[pygame.Surface, int]:
+    """Return the picture of a disc, painted once, and half of its width, px."""
+    sprite = smooth_disc(max(radius, 1.0), colour)
+    return sprite, sprite.get_width() // 2

@@ -1,0 +1,250 @@
+"""What a program is: a game that knows no window, and how it is shown.
+
+A `Game` is a world with rules. It takes inputs in its own terms (keys by name, places in metres)
+and makes equal steps; so the same seed and the same inputs give the same world, with a window or
+without. A `Program` puts a title, a camera and a way of drawing beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from random import Random
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lesson_code.engine.core.callbacks import Callbacks, Touch
+from lesson_code.engine.core.scene import XY, Body, Material
+from lesson_code.engine.live_world import LiveWorld
+from lesson_code.geometry.shapes import Segment
+from lesson_code.view.pygame.effects import Flashes, Sparks, Trails
+from lesson_code.view.pygame.picture import COLOURS, WALL, Camera, Picture
+from lesson_code.view.pygame.sound import Sounds
+from lesson_code.view.pygame.window import Colour
+
+Readings: TypeAlias = list[tuple[str, str]]
+"""Names and values, as the panel shows them."""
+
+Keys: TypeAlias = tuple[tuple[str, str], ...]
+"""Keys and what they do, as the panel shows them."""
+
+WALL_HALF = 0.5
+"""m: half thickness of the walls of a room; most of a wall lies outside the picture."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """What a player does: a key, by pygame's name, or the mouse, in the world's metres.
+
+    Attributes
+    ----------
+    kind : str
+        "press" or "release" for a key; "down", "move" or "up" for the left mouse button.
+    key : str
+        Its name, such as "r" or "left".
+    place : (float, float)
+        Where the mouse is, m.
+    """
+
+    kind: str
+    key: str = ""
+    place: XY = (0.0, 0.0)
+
+
+class Game:
+    """A world with rules; what games share.
+
+    Parameters
+    ----------
+    seed : int
+        Everything that is drawn by lot follows from it.
+
+    Attributes
+    ----------
+    world : LiveWorld
+        The bodies; none in a game whose own function moves everything.
+    held : set of str
+        The keys that are down.
+    listeners : list of callable
+        Told of each touch that begins; effects and sound are among them.
+    """
+
+    def __init__(self, seed: int = 0) -> None:
+        self.seed = seed
+        self.random = Random(seed)  # noqa: S311 - a game, no secret
+        self.held: set[str] = set()
+        self.listeners: list[Callable[[Touch], None]] = []
+        self.world = LiveWorld()
+        self.reset()
+
+    @property
+    def callbacks(self) -> Callbacks:
+        """What a game gives its world, so that it hears of touches."""
+        return Callbacks(begin=self._hear)
+
+    def _hear(self, touch: Touch) -> None:
+        """Hear of a touch that begins: the rules first, then who listens."""
+        self.touched(touch)
+        for listener in self.listeners:
+            listener(touch)
+
+    def take(self, given: Input) -> None:
+        """Take one input."""
+        if given.kind == "press":
+            self.held.add(given.key)
+            self.press(given.key)
+        elif given.kind == "release":
+            self.held.discard(given.key)
+        else:
+            {"down": self.down, "move": self.drag, "up": self.let_go}[given.kind](given.place)
+
+    @property
+    def notice(self) -> str:
+        """What the player has to be told in the middle of the field; mostly nothing."""
+        return ""
+
+    def step(self) -> None:
+        """Let one time step pass."""
+        self.world.step()
+
+    def snapshot(self) -> NDArray[np.float64]:
+        """Return where everything is and how it moves: the same in two games, and they are one."""
+        return self.world.states()
+
+    # What a game may do
+
+    def reset(self) -> None:
+        """Begin anew."""
+        raise NotImplementedError
+
+    def press(self, key: str) -> None:
+        """Do what a key stands for."""
+        if key == "r":
+            self.reset()
+
+    def down(self, place: XY) -> None:
+        """Hear that the mouse button is pressed, at a place in m."""
+
+    def drag(self, place: XY) -> None:
+        """Hear that the mouse is moved."""
+
+    def let_go(self, place: XY) -> None:
+        """Hear that the mouse button is released."""
+
+    def touched(self, touch: Touch) -> None:
+        """Hear of two bodies that begin to touch."""
+
+
+@dataclass(frozen=True)
+class Effects:
+    """The effects that a program is shown with; any of them may be left out."""
+
+    flashes: Flashes | None = None
+    sparks: Sparks | None = None
+    trails: Trails | None = None
+    sounds: Sounds | None = None
+
+    def listen_to(self, game: Game) -> None:
+        """Hear of the touches of a game."""
+        for effect in (self.flashes, self.sparks, self.sounds):
+            if effect is not None:
+                game.listeners.append(effect.hit)
+
+    def step(self, dt: float) -> None:
+        """Let time pass, s."""
+        if self.flashes is not None:
+            self.flashes.step(dt)
+        if self.sparks is not None:
+            self.sparks.step(dt)
+        if self.sounds is not None:
+            self.sounds.step()
+
+    def colour(self, number: int, colour: Colour) -> Colour:
+        """Return the colour of a body, lighter if it flashes."""
+        return colour if self.flashes is None else self.flashes.colour(number, colour)
+
+
+@dataclass(frozen=True)
+class Program:
+    """A game and how it is shown.
+
+    Attributes
+    ----------
+    name, title : str
+        What it is called, and what its window is called.
+    game : callable
+        ``game(seed)`` makes one.
+    draw : callable
+        ``draw(game, picture, effects)`` draws the field.
+    readings : callable
+        ``readings(game)`` returns what the panel shows.
+    keys : tuple
+        The program's own keys.
+    camera : Camera
+        What is seen.
+    effects : callable
+        Makes its effects.
+    more : callable
+        ``more(game, panel)`` writes what else is in the panel.
+    tour : tuple of (int, Input)
+        Steps and inputs with which the program plays itself.
+    """
+
+    name: str
+    title: str
+    game: Callable[..., Game]
+    draw: Callable[..., None]
+    readings: Callable[..., Readings]
+    keys: Keys
+    camera: Camera = Camera(0.0, 0.0, 100.0)  # noqa: RUF009 - it never changes
+    effects: Callable[[], Effects] = Effects
+    more: Callable[..., None] | None = None
+    tour: tuple[tuple[int, Input], ...] = ()
+
+
+def room(left: float, bottom: float, right: float, top: float, material: Material) -> list[Body]:
+    """Return four walls round a rectangle, m; their inner faces are its sides."""
+    h = WALL_HALF
+    corners = [
+        (left - h, bottom - h),
+        (right + h, bottom - h),
+        (right + h, top + h),
+        (left - h, top + h),
+    ]
+    sides = zip(corners, corners[1:] + corners[:1], strict=True)
+    return [Body(Segment(start, end, h), material=material) for start, end in sides]
+
+
+def draw_bodies(
+    world: LiveWorld,
+    picture: Picture,
+    effects: Effects,
+    colours: Callable[[int], Colour] = lambda number: COLOURS[number % len(COLOURS)],
+) -> None:
+    """Draw all bodies of a world: walls grey, the others in turn in the colours there are."""
+    for (number, body), state in zip(world.items(), world.states().tolist(), strict=True):
+        x, y, angle = state[:3]
+        colour = WALL if body.is_static else effects.colour(number, colours(number))
+        picture.body(body, (x, y), angle, colour)
+
+
+def motion_readings(world: LiveWorld) -> Readings:
+    """Return momentum and energy of a world, as every panel shows them."""
+    px, py = world.momentum()
+    return [
+        ("momentum", f"({short(px)}, {short(py)}) kg m/s"),
+        ("kinetic energy", f"{short(world.kinetic_energy())} J"),
+    ]
+
+
+def short(value: float) -> str:
+    """Return a number as the panel has room for it.
+
+    >>> short(3.14159), short(-271.83), short(1.6e7), short(-0.001)
+    ('3.14', '-272', '1.6e+07', '0.00')
+    """
+    if abs(value) < 100:
+        return f"{round(value, 2) + 0.0:.2f}"
+    return f"{value:.0f}" if abs(value) < 1e5 else f"{value:.1e}"

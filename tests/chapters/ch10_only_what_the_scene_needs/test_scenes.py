@@ -1,0 +1,35 @@
+"""The scene of towers that sleep: who sleeps when, and that waking changes nothing."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from lesson_code import simulate
+from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import asleep_in_time, three_towers
+from lesson_code.engine.core.constants import QUIET_TIME
+
+UNSEEN = 1e-6
+"""m: a millionth of a box; what is still moves by less than 1e-6 of what gravity gives."""
+
+
+def test_towers_sleep_after_their_quiet_time_and_only_the_one_that_is_hit_wakes() -> None:
+    """All nine boxes sleep, then the first three wake together; floor and rolling disc never do."""
+    times, asleep = asleep_in_time(three_towers(), 5.0)
+    assert not asleep[times < QUIET_TIME].any()
+    assert asleep[times > QUIET_TIME + 0.3][0].tolist() == [False, *[True] * 9, False]
+    assert asleep[-1].tolist() == [False, *[False] * 3, *[True] * 6, False]
+
+
+def test_towers_end_as_if_they_had_never_slept() -> None:
+    """Sleep forced off: every position is the same, to less than can be seen."""
+    slept = simulate(three_towers(), 5.0, solver="sequential")
+    awake = simulate(three_towers(), 5.0, solver="sequential", effects={"sleeping": False})
+    assert slept.plan.effect("sleeping").used
+    assert np.abs(slept.positions - awake.positions).max() <= UNSEEN
+
+
+def test_duration_is_checked() -> None:
+    """By name, with the rule and the value."""
+    with pytest.raises(ValueError, match=r"duration must be > 0 .*got -1"):
+        asleep_in_time(three_towers(), -1.0)

@@ -1,0 +1,60 @@
+"""What the tests of the grader share: the workbook, and submissions made on the spot."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import pytest
+
+from lesson_code.course.isolation import Limits
+from lesson_code.course.notebooks.root import find_root
+
+Write: TypeAlias = Callable[..., Path]
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """Return the workbook's folder."""
+    return find_root(Path(__file__).parent)
+
+
+@pytest.fixture(scope="session")
+def quick() -> Limits:
+    """Return limits that a call which hangs or takes memory meets soon."""
+    return Limits(seconds_a_call=0.5, bytes_of_memory=600_000_000)
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Write:
+    """Return a function that writes a submission: one text for a .py, cells for a notebook."""
+
+    def write_submission(name: str, *sources: str, exercise: str | None = None) -> Path:
+        path = tmp_path / name
+        text = json.dumps(_notebook(sources, exercise)) if name.endswith(".ipynb") else sources[0]
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write_submission
+
+
+def _notebook(sources: tuple[str, ...], exercise: str | None) -> dict[str, Any]:
+    """Return a notebook of code cells."""
+    return {
+        "cells": [
+            {
+                "cell_type": "code",
+                "execution_count": None,
+                "id": f"cell-{number}",
+                "metadata": {},
+                "outputs": [],
+                "source": source,
+            }
+            for number, source in enumerate(sources)
+        ],
+        "metadata": {"workbook": {"exercise": exercise}} if exercise else {},
+        "nbformat": 4,
+        "nbformat_minor": 5,
+    }

@@ -1,0 +1,142 @@
+"""The check cell: one line for full marks, and what there is to mend."""
+
+from __future__ import annotations
+
+import sys
+from functools import partial
+
+import pytest
+
+from lesson_code.course.grading import check_task as check_task_in_notebooks
+from lesson_code.course.grading.check_task import check_task, lines_of
+from lesson_code.course.grading.exercises import exercises, task_by_id
+from lesson_code.course.grading.in_process import call_here
+from lesson_code.course.grading.task import Task
+from lesson_code.course.grading.verdict import judge
+
+ALL_TASKS = [task for exercise in exercises() for task in exercise.tasks]
+CHECK_TASK_MODULE = sys.modules[check_task.__module__]
+
+
+def wrong(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Return what no formula gives."""
+    return m1, m2
+
+
+@pytest.mark.parametrize("task", ALL_TASKS, ids=lambda task: task.title)
+def test_check_of_right_answer_prints_the_same_line_whatever_the_seed(
+    task: Task, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A full mark prints one line that depends on nothing but the task."""
+    for seed in (0, 1, 9999, None):
+        check_task(task.id, task.expected, seed=seed)
+    assert (
+        capsys.readouterr().out.splitlines()
+        == [f"{task.id} {task.function}: {task.points}/{task.points} points"] * 4
+    )
+
+
+def test_check_of_stub_says_not_written_yet(capsys: pytest.CaptureFixture[str]) -> None:
+    """A stub gets one line, without a list of failures."""
+
+    def stub(*_: object) -> None:
+        raise NotImplementedError("Task 1.1: elastic_1d")
+
+    check_task("1.1", stub)
+    assert capsys.readouterr().out == "1.1 elastic_1d: 0/4 points (not written yet)\n"
+
+
+def test_check_of_wrong_model_prints_marks_messages_hint_and_seed(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A wrong answer gets what is right, what is not and why, the hint, and the seed."""
+    check_task("1.1", lambda *given: (given[3], given[1]), seed=1)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[:2] == ["1.1 elastic_1d: 1/4 points", "  right: equal masses"]
+    assert lines[2].startswith("  unequal masses, the second at rest: Called elastic_1d(")
+    assert lines[3:] == [
+        "  for the same reason: unequal masses, head on; unequal masses, one catching up",
+        f"  hint: {task_by_id('1.1').wrong_models[0].hint}",
+        "  (inputs drawn with seed 1)",
+    ]
+
+
+def test_check_of_unrecognised_answer_prints_no_hint(capsys: pytest.CaptureFixture[str]) -> None:
+    """An answer that no wrong model gives gets messages and no hint."""
+    check_task("1.1", wrong, seed=1)
+    assert "hint" not in capsys.readouterr().out
+
+
+def test_check_prints_the_seed_that_repeats_it(capsys: pytest.CaptureFixture[str]) -> None:
+    """With the printed seed the same check prints the same again."""
+    check_task("1.1", wrong)
+    first = capsys.readouterr().out
+    seed = int(first.rstrip(")\n").rpartition(" ")[2])
+    check_task("1.1", wrong, seed=seed)
+    assert capsys.readouterr().out == first
+
+
+def test_check_draws_other_inputs_from_run_to_run(capsys: pytest.CaptureFixture[str]) -> None:
+    """Without a seed, ten checks do not all draw the same inputs."""
+    for _ in range(10):
+        check_task("1.3", wrong)
+    seeds = {line for line in capsys.readouterr().out.splitlines() if "seed" in line}
+    assert len(seeds) > 1
+
+
+def test_check_of_endless_loop_is_cut_off(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A loop without an end is interrupted after the limit and named as the reason."""
+
+    def endless(*_: object) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr(CHECK_TASK_MODULE, "call_here", partial(call_here, seconds=0.1))
+    check_task("1.1", endless)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "1.1 elastic_1d: 0/4 points"
+    assert lines[1].endswith(" It did not finish within 0.1 s.")
+
+
+def test_check_of_printing_answer_prints_the_marks_alone(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """An answer that prints earns the same single line."""
+
+    def talks(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+        print("1.2 inelastic_1d: 99/3 points")  # noqa: T201
+        return ((m1 * v1 + m2 * v2) / (m1 + m2),) * 2
+
+    check_task("1.2", talks)
+    assert capsys.readouterr().out == "1.2 inelastic_1d: 3/3 points\n"
+
+
+def test_check_of_something_that_is_no_function(capsys: pytest.CaptureFixture[str]) -> None:
+    """What cannot be called earns nothing and is named."""
+    check_task("1.1", 3.0)  # type: ignore[arg-type]
+    assert "there is no function named elastic_1d" in capsys.readouterr().out
+
+
+def test_check_of_unknown_task_is_refused() -> None:
+    """A number that no task has is an error."""
+    with pytest.raises(ValueError, match=r"task must be one of .* got '9\.9'"):
+        check_task("9.9", wrong)
+
+
+def test_check_task_is_what_notebooks_import() -> None:
+    """``from lesson_code.course.grading import check_task`` gives the function."""
+    assert check_task_in_notebooks is check_task
+
+
+def test_lines_of_half_written_answer_are_one_line_with_its_points() -> None:
+    """Where only some inputs reach the stub, the others keep their points."""
+
+    def half(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+        if m1 == m2:
+            return v2, v1
+        raise NotImplementedError
+
+    verdict = judge(task_by_id("1.1"), partial(call_here, {"elastic_1d": half}), 1)
+    assert lines_of(verdict) == ["1.1 elastic_1d: 1/4 points (not written yet)"]

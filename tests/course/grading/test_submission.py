@@ -1,0 +1,346 @@
+"""A submission is read whatever it holds, or refused by name and reason."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from lesson_code.course.grading import submission as submission_module
+from lesson_code.course.grading.grader import grade
+from lesson_code.course.grading.submission import Submission, SubmissionError, read_submission
+
+from ..conftest import Write
+
+ELASTIC = """\
+def elastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return 2 * v - v1, 2 * v - v2
+"""
+INELASTIC = """\
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v, v
+"""
+WRONG = "def elastic_1d(m1, v1, m2, v2):\n    return v1, v2\n"
+
+
+def points(path: Path) -> list[int]:
+    """Return the points for each task of chapter 01."""
+    return [verdict.points for verdict in grade(path, exercise="01", seed=1).verdicts]
+
+
+def kept(submission: Submission) -> list[str]:
+    """Return the kept code of all units, group by group."""
+    return [source for unit in submission.units for source in unit.kept_sources]
+
+
+def zipped() -> bytes:
+    """Return a zip archive."""
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as file:
+        file.writestr("answer.py", ELASTIC)
+    return archive.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "reason"),
+    [
+        ("empty.py", b"", "is empty"),
+        ("blank.ipynb", b" \n\t\n", "is empty"),
+        ("bom_alone.py", b"\xef\xbb\xbf", "is empty"),
+        ("binary.py", b"\x80\x81\xff", "is not text in UTF-8"),
+        ("latin.py", "# Stoß".encode("latin-1"), "is not text in UTF-8"),
+        ("zipped.ipynb", zipped(), "is not text in UTF-8"),
+        ("answer.zip", zipped(), "ends in .ipynb or .py"),
+        ("answer", b"x = 1", "ends in .ipynb or .py"),
+        ("not_json.ipynb", b"x = 1", "is not a notebook (its text is not JSON)"),
+        ("deep.ipynb", b"[" * 100_000, "is not a notebook (its text is not JSON)"),
+        ("list.ipynb", b"[1, 2]", "is not a notebook (it has no list of cells)"),
+        ("object.ipynb", b"{}", "is not a notebook (it has no list of cells)"),
+        ("cells.ipynb", b'{"cells": {"a": 1}}', "is not a notebook (it has no list of cells)"),
+        ("numbers.ipynb", b'{"cells": [1]}', "is not a notebook (it has no list of cells)"),
+        ("no_cells.ipynb", b'{"cells": []}', "holds no code to grade"),
+        ("comments.py", b"# nothing\n\n'''nothing'''\nprint(1)\n", "holds no code to grade"),
+    ],
+)
+def test_read_refuses_what_is_no_submission(
+    tmp_path: Path, name: str, content: bytes, reason: str
+) -> None:
+    """A file that cannot be graded is refused with its path and the reason, in one line."""
+    path = tmp_path / name
+    path.write_bytes(content)
+    with pytest.raises(SubmissionError) as raised:
+        read_submission(path)
+    assert str(raised.value).startswith(f"{path}: ")
+    assert reason in str(raised.value)
+    assert "\n" not in str(raised.value)
+
+
+def test_read_refuses_a_missing_file(tmp_path: Path) -> None:
+    """A file that is not there is refused by its path."""
+    with pytest.raises(SubmissionError, match=r"gone\.py: no such file"):
+        read_submission(tmp_path / "gone.py")
+
+
+def test_read_refuses_a_directory(tmp_path: Path) -> None:
+    """A folder is no submission, even with the name of one."""
+    (tmp_path / "folder.py").mkdir()
+    with pytest.raises(SubmissionError, match="a submission is a file, and this is none"):
+        read_submission(tmp_path / "folder.py")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes on this system")
+def test_read_refuses_a_named_pipe(tmp_path: Path) -> None:
+    """A named pipe is refused before it is opened, which would wait for ever."""
+    os.mkfifo(tmp_path / "pipe.py")
+    with pytest.raises(SubmissionError, match="a submission is a file, and this is none"):
+        read_submission(tmp_path / "pipe.py")
+
+
+@pytest.mark.parametrize("target", ["solution.py", "gone.py"])
+def test_read_refuses_a_link(tmp_path: Path, target: str) -> None:
+    """A link could lead to the solution, and is refused wherever it leads."""
+    (tmp_path / "solution.py").write_text(ELASTIC)
+    (tmp_path / "link.py").symlink_to(tmp_path / target)
+    with pytest.raises(SubmissionError, match="a submission is a file, and this is a link"):
+        read_submission(tmp_path / "link.py")
+
+
+def test_read_refuses_a_large_file(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file above the limit is refused before it is read."""
+    monkeypatch.setattr(submission_module, "LARGEST_FILE", 10)
+    with pytest.raises(SubmissionError, match="larger than"):
+        read_submission(write("large.py", "x = 1\n" * 10))
+
+
+def test_read_refuses_many_cells(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A notebook with more cells than the limit is refused."""
+    monkeypatch.setattr(submission_module, "MOST_CELLS", 3)
+    read_submission(write("three.ipynb", *["x = 1"] * 3))
+    with pytest.raises(SubmissionError, match="has more than 3 cells"):
+        read_submission(write("four.ipynb", *["x = 1"] * 4))
+
+
+@pytest.mark.parametrize("name", ["code.py", "code.ipynb"])
+def test_read_refuses_much_code(write: Write, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """Code above the limit is refused before it is parsed."""
+    monkeypatch.setattr(submission_module, "MOST_CODE", 10)
+    monkeypatch.setattr(submission_module, "parsed", lambda _: pytest.fail("parsed"))
+    with pytest.raises(SubmissionError, match="holds more than 10 characters of code"):
+        read_submission(write(name, "x = 1\n" * 10))
+
+
+def test_read_of_long_program_is_graded(write: Write) -> None:
+    """A program of 5,000 statements is read, sent and graded as a short one is."""
+    assert points(write("long.py", ELASTIC + "x = 1\n" * 5000))[0] == 4
+
+
+def test_read_keeps_definitions_imports_and_assignments(write: Write) -> None:
+    """Calls, docstrings and what a script does when run are left out; definitions stay."""
+    path = write(
+        "answer.py",
+        '"""Text."""\nimport math\nprint(1)\nx: int = 2\ny = x\nclass A: pass\nf = lambda: 1\n'
+        'pass\nif __name__ == "__main__":\n    1 / 0\nif x > 1:\n    z = 3\n',
+    )
+    assert kept(read_submission(path)) == [
+        "import math",
+        "x: int = 2",
+        "y = x",
+        "class A: pass",
+        "f = lambda: 1",
+        "if x > 1:\n    z = 3",
+    ]
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "import lesson_code",
+        "import lesson_code.formulas as f",
+        "from lesson_code import formulas",
+        "from lesson_code.formulas import *",
+        "import numpy, lesson_code",
+    ],
+)
+def test_read_leaves_out_imports_of_lesson_code(write: Write, statement: str) -> None:
+    """Each form of an import of lesson_code is left out."""
+    assert kept(read_submission(write("answer.py", f"{statement}\nx = 1"))) == ["x = 1"]
+
+
+@pytest.mark.parametrize("statement", ["import lesson_codes", "from . import lesson_code"])
+def test_read_keeps_other_imports(write: Write, statement: str) -> None:
+    """A module that is only called in a similar way stays."""
+    assert kept(read_submission(write("answer.py", statement))) == [statement]
+
+
+def test_read_syntax_error_in_one_cell_leaves_the_others(write: Write) -> None:
+    """A cell that is no Python is named with its line, and the other cells are graded."""
+    path = write("answer.ipynb", ELASTIC, "x = 1\ny = (\n", INELASTIC)
+    read = read_submission(path)
+    assert read.unreadable == ("your cell 2, line 2: '(' was never closed, in: y = (",)
+    assert points(path) == [4, 3, 0]
+
+
+def test_read_syntax_error_in_a_program_is_named(write: Write) -> None:
+    """A program that is no Python earns nothing, and the report says where it ends."""
+    report = grade(write("answer.py", f"{ELASTIC}\ndef f(:\n"), exercise="01", seed=1)
+    assert report.points == 0
+    assert report.notes == ("your answer.py, line 5: invalid syntax, in: def f(:",)
+
+
+@pytest.mark.parametrize(
+    "source",
+    ["x = 1\0", "(" * 5000, "-" * 20_000 + "1", "if " + "-" * 900 + "1: pass", "x = " + "9" * 5000],
+    ids=["null byte", "brackets", "signs", "deep condition", "digits"],
+)
+def test_read_of_code_that_breaks_the_parser_is_no_error_of_ours(write: Write, source: str) -> None:
+    """Code beyond what the parser bears is left out; the other cells are graded."""
+    assert points(write("answer.ipynb", source, ELASTIC))[0] == 4
+
+
+@pytest.mark.parametrize(
+    "magic",
+    [
+        "%matplotlib inline",
+        "%%time",
+        "!ls -l",
+        "  %time 1",
+        "?len",
+        "len?",
+        "math.sin??",
+        "files = !ls",
+        "a, b = %timeit -o 1",
+    ],
+)
+def test_read_magic_does_no_harm_to_its_cell(write: Write, magic: str) -> None:
+    """A line that only a notebook understands is left out, and its cell is graded."""
+    indent = "if True:\n" if magic.startswith(" ") else ""
+    path = write("answer.ipynb", f"{indent}{magic}\n\n{ELASTIC}")
+    assert read_submission(path).unreadable == ()
+    assert points(path)[0] == 4
+
+
+def test_read_line_that_starts_with_an_operator_is_no_magic(write: Write) -> None:
+    """A % at the start of a continued line is the remainder, and stays."""
+    source = "x = (7\n     % 4)\ntext = '''\n%d\n!x\n'''"
+    assert kept(read_submission(write("answer.ipynb", source))) == [
+        "x = (7\n     % 4)\n\ntext = '''\n%d\n!x\n'''"
+    ]
+
+
+def test_read_magic_pattern_takes_time_in_proportion(write: Write) -> None:
+    """A cell made to slow down the search for magics is read at once."""
+    spaces, letters = " " * 90_000, "a" * 90_000
+    read = read_submission(write("answer.ipynb", f"(\n{spaces}x\n{letters}", "x = 1"))
+    assert len(read.unreadable) == 1
+
+
+def test_read_added_split_retyped_and_deleted_cells_do_no_harm(tmp_path: Path) -> None:
+    """Answers are found by their names, wherever in the notebook they stand."""
+    cells: list[dict[str, Any]] = [
+        {"cell_type": "markdown", "source": ["# Title"]},
+        {"cell_type": "raw", "source": "not code ("},
+        {"cell_type": "code", "source": ["import math\n", "from functools import partial"]},
+        {"cell_type": "code", "source": INELASTIC.splitlines(keepends=True)},
+        {"cell_type": "code", "source": ""},
+        {"cell_type": "code"},
+        {"cell_type": "code", "source": None},
+        {"cell_type": "markdown", "source": ELASTIC},
+        {"cell_type": "code", "source": ELASTIC, "metadata": "odd", "outputs": 3},
+        {"source": WRONG},
+    ]
+    path = tmp_path / "answer.ipynb"
+    path.write_text(json.dumps({"cells": cells, "metadata": []}))
+    assert points(path) == [4, 3, 0]
+
+
+def test_read_function_defined_twice_the_last_counts(write: Write) -> None:
+    """As in Python, the last definition of a name is the one that is called."""
+    assert points(write("right_last.py", WRONG + ELASTIC))[0] == 4
+    assert points(write("wrong_last.ipynb", ELASTIC, WRONG))[0] == 0
+
+
+def test_read_decorated_function_keeps_its_decorators(write: Write) -> None:
+    """A decorator is part of the answer, on however many lines it stands."""
+    source = "import functools\n\n\n@functools.lru_cache(\n    maxsize=2\n)\n@abs\n" + ELASTIC
+    assert kept(read_submission(write("answer.py", source)))[1] == (
+        "@functools.lru_cache(\n    maxsize=2\n)\n@abs\n" + ELASTIC.rstrip()
+    )
+
+
+def test_read_decorated_function_is_called_through_its_decorator(write: Write) -> None:
+    """The decorated function is what is graded."""
+    helper = "def swapped(f):\n    return lambda *a: f(*a)[::-1]\n\n\n@swapped\n"
+    wrong_order = ELASTIC.replace("2 * v - v1, 2 * v - v2", "2 * v - v2, 2 * v - v1")
+    assert points(write("answer.py", helper + wrong_order))[0] == 4
+
+
+def test_read_code_under_name_main_is_left_out(write: Write) -> None:
+    """What a program does when it is run is not done when it is graded."""
+    path = write("answer.py", ELASTIC + "if '__main__' == __name__:\n" + "    elastic_1d = 0\n")
+    assert points(path)[0] == 4
+
+
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+def test_read_byte_order_mark_and_crlf_do_no_harm(write: Write, name: str) -> None:
+    """A file saved on Windows, with a byte order mark and CRLF, earns what it earns elsewhere."""
+    path = write(name, f"{ELASTIC}\n{INELASTIC}".replace("\n", "\r\n"))
+    path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes())
+    assert points(path) == [4, 3, 0]
+
+
+def test_read_says_nothing_about_style(write: Write, recwarn: pytest.WarningsRecorder) -> None:
+    """Python's own warnings about a student's code are not ours to print, nor errors."""
+    source = f'pattern = "\\d"\nassert (1, "always")\n{ELASTIC}'
+    assert points(write("answer.py", source))[0] == 4
+    assert not recwarn.list
+
+
+def test_kept_sources_hold_the_kept_statements_alone(write: Write) -> None:
+    """Of statements on one line, each is taken by itself, and an import cannot slip through."""
+    source = "import lesson_code as c; x = 1; print(x); y = (2,\n  3)  # why\nz = 4"
+    read = read_submission(write("answer.ipynb", source))
+    assert kept(read) == ["x = 1\n\ny = (2,\n  3)\n\nz = 4"]
+
+
+def test_kept_sources_of_a_program_are_one_a_statement(write: Write) -> None:
+    """In a program each statement can fail by itself, as it does when it is graded."""
+    assert kept(read_submission(write("answer.py", "x = 1\ny = 2"))) == ["x = 1", "y = 2"]
+
+
+def test_kept_sources_survive_odd_line_ends(write: Write) -> None:
+    """A form feed or a line separator within a text is no end of a line."""
+    source = "a = '\u2028 \x0c \x1c'\ndef f():\n    return 1"
+    assert kept(read_submission(write("answer.py", source)))[1] == "def f():\n    return 1"
+
+
+def test_functions_are_listed_in_the_order_of_the_file(write: Write) -> None:
+    """The names of all functions at the top level are listed, those in classes are not."""
+    source = "def b(): pass\nclass A:\n    def c(self): pass\ndef a(): pass\nd = 1"
+    assert read_submission(write("answer.ipynb", source)).functions == ("b", "a")
+
+
+@pytest.mark.parametrize(
+    ("metadata", "exercise"),
+    [
+        ({"workbook": {"exercise": "01_one_dimension"}}, "01_one_dimension"),
+        ({"workbook": {"exercise": 3}}, None),
+        ({"workbook": []}, None),
+        ({}, None),
+        (None, None),
+    ],
+)
+def test_exercise_is_read_from_the_notebook(
+    tmp_path: Path, metadata: Any, exercise: str | None
+) -> None:
+    """A notebook may say which exercise it is; anything but a name counts as silence."""
+    path = tmp_path / "answer.ipynb"
+    cells = [{"cell_type": "code", "source": "x = 1"}]
+    path.write_text(json.dumps({"cells": cells, "metadata": metadata}))
+    assert read_submission(path).exercise == exercise

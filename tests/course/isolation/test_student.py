@@ -1,0 +1,329 @@
+"""A submission behind the wall: of what it says, nothing is believed but plain values."""
+
+from __future__ import annotations
+
+import json
+import os
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from lesson_code.course.isolation import Children, Limits, StudentProcess
+from lesson_code.course.isolation.outcome import LONGEST_TEXT, Outcome
+
+from .conftest import units
+
+POSIX = pytest.mark.skipif(os.name != "posix", reason="limits are set on POSIX systems alone")
+FORGE = """\
+import json, os
+def forge(**reply):
+    line = json.dumps(reply).encode() + b"\\n"
+    for descriptor in range(3, 21):
+        try:
+            os.write(descriptor, line)
+        except OSError:
+            pass
+"""
+
+
+def test_call_returns_plain_values(children: Children) -> None:
+    """Vectors go over as arrays and come back as lists; numbers stay what they are."""
+    source = "def f(n, v): return n, v, type(n).__name__, type(v).__name__, v.shape"
+    with StudentProcess(units(source), children) as student:
+        outcome = student.call("f", (2, (3.0, 4.0)))
+    assert outcome == Outcome("returned", [2, [3.0, 4.0], "int", "ndarray", [2]])
+
+
+def test_call_returns_every_float_to_the_last_bit(best: Children) -> None:
+    """A float comes back as the float it was, infinities and nan too."""
+    numbers = (0.1, -1e-320, 1.7976931348623157e308, 2.0**-1074, float("inf"))
+    with StudentProcess(
+        units("def f(*numbers): return (*numbers, numbers[-1] * 0)"), best
+    ) as student:
+        *same, nan = student.call("f", numbers).value
+    assert same == list(numbers)
+    assert nan != nan
+
+
+def test_call_of_missing_function_says_so(best: Children) -> None:
+    """A function that was not handed in is missing, and no crash."""
+    with StudentProcess(units("x = 1"), best) as student:
+        assert student.call("f", ()) == Outcome("missing", text="there is no function named f")
+
+
+def test_calls_share_one_process_until_one_fails(children: Children, quick: Limits) -> None:
+    """State is kept from call to call; after a crash it starts afresh."""
+    source = "import os\nn = []\ndef f(): n.append(0); return len(n)\ndef g(): os._exit(0)"
+    with StudentProcess(units(source), children, quick) as student:
+        assert [student.call("f", ()).value for _ in range(3)] == [1, 2, 3]
+        assert student.call("g", ()).kind == "crashed"
+        assert student.call("f", ()).value == 1
+
+
+def test_submission_leaves_no_state_to_the_next(children: Children) -> None:
+    """What one submission changes in Python's own modules, the next one does not see."""
+    spoils = "import math, numpy\nmath.tau = numpy.pi = 3.0\ndef f(): return math.tau, numpy.pi"
+    looks = "import math, numpy\ndef f(): return math.tau, numpy.pi"
+    with StudentProcess(units(spoils), children) as student:
+        assert student.call("f", ()).value == [3.0, 3.0]
+    with StudentProcess(units(looks), children) as student:
+        assert student.call("f", ()).value == [6.283185307179586, 3.141592653589793]
+
+
+def test_load_errors_are_kept_and_the_rest_is_loaded(best: Children) -> None:
+    """What failed while loading is told in a line each."""
+    parts = (*units("1 / 0"), *units("def f(): return 1"))
+    with StudentProcess(parts, best) as student:
+        assert student.call("f", ()).value == 1
+        assert student.load_errors == ["ZeroDivisionError: division by zero (your test, line 1)"]
+
+
+@pytest.mark.parametrize(
+    ("source", "kind", "text"),
+    [
+        ("while True: pass", "timeout", "it did not finish within 0.4 s, while it was loaded"),
+        ("import os; os._exit(0)", "crashed", "used more than it may, while it was loaded"),
+        ("import ctypes; ctypes.string_at(0)", "crashed", "used more than it may, while it was"),
+    ],
+)
+def test_load_that_hangs_or_dies_fails_every_call_at_once(
+    best: Children, source: str, kind: str, text: str
+) -> None:
+    """Code that cannot be loaded is not tried again for each call."""
+    limits = Limits(seconds_to_load=0.4 if kind == "timeout" else 10.0)
+    with StudentProcess(units(f"def f(): return 1\n{source}"), best, limits) as student:
+        began = time.perf_counter()
+        outcomes = [student.call("f", ()) for _ in range(20)]
+        assert time.perf_counter() - began < Limits().seconds_to_load
+    assert {outcome.kind for outcome in outcomes} == {kind}
+    assert text in outcomes[0].text
+
+
+class Scripted:
+    """Makes children that say what they are told to say."""
+
+    def __init__(self, *replies: dict[str, Any]) -> None:
+        self._replies = iter(replies)
+
+    def open(self) -> None:
+        """Do nothing."""
+
+    def start(self) -> Scripted:
+        """Return itself: it is its own channel."""
+        return self
+
+    def ask(self, line: bytes, seconds: float) -> bytes:  # noqa: ARG002
+        """Return the next reply, numbered as asked for; an empty one is a crash."""
+        reply = next(self._replies)
+        return json.dumps(reply | {"number": json.loads(line)["number"]}).encode() if reply else b""
+
+    def end(self) -> None:
+        """Do nothing."""
+
+    def close(self) -> None:
+        """Do nothing."""
+
+
+def test_load_errors_of_a_second_child_are_not_listened_to() -> None:
+    """What code says that is loaded again could tell what it was called with before."""
+    again = Scripted({"loaded": ["first"]}, {}, {"loaded": ["f(0.82)"]}, {"kind": "returned"})
+    with StudentProcess(units("x = 1"), again) as student:
+        assert student.call("f", (0.82,)).kind == "crashed"
+        assert student.call("f", (0.82,)).kind == "returned"
+        assert student.load_errors == ["first"]
+
+
+@POSIX
+def test_child_runs_under_the_limits_it_was_given(
+    children_with: Callable[[Limits], Children],
+) -> None:
+    """Memory, CPU time, file size and open files are limited, and cannot be raised again."""
+    source = """\
+import resource
+def f():
+    names = ("AS", "CPU", "FSIZE", "NOFILE", "CORE")
+    return [resource.getrlimit(getattr(resource, "RLIMIT_" + name)) for name in names]
+def g():
+    with open("file", "wb") as file:
+        file.write(b"x" * 2_000_000)
+"""
+    limits = Limits(cpu_seconds=7, bytes_of_memory=900_000_000)
+    with StudentProcess(units(source), children_with(limits), limits) as student:
+        most = [900_000_000, 7, 1_000_000, 64, 0]
+        assert student.call("f", ()).value == [[limit, limit] for limit in most]
+        assert "File too large" in student.call("g", ()).text
+
+
+@POSIX
+def test_child_is_ended_by_the_limit_on_cpu_time(
+    children_with: Callable[[Limits], Children],
+) -> None:
+    """A call that burns more CPU time than allowed ends as a crash, before the wall clock."""
+    limits = Limits(cpu_seconds=1, seconds_a_call=8.0)
+    source = "def f():\n    while True: pass"
+    with StudentProcess(units(source), children_with(limits), limits) as student:
+        assert student.call("f", ()).kind == "crashed"
+
+
+def test_call_that_hangs_is_a_timeout(children: Children, quick: Limits) -> None:
+    """A call that does not come back is cut off after the limit, and the child with it."""
+    source = "import time\ndef f(): time.sleep(60)\ndef g(): return 1"
+    with StudentProcess(units(source), children, quick) as student:
+        began = time.perf_counter()
+        assert student.call("f", ()) == Outcome("timeout", text="it did not finish within 0.5 s")
+        assert time.perf_counter() - began < 10.0
+        assert student.call("g", ()).value == 1
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        '"kind": "returned", "value": [1, 2]',
+        '"kind": "returned", "value": [1, 2], "number": 99',
+        '"loaded": 5',
+        '"number": [2]',
+    ],
+)
+def test_forged_reply_without_the_number_asked_for_is_a_crash(
+    best: Children, quick: Limits, reply: str
+) -> None:
+    """A line out of turn ends the child, so that it cannot be taken for the next answer."""
+    source = f"{FORGE}\ndef f(): forge(**{{{reply}}})\ndef g(): return 1"
+    with StudentProcess(units(source), best, quick) as student:
+        outcome = student.call("f", ())
+        assert outcome.kind == "crashed"
+        assert outcome.text == "it wrote where only the grader's own lines may stand"
+        assert student.call("g", ()) == Outcome("returned", 1)
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        {},
+        {"kind": "passed"},
+        {"kind": ["returned"]},
+        {"kind": None, "value": 1},
+        {"kind": "returned", "value": {"points": 4}},
+        {"kind": "returned", "value": 10**400},
+        {"kind": "returned", "value": [[[[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]]]},
+        {"kind": "timeout"},
+        {"kind": "raised", "text": ["not", "words"]},
+    ],
+    ids=str,
+)
+def test_forged_reply_of_another_form_cannot_be_read(
+    best: Children, quick: Limits, reply: dict[str, Any]
+) -> None:
+    """With the right number too, nothing but the agreed kinds and plain values comes through."""
+    source = f"{FORGE}\ndef f(): forge(number=2, **{reply})"
+    with StudentProcess(units(source), best, quick) as student:
+        outcome = student.call("f", ())
+    assert outcome == Outcome("crashed", text="the answer could not be read")
+
+
+@pytest.mark.parametrize("loaded", [5, None, {"a": 1}, "text", [1, None, {}]], ids=str)
+def test_forged_reply_to_loading_does_no_harm(best: Children, quick: Limits, loaded: Any) -> None:
+    """Whatever stands where the load errors belong, they end up as lines of text."""
+    source = f"{FORGE}\nforge(number=1, loaded={loaded})"
+    with StudentProcess(units(source), best, quick) as student:
+        assert all(type(line) is str for line in student.load_errors)
+
+
+@pytest.mark.parametrize("line", ['b"[" * 200_000', 'b"\\\\xff\\\\xfe"', 'b"9" * 5000', 'b"no"'])
+def test_forged_line_that_is_no_json_is_a_crash(best: Children, quick: Limits, line: str) -> None:
+    """A line that breaks a JSON reader ends the child and not the parent."""
+    source = f"""\
+import os
+def f():
+    for descriptor in range(3, 21):
+        try:
+            os.write(descriptor, {line} + b"\\n")
+        except OSError:
+            pass
+"""
+    with StudentProcess(units(source), best, quick) as student:
+        assert student.call("f", ()).kind == "crashed"
+
+
+@POSIX
+def test_parent_does_not_store_what_it_has_not_asked_for(children: Children) -> None:
+    """Lines written without end stay in the pipe and do not fill the parent's memory."""
+    source = """\
+import json, os, threading
+block = b'{"number": 0}\\n' * 10_000
+def flood():
+    while True:
+        for descriptor in range(3, 21):
+            try:
+                os.write(descriptor, block)
+            except OSError:
+                pass
+def f():
+    for descriptor in range(3, 21):
+        try:
+            os.write(descriptor, b'{"kind": "returned", "value": 1, "number": 2}\\n')
+        except OSError:
+            pass
+    threading.Thread(target=flood, daemon=True).start()
+"""
+    with StudentProcess(units(source), children) as student:
+        assert student.call("f", ()).value == 1
+        before = _megabytes()
+        time.sleep(0.3)
+        assert _megabytes() - before < 20
+
+
+def _megabytes() -> float:
+    """Return the memory that this process holds now."""
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+def test_child_that_reads_nothing_does_not_stop_the_parent(best: Children, quick: Limits) -> None:
+    """A request that nobody takes off the pipe is a timeout, however long it is."""
+    source = "import time\ndef f(*numbers): time.sleep(60)"
+    with StudentProcess(units(source), best, quick) as student:
+        assert student.call("f", (tuple([0.5] * 500_000),)).kind == "timeout"
+
+
+def test_answer_longer_than_allowed_is_a_crash(
+    children_with: Callable[[Limits], Children],
+) -> None:
+    """The parent reads no more of an answer than it has set."""
+    limits = Limits(bytes_an_answer=1000)
+    source = "def f(): return 'x' * 10_000"
+    with StudentProcess(units(source), children_with(limits), limits) as student:
+        assert student.call("f", ()).kind == "crashed"
+
+
+def test_words_of_a_student_cannot_forge_a_report(best: Children) -> None:
+    """Line ends, escape sequences and marks of direction become spaces; long texts are cut."""
+    source = """\
+def f(): raise ValueError("\\x1b[2J\\n1.1 f: 4/4 points\\u202e\\ud800\\x07" + "x" * 1000)
+"""
+    with StudentProcess(units(source), best) as student:
+        outcome = student.call("f", ())
+    assert outcome.text.startswith("ValueError:  [2J 1.1 f: 4/4 points   xxx")
+    assert outcome.text.isprintable()
+    assert len(outcome.text) <= LONGEST_TEXT
+
+
+def test_no_thread_or_open_file_is_left_behind(children: Children) -> None:
+    """Ten submissions, good and bad, leave neither threads nor open descriptors."""
+    sources = ["def f(): return 1", "def f():\n    while True: pass"]
+    threads, files = threading.active_count(), _open_files()
+    for source in sources * 5:
+        with StudentProcess(units(source), children, Limits(seconds_a_call=0.05)) as student:
+            student.call("f", ())
+    assert threading.active_count() == threads
+    assert _open_files() == files
+
+
+def _open_files() -> int:
+    """Return how many descriptors this process has open."""
+    folder = Path("/proc/self/fd")
+    return len(list(folder.iterdir())) if folder.exists() else 0

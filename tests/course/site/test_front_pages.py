@@ -1,0 +1,39 @@
+"""The front page and the page of exercises."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import nbformat
+from nbformat.v4 import new_markdown_cell, new_notebook
+
+from lesson_code.course.grading.exercises import exercises
+from lesson_code.course.site.front_pages import exercise_page, front_page
+
+ROOT = Path(__file__).parents[3]
+
+
+def test_front_page_says_what_each_chapter_teaches() -> None:
+    """Title, link, and the three goals of every notebook."""
+    paths = sorted((ROOT / "notebooks").glob("*.ipynb"))
+    page = front_page([(path.stem, nbformat.read(path, as_version=4)) for path in paths])
+    for path in paths:
+        entry = page.split(f"](notebooks/{path.name})")[1].split("###")[0]
+        assert all(f"\n{number}. " in entry for number in (1, 2, 3)), path.name
+        assert f"\nnotebooks/{path.stem}\n" in page
+
+
+def test_chapter_without_goals_stands_by_its_title() -> None:
+    """A notebook that does not say what it teaches is listed all the same."""
+    page = front_page([("10_new", new_notebook(cells=[new_markdown_cell("# 10 New\n\nText.")]))])
+    assert "### [10 New](notebooks/10_new.ipynb)" in page
+
+
+def test_exercises_are_listed_with_tasks_points_and_file() -> None:
+    """Each exercise that the grader knows has a line and a link."""
+    page = exercise_page(ROOT)
+    for exercise in exercises():
+        file = exercise.student_copy(ROOT).name
+        line = next(line for line in page.splitlines() if file in line)
+        assert f"| {len(exercise.tasks)} | {exercise.points} |" in line
+        assert f'<a href="exercises/{file}" download>' in line

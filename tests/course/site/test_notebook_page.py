@@ -1,0 +1,103 @@
+"""A notebook's page: what becomes of each kind of output, and of links to exercises."""
+
+from __future__ import annotations
+
+import base64
+from pathlib import Path
+from typing import Any
+
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+
+from lesson_code.course.site.moving import Control, MovingFigure
+from lesson_code.course.site.notebook_page import STANDS_STILL, NotebookPage
+from lesson_code.view.browser.show import png_of
+from lesson_code.view.matplotlib import style
+
+PNG = png_of(style.figure(width=3, height=2)[0])
+ALT = 'Two "carts" & a wall.'
+MOVING = MovingFigure(ALT, (Control("e <1", (-0.5, 0.0), 1),), ("<svg>a</svg>", "<svg>b</svg>"), ())
+
+
+def picture(words: str) -> Any:
+    """Return the output of a figure, as notebooks hold it."""
+    data = {"image/png": base64.b64encode(PNG).decode(), "text/plain": words}
+    return new_output("display_data", data=data, metadata={"image/png": {"alt": ALT}})
+
+
+def html(text: str, words: str = "") -> Any:
+    """Return an output that is HTML."""
+    return new_output("display_data", data={"text/html": text, "text/plain": words})
+
+
+def page_of(folder: Path, *outputs: Any, source: str = "", moving: Any = ()) -> list[Any]:
+    """Return the outputs of a page whose notebook has one cell with these."""
+    notebook = new_notebook(cells=[new_code_cell(source, outputs=list(outputs))])
+    [cell] = NotebookPage("01_carts", folder, moving).page_of(notebook).cells
+    return list(cell.outputs)
+
+
+def test_figure_becomes_an_image_with_its_text_and_size(tmp_path: Path) -> None:
+    """The file is the stored PNG; the text is escaped; the page keeps room for it."""
+    [shown] = page_of(tmp_path, picture("Figure: carts"))
+    assert (
+        'alt="Two &quot;carts&quot; &amp; a wall." width="300" height="200"'
+        in shown.data["text/html"]
+    )
+    assert 'src="../_static/figures/01_carts-1.png"' in shown.data["text/html"]
+    assert (tmp_path / "_static" / "figures" / "01_carts-1.png").read_bytes() == PNG
+
+
+def test_text_of_a_figure_is_not_said_twice(tmp_path: Path) -> None:
+    """What a notebook adds for screen readers is in the image's own text here."""
+    shown = page_of(
+        tmp_path, picture("Figure: carts"), html("<p>Figure: carts</p>", "Figure: carts")
+    )
+    assert len(shown) == 1
+
+
+def test_figure_with_sliders_comes_with_sliders(tmp_path: Path) -> None:
+    """Label, values and start are in the page, and the pictures in a file beside it."""
+    [shown] = page_of(tmp_path, picture("Figure (Run the cell to move.)"), moving=[MOVING])
+    text = shown.data["text/html"]
+    assert "e &lt;1</span>" in text
+    assert 'min="0" max="1" value="1"' in text
+    assert 'aria-valuetext="0"' in text
+    assert "\N{MINUS SIGN}0.5" in text.encode().decode("unicode_escape") or "\\u22120.5" in text
+    folder = tmp_path / "_static" / "figures"
+    assert (folder / "01_carts-1.svg").read_text(encoding="utf-8") == "<svg>b</svg>"
+    assert (folder / "01_carts-1.js").read_text().startswith('drawnAhead("01_carts-1", "')
+    assert STANDS_STILL not in text
+
+
+def test_figure_that_was_not_drawn_ahead_says_where_it_moves(tmp_path: Path) -> None:
+    """A reader is told why there is no slider."""
+    [moves, still] = page_of(tmp_path, picture("(Run the cell to move.)"), picture("Figure: carts"))
+    assert STANDS_STILL in moves.data["text/html"]
+    assert STANDS_STILL not in still.data["text/html"]
+
+
+def test_quiz_becomes_a_form(tmp_path: Path) -> None:
+    """The list of questions a notebook holds is replaced by the live quiz of that chapter."""
+    [shown] = page_of(tmp_path, html("<ol>questions</ol>"), source='show_quiz("01")')
+    assert "<form" in shown.data["text/html"]
+    assert "Quiz 01" in shown.data["text/html"]
+
+
+def test_other_outputs_and_the_notebook_itself_stay(tmp_path: Path) -> None:
+    """What was printed and animations are shown as they are; the notebook is not changed."""
+    printed = new_output("stream", name="stdout", text="ok\n")
+    animation = html('<figure data-animation="run-1">')
+    notebook = new_notebook(cells=[new_code_cell("x", outputs=[printed, animation, picture("")])])
+    page = NotebookPage("01_carts", tmp_path).page_of(notebook)
+    assert page.cells[0].outputs[:2] == [printed, animation]
+    assert notebook.cells[0].outputs[2] == picture("")
+
+
+@pytest.mark.parametrize("suffix", [".ipynb", ".py"])
+def test_link_to_an_exercise_becomes_a_download(tmp_path: Path, suffix: str) -> None:
+    """A link over two lines too; links between notebooks are left to Sphinx."""
+    text = f"Do [02\nNow](../exercises/02{suffix}), then [03](03_r.ipynb)."
+    page = NotebookPage("02", tmp_path).page_of(new_notebook(cells=[new_markdown_cell(text)]))
+    link = f'<a href="../exercises/02{suffix}" download>02\nNow</a>'
+    assert page.cells[0].source == f"Do {link}, then [03](03_r.ipynb)."

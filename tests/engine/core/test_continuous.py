@@ -1,0 +1,177 @@
+"""Continuous detection: nothing passes through anything, and slow scenes are left alone."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
+from lesson_code.engine.core import continuous
+from lesson_code.engine.core.constants import MOST_IMPACTS, SLOP
+
+BALL = Material(1.0, 0.0)
+
+SOLVERS = ["sequential", "substep"]
+
+SPEEDS = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6]
+"""m/s; at 1/60 s the fastest moves by 17 km in a step."""
+
+
+def ball(radius: float, **state: Any) -> Body:
+    """Return an elastic, smooth ball of 1 kg."""
+    return Body(Circle(radius), mass=1.0, material=BALL, **state)
+
+
+def room(half: float = 1.0) -> list[Body]:
+    """Return four walls without thickness."""
+    corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+    return [Body(Segment(a, b)) for a, b in zip(corners, corners[1:] + corners[:1], strict=True)]
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("speed", SPEEDS)
+@pytest.mark.parametrize("thickness", [0.001, 0.03, 1.0])
+@pytest.mark.parametrize("radius", [0.001, 0.1])
+def test_ball_never_passes_through_a_wall(
+    speed: float, thickness: float, radius: float, solver: str
+) -> None:
+    """From 1 to 1e6 m/s, walls from 1 mm to 1 m, several places in the step: it always bounces."""
+    rng = np.random.default_rng(seed=1)
+    for _ in range(3):
+        thrown = ball(
+            radius,
+            position=(-1 - rng.uniform(0, 0.5), rng.uniform(-0.5, 0.5)),
+            velocity=(speed, speed * rng.uniform(-0.2, 0.2)),
+        )
+        scene = Scene([Body(Polygon.box(thickness, 4)), thrown])
+        run = simulate(scene, 2.5 / speed + 0.05, sample="end", solver=solver)
+        assert run.positions[-1, 1, 0] < 0
+        assert run.velocities[-1, 1, 0] == pytest.approx(-speed, rel=1e-9)
+
+
+@pytest.mark.parametrize("solver", [*SOLVERS, "direct"])
+@pytest.mark.parametrize("overlap", [1e-9, 1e-6, 1e-3])
+@pytest.mark.parametrize("speed", [20.0, 1e4])
+def test_fast_ball_that_overlaps_already_is_sent_back(
+    speed: float, overlap: float, solver: str
+) -> None:
+    """It begins in the brick by a little and would be behind it after the first step."""
+    brick = Body(Polygon.box(0.74, 0.24), material=BALL)
+    thrown = ball(0.12, position=(0.0, overlap - 0.24), velocity=(0.0, speed))
+    run = simulate(Scene([brick, thrown]), 0.1, solver=solver)
+    assert run.velocities[-1, 1, 1] == pytest.approx(-speed)
+    assert run.positions[1:, 1, 1].max() < -0.24 + overlap
+
+
+def test_fast_ball_that_rolls_on_a_floor_is_not_stopped_by_it() -> None:
+    """It overlaps the floor in every step, but does not move into it: no step is split."""
+    floor = Body(Segment((-10.0, 0.0), (1000.0, 0.0)), material=BALL)
+    rolling = ball(0.1, position=(0.0, 0.0995), velocity=(100.0, 0.0))
+    run = simulate(Scene([floor, rolling], gravity=(0.0, -10.0)), 1.0, solver="sequential")
+    assert run.positions[-1, 1, 0] == pytest.approx(100.0)
+
+
+def test_pymunks_ball_passes_through_a_thin_wall() -> None:
+    """The same throw at 100 m/s: pymunk looks every 1.7 m."""
+    scene = Scene([Body(Polygon.box(0.03, 4)), ball(0.1, position=(-1.2, 0), velocity=(100, 0))])
+    assert simulate(scene, 0.1, solver="pymunk").positions[-1, 1, 0] > 0
+    assert simulate(scene, 0.1, solver="sequential").positions[-1, 1, 0] < 0
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("speed", [10.0, 1e3, 1e6])
+def test_ball_stays_in_its_room_with_its_energy(speed: float, solver: str) -> None:
+    """Several impacts in one step, and more than the limit: it never leaves the room."""
+    scene = Scene([*room(), ball(0.05, velocity=(speed, 0.7 * speed))])
+    run = simulate(scene, 0.5, solver=solver)
+    assert np.abs(run.positions[:, 4]).max() <= 0.95 + SLOP * 0.1
+    assert run.kinetic_energy == pytest.approx(run.kinetic_energy[0], rel=1e-12)
+
+
+def test_step_is_finished_after_the_impact() -> None:
+    """The ball is back where a step without a stop at the wall would have brought it."""
+    scene = Scene([*room(), ball(0.05, position=(0, 0.3), velocity=(40, 0))])
+    run = simulate(scene, 1 / 60, solver="sequential")
+    way = 40 / 60  # to 0.667 m: no impact in this step
+    assert run.positions[-1, 4, 0] == pytest.approx(way)
+    run = simulate(scene, 2 / 60, solver="sequential")
+    back = 2 * 0.95 - 2 * way
+    assert run.positions[-1, 4, 0] == pytest.approx(back, abs=2 * SLOP * 0.1)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("spin", [2.0, 10.0, 40.0, 200.0])
+def test_turning_rod_misses_no_ball(spin: float, solver: str) -> None:
+    """A thin rod sweeps over a ball: at every speed of turning it hits."""
+    rod = Body(Segment((-2, 0), (2, 0)), angular_velocity=spin, mass=100.0)
+    for place in np.arange(0.3, 1.4, 0.11).tolist():
+        target = ball(0.1, position=(1.5 * math.cos(place), 1.5 * math.sin(place)))
+        run = simulate(Scene([rod, target]), math.pi / spin + 0.05, solver=solver)
+        assert len(run.contacts) > 0
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("speed", [100.0, 1e4, 1e6])
+def test_fast_ball_misses_no_moving_plate(speed: float, solver: str) -> None:
+    """Both can be pushed, and momentum is kept."""
+    plate = Body(Polygon.box(0.01, 1), mass=1.0, velocity=(-3, 0), material=BALL)
+    for start in (-1.0, -1.37, -1.74):
+        run = simulate(
+            Scene([plate, ball(0.01, position=(start, 0), velocity=(speed, 0))]), 0.1, solver=solver
+        )
+        assert len(run.contacts) > 0
+        assert run.momentum[-1] == pytest.approx(run.momentum[0], rel=1e-12)
+
+
+def test_fast_wall_sweeps_up_a_slow_ball() -> None:
+    """What matters is how fast the two approach, not which of them is fast."""
+    wall = Body(Segment((0, -1), (0, 1)), velocity=(300, 0))
+    run = simulate(Scene([wall, ball(0.1, position=(7, 0))]), 0.1, solver="sequential")
+    assert run.velocities[-1, 1, 0] == pytest.approx(600)
+
+
+def test_slow_scene_is_never_split(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Below half of a width in a step no impact time is ever computed."""
+
+    def never(*arguments: object) -> float:
+        raise AssertionError("an impact time was computed")
+
+    monkeypatch.setattr(continuous, "time_to_impact", never)
+    run = simulate(Scene([*room(), ball(0.1, velocity=(5.9, 0))]), 1.0, solver="sequential")
+    assert len(run.contacts) > 0
+
+
+def test_fast_body_waits_after_many_impacts_in_one_step() -> None:
+    """It loses time, but neither speed nor its place in the room."""
+    scene = Scene([*room(), ball(0.05, velocity=(1e6, 0))])
+    run = simulate(scene, 1 / 60, solver="sequential")
+    assert len(run.contacts) == MOST_IMPACTS
+    assert abs(run.velocities[-1, 4, 0]) == pytest.approx(1e6)
+
+
+def impacts_of(run: Run) -> list[float]:
+    """Return the times of a run's impulses, s."""
+    times: list[float] = run.contacts.time.tolist()
+    return times
+
+
+def test_impact_is_written_down_at_its_own_time() -> None:
+    """Not at the end of the step, but when it happened, up to the slop."""
+    scene = Scene([*room(), ball(0.05, velocity=(100, 0))])
+    first = impacts_of(simulate(scene, 1 / 60, solver="sequential"))[0]
+    assert first == pytest.approx(0.95 / 100, abs=SLOP * 0.1 / 100)
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_resting_bodies_stay_at_rest_while_a_step_is_split(solver: str) -> None:
+    """Remembered impulses are scaled to the length of the part: a stack does not jump."""
+    stack = [Body(Polygon.box(1, 1), position=(3, -4.5 + n), mass=1.0) for n in range(3)]
+    scene = Scene([*room(5.0), *stack], gravity=(0, -10))
+    fast = ball(0.05, position=(-2, 3), velocity=(0, 500))
+    calm = simulate(scene, 3.0, solver=solver)
+    shaken = simulate(Scene([*scene.bodies, fast], gravity=(0, -10)), 3.0, solver=solver)
+    assert np.abs(calm.velocities[-1, 4:7]).max() < 1e-9
+    assert shaken.positions[-1, 4:7] == pytest.approx(calm.positions[-1, 4:7], abs=1e-2)

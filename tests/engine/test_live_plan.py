@@ -1,0 +1,89 @@
+"""The plan of a live world: what the scene calls for, and what runs."""
+
+from __future__ import annotations
+
+import pytest
+
+from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
+from lesson_code.engine import live_plan as live_plan_module
+from lesson_code.engine.effects.choice import choose_effects
+from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.live_plan import effects_run, live_plan
+from lesson_code.engine.live_world import LiveWorld
+
+ALWAYS = {
+    *("collisions", "outlines", "manifolds", "seams", "continuous", "restitution", "friction"),
+    *("rotation", "gravity", "damping", "warm_starting", "position_correction", "impulse_record"),
+}
+"""What every live world reckons with."""
+
+ROUGH = Material(restitution=0.4, friction=0.3)
+
+SCENES = {
+    "nothing": Scene([]),
+    "one ball": Scene([Body(Circle(1), mass=1.0)]),
+    "gas": Scene([Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(3)]),
+    "floor": Scene(
+        [
+            Body(Segment((-5, 0), (5, 0)), material=ROUGH),
+            Body(Polygon.box(1, 1), position=(0, 2), mass=1.0, material=ROUGH),
+        ],
+        gravity=(0, -9.81),
+        damping=0.1,
+    ),
+    "many": Scene([Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(30)]),
+}
+
+
+def world_of(scene: Scene) -> LiveWorld:
+    """Return a live world of a scene."""
+    return LiveWorld(scene.bodies, gravity=scene.gravity, damping=scene.damping)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_plan_tells_what_the_scene_calls_for(name: str) -> None:
+    """Reason for reason as the engine's rules have it, and no more is left out than may be."""
+    scene = SCENES[name]
+    expected = choose_effects(Question(scene))
+    plan = live_plan(world_of(scene))
+    told = [(c.name, c.called_for, c.reason) for c in plan.effects]
+    assert told == [(c.name, c.called_for, c.reason) for c in expected]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_plan_tells_what_runs(name: str) -> None:
+    """Everything but sleep and callbacks; a grid where there are many bodies."""
+    world = world_of(SCENES[name])
+    assert set(live_plan(world).used) == ALWAYS | ({"broad_phase"} if name == "many" else set())
+
+
+def test_plan_in_machine_code_tells_of_the_grid() -> None:
+    """Compiled, a world has the grid however small it is."""
+    world = world_of(SCENES["gas"])
+    world.compile()
+    assert live_plan(world).effect("broad_phase").verdict == "forced"
+    assert live_plan(world).code == "compiled"
+
+
+def test_plan_tells_why_a_world_is_in_plain_python(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Few bodies are; many are where nothing can compile them."""
+    assert live_plan(world_of(SCENES["many"])).code_reason == "fewer than 100 bodies"
+    crowd = [Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(120)]
+    monkeypatch.setattr(live_plan_module, "why_no_compiler", lambda: "Numba is not installed")
+    plan = live_plan(LiveWorld(crowd))
+    assert (plan.code, plan.code_reason) == ("plain Python", "Numba is not installed")
+
+
+def test_plan_is_of_the_bodies_as_they_are_now() -> None:
+    """A ball at rest that is thrown hard can move by more than half of its width in a step."""
+    world = world_of(SCENES["gas"])
+    assert live_plan(world).effect("continuous").verdict == "forced"
+    world.throw(0, (50.0, 0.0))
+    assert live_plan(world).effect("continuous").verdict == "used"
+
+
+def test_effects_run_are_those_of_the_stages() -> None:
+    """A stage that is taken out of the pipeline is named no more."""
+    world = world_of(SCENES["floor"])
+    world.pipeline = world.pipeline._replace(is_continuous=False, keeps_impulses=False)
+    assert set(effects_run(world)) == ALWAYS - {"continuous", "impulse_record"}

@@ -1,0 +1,197 @@
+"""The live world: what a player does to it, and that it is the engine's own."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code.engine.core.callbacks import Callbacks, Touch
+from lesson_code.engine.live_world import TIME_STEP, LiveWorld
+
+ROUNDING = 1e-12
+"""Of numbers around 1: an impulse and its effect are a handful of roundings apart."""
+
+BOUNCY = Material(restitution=1.0, friction=0.3)
+
+
+def crowd(count: int = 8) -> list[Body]:
+    """Return a floor, balls and boxes that fall on one another."""
+    floor = Body(Segment((-5, 0), (5, 0)), material=BOUNCY)
+    shapes = [Circle(0.3) if k % 2 else Polygon.box(0.5, 0.4) for k in range(count)]
+    return [floor] + [
+        Body(
+            shape,
+            position=(0.31 * (k % 3), 0.5 + 0.7 * k),
+            velocity=(0.2 * k - 0.5, 0.0),
+            mass=1.0 + k,
+            material=BOUNCY,
+        )
+        for k, shape in enumerate(shapes)
+    ]
+
+
+def test_step_of_a_live_world_is_the_engines_bit_for_bit() -> None:
+    """Sixty steps end where simulate() ends."""
+    world = LiveWorld(crowd(), gravity=(0.0, -9.81))
+    for _ in range(60):
+        world.step()
+    run = simulate(Scene(crowd(), gravity=(0, -9.81)), 1.0, solver="sequential", sample="end")
+    states = world.states()
+    assert (states[:, 0:2] == run.positions[-1]).all()
+    assert (states[:, 5] == run.angular_velocities[-1]).all()
+
+
+def test_compiled_world_is_the_plain_one_bit_for_bit() -> None:
+    """Machine code may take over between two steps, and nothing changes."""
+    plain, fast = (LiveWorld(crowd(30), gravity=(0.0, -9.81)) for _ in range(2))
+    for world in (plain, fast):
+        for _ in range(5):
+            world.step()
+    fast.compile()
+    plain.add(Body(Circle(0.2), position=(3, 3), mass=1.0))
+    fast.add(Body(Circle(0.2), position=(3, 3), mass=1.0))
+    for world in (plain, fast):
+        world.push(3, (0.5, 0.0), (0.0, 0.1))
+        for _ in range(60):
+            world.step()
+    assert (plain.states() == fast.states()).all()
+    assert (plain.impulses == fast.impulses).all()
+    assert plain.touching() == fast.touching()
+
+
+def test_push_changes_momentum_by_the_impulse_and_spin_by_its_moment() -> None:
+    """M dv = J, I dw = r x J."""
+    world = LiveWorld([Body(Circle(0.5), mass=2.0, velocity=(1, 0))])
+    world.push(0, (3.0, -1.0), (0.0, 0.5))
+    assert world.velocity(0) == pytest.approx((2.5, -0.5), rel=ROUNDING)
+    assert world.spin(0) == pytest.approx(-0.5 * 3.0 / 0.25, rel=ROUNDING)
+
+
+def test_push_of_a_wall_does_nothing() -> None:
+    """Nothing can push what has no mass."""
+    world = LiveWorld([Body(Segment((0, 0), (1, 0)))])
+    world.push(0, (3.0, 3.0), (1.0, 0.0))
+    assert (world.velocity(0), world.spin(0)) == ((0.0, 0.0), 0.0)
+
+
+def test_add_and_remove_leave_the_others_as_they_are() -> None:
+    """Numbers stay, and so does every bit of a state."""
+    world = LiveWorld(crowd())
+    for _ in range(20):
+        world.step()
+    before = world.states()[1:]
+    new = world.add(Body(Circle(0.1), position=(9, 9), mass=1.0))
+    assert new == 9
+    world.remove(0)
+    assert world.numbers == (*range(1, 9), 9)
+    assert (world.states()[:-1] == before).all()
+    assert world.position(new) == (9.0, 9.0)
+
+
+def test_body_that_was_removed_is_gone() -> None:
+    """It is not in the world, and nobody can ask for it."""
+    world = LiveWorld(crowd())
+    world.remove(3)
+    assert 3 not in world
+    assert len(world) == 8
+    with pytest.raises(KeyError):
+        world.position(3)
+
+
+def test_empty_world_steps_and_has_no_momentum() -> None:
+    """Where nothing is, nothing happens."""
+    world = LiveWorld(crowd())
+    world.clear()
+    world.step()
+    assert (len(world), world.momentum(), world.kinetic_energy()) == (0, (0.0, 0.0), 0.0)
+    assert world.angular_momentum() == 0.0
+
+
+def test_mechanics_are_those_of_the_bodies() -> None:
+    """Two bodies by hand: p, L about the origin, T with spin; a wall counts nowhere."""
+    world = LiveWorld(
+        [
+            Body(Circle(1.0), mass=2.0, position=(0, 3), velocity=(1, 0), angular_velocity=2.0),
+            Body(Circle(1.0), mass=1.0, position=(5, 0), velocity=(0, 4)),
+            Body(Segment((0, 0), (1, 0)), velocity=(9, 9)),
+        ]
+    )
+    assert world.momentum() == pytest.approx((2.0, 4.0), rel=ROUNDING)
+    assert world.angular_momentum() == pytest.approx(-6.0 + 1.0 * 2.0 + 20.0, rel=ROUNDING)
+    assert world.kinetic_energy() == pytest.approx(1.0 + 8.0 + 0.5 * 1.0 * 4.0, rel=ROUNDING)
+
+
+def test_callbacks_hear_begin_touch_and_part_once_each() -> None:
+    """A ball that bounces once: one begin with the impulse, one separate."""
+    told: list[tuple[str, Touch]] = []
+    callbacks = Callbacks(
+        begin=lambda touch: told.append(("begin", touch)),
+        post_solve=lambda touch: told.append(("touch", touch)),
+        separate=lambda touch: told.append(("part", touch)),
+    )
+    ball = Body(Circle(0.5), position=(0, 0.52), velocity=(0, -2), mass=3.0, material=BOUNCY)
+    floor = Body(Segment((-1, 0), (1, 0)), material=BOUNCY)
+    world = LiveWorld([floor, ball], callbacks=callbacks)
+    for _ in range(10):
+        world.step()
+    assert [name for name, _ in told] == ["begin", "touch", "part"]
+    touch = told[0][1]
+    assert (touch.body_a, touch.body_b, touch.normal) == (0, 1, (0.0, 1.0))
+    assert touch.normal_impulse == pytest.approx(3.0 * 4.0, rel=ROUNDING)
+    assert (touch.restitution, touch.friction) == pytest.approx((1.0, 0.3))
+
+
+def test_ball_of_any_speed_stays_between_two_walls() -> None:
+    """A step of 1/60 s is 1,000 m at 60 km/s: the wall is met all the same."""
+    walls = [Body(Segment((x, -1), (x, 1)), material=BOUNCY) for x in (-1.0, 1.0)]
+    ball = Body(Circle(0.1), velocity=(60_000, 0), mass=1.0, material=BOUNCY)
+    world = LiveWorld([*walls, ball])
+    for _ in range(3):
+        world.step()
+        assert abs(world.position(2)[0]) <= 0.9 + 0.01
+
+
+def test_lost_body_is_named() -> None:
+    """A body that leaves the range of floating point is an error with its number."""
+    world = LiveWorld([Body(Circle(1.0), mass=1.0), Body(Circle(1.0), position=(9, 0), mass=1.0)])
+    world.throw(1, (1.7e308, 1.7e308))
+    world.move(1, (1.797e308, 0.0))
+    with pytest.raises(FloatingPointError, match="body 1"):
+        world.step()
+
+
+def test_coat_and_pull_change_what_is_to_come() -> None:
+    """Another restitution and another gravity act from the next step on."""
+    world = LiveWorld(crowd())
+    world.coat(restitution=0.25)
+    assert {body.material for _, body in world.items()} == {Material(0.25, 0.3)}
+    world.pull((0.0, -6.0))
+    world.throw(8, (0.0, 0.0))
+    world.move(8, (50.0, 50.0))
+    world.step()
+    assert world.velocity(8) == pytest.approx((0.0, -6.0 * TIME_STEP), rel=ROUNDING)
+
+
+def test_push_all_is_a_push_of_each() -> None:
+    """Impulses of shape (N, 2) act body by body."""
+    one, other = LiveWorld(crowd()), LiveWorld(crowd())
+    impulses = np.arange(18.0).reshape(9, 2)
+    one.push_all(impulses)
+    for number, (x, y) in enumerate(impulses.tolist()):
+        other.push(number, (x, y))
+    assert (one.states() == other.states()).all()
+    assert math.isclose(one.time, 0.0)
+
+
+def test_impulses_of_many_impacts_in_one_step_are_all_told() -> None:
+    """A ball that goes to and fro in one step is pushed as often as it turns."""
+    walls = [Body(Segment((x, -1), (x, 1)), material=BOUNCY) for x in (-1.0, 1.0)]
+    ball = Body(Circle(0.1), velocity=(1800.0, 0), mass=1.0, material=BOUNCY)
+    world = LiveWorld([*walls, ball])
+    world.step()
+    # 30 m in the step, the first wall after 0.9 m, the others 1.8 m apart
+    assert len(world.impulses) == 1 + int((30 - 0.9) / 1.8)
+    assert world.impulses[:, 7] == pytest.approx(2 * 1800.0, rel=ROUNDING)
