@@ -20,21 +20,16 @@ from lesson_code.engine.compiled import (
     link,
 )
 from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.continuous import advance, rigid_part
 from lesson_code.engine.core.mixing import Combination
-from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.core.scene import Scene, scene_at
 from lesson_code.engine.core.step import ContactSolver, Pipeline
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
-from lesson_code.engine.core.touches import TouchListener
-from lesson_code.engine.effects.choice import (
-    EffectChoice,
-    choose_effects,
-    flags_of,
-    names_used,
-)
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.callbacks import TouchListener
+from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
+from lesson_code.engine.effects.continuous import advance, rigid_part
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import (
     naive as naive_solver,
 )

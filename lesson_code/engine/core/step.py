@@ -17,14 +17,16 @@ from collections.abc import Callable
 from typing import NamedTuple, Protocol, TypeAlias
 
 from lesson_code.engine.core.broad_phase import bound, has_left_box
-from lesson_code.engine.core.impulse_record import (
+from lesson_code.engine.core.narrow_phase import find_contacts
+from lesson_code.engine.core.rows import BodyRow, World
+from lesson_code.engine.effects.damping import damp
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.gravity import fall
+from lesson_code.engine.effects.impulse_record import (
     has_room_for_record,
     record_impulses,
     record_resting,
 )
-from lesson_code.engine.core.narrow_phase import find_contacts
-from lesson_code.engine.core.rows import BodyRow, World
-from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.sleeping import has_room_for_sleep, let_sleep
 from lesson_code.geometry.rows import turn
 
@@ -209,22 +211,3 @@ def accelerate(world: World, effects: Effects = EVERY_EFFECT) -> None:
         damp(world, effects)
     if effects.gravity:
         fall(world, effects)
-
-
-def damp(world: World, effects: Effects) -> None:
-    """Let the velocities of all bodies that can be pushed die away."""
-    remaining = math.exp(-world.state.damping * world.state.dt)
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
-            body.vx *= remaining
-            body.vy *= remaining
-            body.w *= remaining
-
-
-def fall(world: World, effects: Effects) -> None:
-    """Let gravity act on all bodies that can be pushed."""
-    state = world.state
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
-            body.vx += state.gravity_x * state.dt
-            body.vy += state.gravity_y * state.dt

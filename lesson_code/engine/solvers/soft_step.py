@@ -14,11 +14,11 @@ velocities with which they will move.
 
 from __future__ import annotations
 
-from lesson_code.engine.core.continuous import choose_part
-from lesson_code.engine.core.impulse_record import has_room_for_record, record_impulses
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.step import Pipeline, accelerate, find_pairs, move
+from lesson_code.engine.effects.continuous import choose_part
+from lesson_code.engine.effects.impulse_record import has_room_for_record, record_impulses
 
 
 def soft_part(world: World, pipeline: Pipeline) -> bool:

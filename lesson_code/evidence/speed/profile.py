@@ -18,7 +18,7 @@ import numpy as np
 from rich.table import Table
 
 from lesson_code.engine.compiled import compiled_function, link
-from lesson_code.engine.core.continuous import advance
+from lesson_code.engine.effects.continuous import advance
 from lesson_code.evidence.scenes.speed import SIZES
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import builder, refuse_without_compiler

@@ -23,10 +23,10 @@ from lesson_code.engine.compiled import link
 from lesson_code.engine.core import contact_frame, contact_motion
 from lesson_code.engine.core.broad_phase import longest_way
 from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.continuous import advance
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.step import Pipeline
 from lesson_code.engine.core.tables import BROAD_PHASES
+from lesson_code.engine.effects.continuous import advance
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
 from lesson_code.engine.solvers.soft_step import soft_part

@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core import step as stages
 from lesson_code.engine.core.broad_phase import all_pairs
-from lesson_code.engine.core.continuous import rigid_part
 from lesson_code.engine.core.step import (
     ContactSolver,
     Pipeline,
@@ -23,6 +22,7 @@ from lesson_code.engine.core.step import (
     turn_with_angle,
 )
 from lesson_code.engine.core.tables import world_of
+from lesson_code.engine.effects.continuous import rigid_part
 
 ROUNDING = 1e-13
 """m and m/s: sixty additions of numbers of about 1."""

@@ -19,7 +19,7 @@ from lesson_code import (
     simulation,
 )
 from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers.choice import (
     SolverChoice,
     flies_freely,
