@@ -6,7 +6,7 @@ from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.choice import choose_effects
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.live_world import WORTH_COMPILING, LiveWorld
 
 FORCED = (

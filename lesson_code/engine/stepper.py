@@ -23,21 +23,20 @@ from lesson_code.engine.compiled import (
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.pipeline import Pipeline
-from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.core.step import advance
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
-from lesson_code.engine.core.touches import TouchListener
+from lesson_code.engine.effects.callbacks import TouchListener
 from lesson_code.engine.effects.choice import (
-    EffectChoice,
     choose_effects,
     flags_of,
     names_used,
 )
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 
 STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]

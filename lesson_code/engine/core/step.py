@@ -26,16 +26,16 @@ it: it then knows the velocities with which they will move.
 from __future__ import annotations
 
 from lesson_code.engine.core.candidate_pairs import find_pairs
-from lesson_code.engine.core.continuous import choose_part
-from lesson_code.engine.core.impulse_record import (
-    has_room_for_record,
-    record_impulses,
-    record_resting,
-)
 from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.continuous import choose_part
+from lesson_code.engine.effects.impulse_record import (
+    has_room_for_record,
+    record_impulses,
+    record_resting,
+)
 from lesson_code.engine.effects.sleeping import everything_sleeps, has_room_for_sleep, let_sleep
 
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from lesson_code import Combination
-from lesson_code.engine.compiled.inlining import MOST_NODES, inlined
-from lesson_code.engine.effects.rules import RULES
+from lesson_code.engine.compiled.inlining import MOST_NODES, inlined, merged
+from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper, source_of
 from lesson_code.evidence.scenes.speed import SpeedScene, bin_of_shapes, gas
@@ -53,6 +53,20 @@ def test_inlined_function_outside_of_loops_stays_a_call() -> None:
     assert inlined(SHORT + "def run(x):\n    return short(x)\n") == frozenset()
 
 
+def test_merged_function_without_loops_that_is_called_once() -> None:
+    """What puts stages in order; with a loop, or called twice, it stays a function."""
+    once = "def run(x):\n    return short(x)\n"
+    assert merged(SHORT + once) == {"short"}
+    assert merged(SHORT + once + "def again(x):\n    return short(x)\n") == frozenset()
+    looped = "def short(x):\n    for _ in x:\n        pass\n"
+    assert merged(looped + once) == frozenset()
+
+
+def test_merged_nothing_that_is_compiled_in_place() -> None:
+    """A function is put into its caller in one way."""
+    assert merged(SHORT + loop("short")) == frozenset()
+
+
 WHOLE_WORLD = "world"
 RARE = {("drop_seams", "is_covered")}
 """Calls that may copy the world: for each contact with a static body, and long in themselves."""
@@ -82,7 +96,7 @@ def test_inlined_no_loop_over_rows_hands_on_the_world(
 ) -> None:
     """What the engine does for every body, box and pair is put into the loop."""
     spared = {*our_solvers()[solver].lacks, "callbacks"}
-    wishes = {name: True for name in RULES if name not in spared} if every else None
+    wishes = {name: True for name in EFFECTS if name not in spared} if every else None
     settings: dict[str, Any] = {"dt": 1 / 60, "iterations": 10, "substeps": 1}
     stepper = EngineStepper(
         scene.scene, solver=solver, combine=Combination(), effects=wishes, **settings

@@ -1,4 +1,4 @@
-"""Post-processing: tells a scene's callbacks of its contacts, pair by pair."""
+"""Callbacks: a scene's own functions are told of its contacts, pair by pair."""
 
 from __future__ import annotations
 
@@ -9,10 +9,20 @@ from typing import TypeAlias
 from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.rows import ContactRow, World
+from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.formulas.validation import non_negative, one_number, one_vector
 
 Pair: TypeAlias = tuple[int, int]
 XY: TypeAlias = tuple[float, float]
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether the scene wants to be told of contacts."""
+    wanted = question.scene.callbacks.wanted
+    return Finding(wanted, "the scene asks to be told" if wanted else "the scene has none")
+
+
+EFFECT = Effect(rule=rule, place=150, functions=("before_impulses", "after_impulses"))
 
 
 class TouchListener:
