@@ -22,7 +22,7 @@ from lesson_code.course.grading.practice import practice_of, reference
 from lesson_code.course.grading.task import Task
 from lesson_code.course.notebooks.root import require_instructors
 from lesson_code.course.quiz.bank import QUIZ
-from lesson_code.course.quiz.sealing import seal_chapter
+from lesson_code.course.quiz.sealing import seal_quiz
 from lesson_code.course.release.slicing import Names, all_needed, sliced, used_names
 from lesson_code.course.watch.reset import FRESH
 
@@ -124,7 +124,7 @@ def _taken_apart(root: Path, files: Files) -> Iterator[tuple[str, str]]:
     """Yield path and text of each file of which a copy holds a part, or holds it sealed."""
     inside = [path.relative_to(root) for path in sorted((root / CHAPTERS).rglob("*.*"))]
     for quiz in filter(is_quiz, inside):
-        yield quiz.as_posix(), seal_chapter((root / quiz).read_text(encoding="utf-8"))
+        yield quiz.as_posix(), seal_quiz((root / quiz).read_text(encoding="utf-8"))
     answers = _sources(root, filter(holds_answers, inside))
     shown: Names = {}
     for code in _notebook_code(files):
