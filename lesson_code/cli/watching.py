@@ -12,7 +12,7 @@ import typer
 from lesson_code.cli.shared import clear_errors, console
 
 if TYPE_CHECKING:
-    from lesson_code.course.watch import Session
+    from lesson_code.course.watch import WatchSession
 
 watching = typer.Typer()
 
@@ -36,7 +36,7 @@ def watch(
     from lesson_code.course.grading.exercises import exercise_by_name, exercises
     from lesson_code.course.grading.grader import Grader
     from lesson_code.course.notebooks.root import find_root
-    from lesson_code.course.watch import Screen, Session
+    from lesson_code.course.watch import Screen, WatchSession
 
     with clear_errors():
         if reset and exercise is None:
@@ -44,7 +44,7 @@ def watch(
         chosen = exercises() if exercise is None else (exercise_by_name(exercise),)
         screen = Screen(console, plain=plain or not console.is_terminal)
         with Grader() as grader:
-            session = Session(find_root(), chosen, grader, screen)
+            session = WatchSession(find_root(), chosen, grader, screen)
             if reset:
                 session.reset()
                 return
@@ -55,7 +55,7 @@ def watch(
                 _watch(session)
 
 
-def _watch(session: Session) -> None:
+def _watch(session: WatchSession) -> None:
     """Watch until standard input says to stop, or Ctrl-C does."""
     from lesson_code.course.watch import listen
 

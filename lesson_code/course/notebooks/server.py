@@ -30,7 +30,7 @@ class ServerError(RuntimeError):
 
 
 @dataclass(frozen=True)
-class Server:
+class JupyterServer:
     """A running JupyterLab and the address at which notebook 00 opens."""
 
     process: subprocess.Popen[bytes]
@@ -55,7 +55,7 @@ def has_screen() -> bool:
 
 def start(
     root: Path, notebook: Path, port: int | None = None, config: Path | None = None
-) -> Server:
+) -> JupyterServer:
     """Start JupyterLab and return once it answers.
 
     Parameters
@@ -83,7 +83,7 @@ def start(
         environment["JUPYTER_CONFIG_DIR"] = str(config)
     process = subprocess.Popen(_command(root, chosen), env=environment)  # noqa: S603 - our own
     address = f"http://{HOST}:{chosen}/lab/tree/{quote(notebook.as_posix())}?token={token}"
-    server = Server(process, address)
+    server = JupyterServer(process, address)
     try:
         _wait_for(server, f"http://{HOST}:{chosen}/api")
     except BaseException:  # Ctrl-C too: no server is left behind
@@ -125,7 +125,7 @@ def _free_port(wanted: Sequence[int]) -> int:
     )
 
 
-def _wait_for(server: Server, url: str) -> None:
+def _wait_for(server: JupyterServer, url: str) -> None:
     """Return when the server answers, or say that it does not."""
     # Without proxies: one that is set for the web would be asked for this machine's own address.
     opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))

@@ -25,7 +25,7 @@ HELP = "h: more help   l: list   n: next exercise   s: solution   r: reset   q: 
 
 
 @dataclass
-class Session:
+class WatchSession:
     """Exercises that are watched, what is known of them, and the one that is on the screen.
 
     Parameters

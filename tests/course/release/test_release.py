@@ -17,7 +17,7 @@ from lesson_code.course import release
 from lesson_code.course.grading.exercises import exercises
 from lesson_code.course.grading.verdict import stream_of
 from lesson_code.course.notebooks.student_copy import SOLUTION_ONLY
-from lesson_code.course.quiz.bank import load_chapter
+from lesson_code.course.quiz.bank import load_quiz
 from lesson_code.course.release.bundle import Files, bundle_files, write_folder, write_zip
 from lesson_code.course.release.leaks import HIDDEN_SEEDS, leaks
 
@@ -92,7 +92,7 @@ PLANTED = {
     ),
     "notebooks/00_start_here.ipynb": (
         "holds what the quiz says to an answer",
-        json.dumps({"cells": [{"outputs": [load_chapter("01").questions[0].right_feedback]}]}),
+        json.dumps({"cells": [{"outputs": [load_quiz("01").questions[0].right_feedback]}]}),
     ),
 }
 
