@@ -8,6 +8,7 @@ import shutil
 import tempfile
 import warnings
 from collections.abc import Callable, Collection, Iterable
+from contextlib import closing
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
@@ -132,12 +133,14 @@ def _moving_figures(notebooks: list[Path], told: Told) -> dict[str, list[MovingF
     found = {}
     # The largest files hold the largest figures. Begun first, they do not end alone.
     by_size = sorted(notebooks, key=lambda path: -path.stat().st_size)
-    outcomes = iter_tasks(figures_of, by_size, names=[path.stem for path in by_size])
-    for done, outcome in enumerate(outcomes, start=1):
-        if outcome.error is not None:
-            raise SiteError(str(outcome.error)) from outcome.error
-        found[outcome.name] = outcome.result
-        told(f"figures of {outcome.name}", done / (len(notebooks) + 1))
+    names = [path.stem for path in by_size]
+    with closing(iter_tasks(figures_of, by_size, names=names)) as drawn:
+        for number, future in drawn:
+            error = future.exception()
+            if error is not None:
+                raise SiteError(str(error)) from error
+            found[names[number]] = future.result()
+            told(f"figures of {names[number]}", len(found) / (len(notebooks) + 1))
     return found
 
 
