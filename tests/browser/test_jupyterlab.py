@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from lesson_code.course.quiz.bank import ChoiceQuestion, load_quiz
-from lesson_code.course.site.in_browser import JupyterLab, LabNotebook
+
+from .in_browser import JupyterLab, LabNotebook
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page

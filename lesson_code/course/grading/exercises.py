@@ -38,6 +38,11 @@ class Exercise:
         """A chapter's exercise is a notebook, a program's a program."""
         return ".ipynb" if self.chapter.number else ".py"
 
+    @property
+    def file_name(self) -> str:
+        """Name of the file, with its suffix."""
+        return f"{self.name}{self.suffix}"
+
     @cached_property
     def tasks(self) -> tuple[Task, ...]:
         """The functions to write, each with the answers that the chapter marks for it."""
@@ -76,11 +81,11 @@ class Exercise:
 
     def solution(self, root: Path) -> Path:
         """Return where the solution stands in a workbook."""
-        return root / "solutions" / f"{self.name}{self.suffix}"
+        return root / "solutions" / self.file_name
 
     def student_copy(self, root: Path) -> Path:
         """Return where the student's copy stands in a workbook."""
-        return root / "exercises" / f"{self.name}{self.suffix}"
+        return root / "exercises" / self.file_name
 
 
 @cache

@@ -163,7 +163,7 @@ def _orphans() -> Iterator[str]:
 
 def _orphaned_files(root: Path) -> Iterator[str]:
     """Yield which files among the exercises and solutions belong to no exercise."""
-    known = [f"{exercise.name}{exercise.suffix}" for exercise in exercises()]
+    known = [exercise.file_name for exercise in exercises()]
     for folder in ("exercises", "solutions"):
         for path in sorted((root / folder).iterdir()):
             if path.suffix in (".ipynb", ".py") and path.name not in known:

@@ -16,6 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import quote
 
+from lesson_code.course.notebooks.root import how_to_install
+
 HOST = "127.0.0.1"
 USUAL_PORT = 8888
 SECONDS_TO_START = 60.0
@@ -75,7 +77,7 @@ def start(
         JupyterLab is missing or does not start, or the port asked for is taken.
     """
     if importlib.util.find_spec("jupyterlab") is None:
-        raise ServerError("JupyterLab is not installed: pip install -e '.[jupyter]'")
+        raise ServerError(f"JupyterLab is not installed: {how_to_install('jupyter')}")
     chosen = _free_port([USUAL_PORT, 0] if port is None else [port])
     token = secrets.token_hex(24)
     environment = {**os.environ, "JUPYTER_TOKEN": token}

@@ -13,6 +13,7 @@ from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
+from lesson_code.course.notebooks.root import how_to_install
 from lesson_code.course.site.finishing import finish
 from lesson_code.course.site.front_pages import TITLE, exercise_page, front_page
 from lesson_code.course.site.mathml import write_font
@@ -117,7 +118,7 @@ def missing_tools() -> list[str]:
 def _require_tools() -> None:
     """Say what to install if something is missing."""
     if missing := missing_tools():
-        raise MissingToolsError(f"{', '.join(missing)} not installed: pip install -e '.[site]'")
+        raise MissingToolsError(f"{', '.join(missing)} not installed: {how_to_install('site')}")
 
 
 def _require_own(site: Path) -> None:

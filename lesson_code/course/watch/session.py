@@ -132,7 +132,7 @@ class WatchSession:
         for exercise in self.exercises:
             right, tasks = self.progress.count([exercise])
             earned, full = self.progress.points([exercise])
-            name = f"{exercise.name}{exercise.suffix}"
+            name = exercise.file_name
             self.screen.row(name, f"{right} of {tasks} tasks", f"{earned} of {full} points")
         self._show_course()
 

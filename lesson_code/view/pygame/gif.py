@@ -1,4 +1,4 @@
-"""A film of a window as an animated GIF. Pillow writes it, and only what changes in each picture."""
+"""A film of a window as an animated GIF: a picture is written by Pillow as soon as its time is known.
 
 from __future__ import annotations
 

@@ -75,7 +75,7 @@ def test_missing_jupyterlab_is_said_with_the_command_that_installs_it(
 ) -> None:
     """Whoever installed the lean package learns what to type."""
     monkeypatch.setattr(server.importlib.util, "find_spec", lambda _: None)
-    with pytest.raises(ServerError, match=r"pip install -e '\.\[jupyter\]'"):
+    with pytest.raises(ServerError, match=r'pip install -e "\.\[jupyter\]"'):
         server.start(tmp_path, NOTEBOOK)
 
 

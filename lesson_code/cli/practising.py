@@ -1,4 +1,4 @@
-"""``workbook watch``: exercises checked each time they are saved."""
+"""``workbook watch`` and ``workbook quiz``: exercises checked as they are saved, and questions."""
 
 from __future__ import annotations
 
@@ -9,15 +9,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from lesson_code.cli.shared import clear_errors, console
+from lesson_code.cli.shared import (
+    STUDENTS,
+    AsJson,
+    clear_errors,
+    console,
+    errors,
+    print_json,
+)
 
 if TYPE_CHECKING:
     from lesson_code.course.watch import WatchSession
 
-watching = typer.Typer()
+practising = typer.Typer()
 
 
-@watching.command()
+@practising.command(rich_help_panel=STUDENTS)
 def watch(
     exercise: Annotated[
         str | None, typer.Argument(help="Its number, such as 03; all by default.")
@@ -65,3 +72,20 @@ def _watch(session: WatchSession) -> None:
         session.run(lines)
     except KeyboardInterrupt:
         session.screen.say("Stopped.")
+
+
+@practising.command(rich_help_panel=STUDENTS)
+def quiz(
+    chapters: Annotated[
+        list[str] | None, typer.Argument(help="Their numbers; all by default.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Take the quiz here in the terminal."""
+    from lesson_code.course.quiz.bank import chapter_numbers
+    from lesson_code.course.quiz.terminal import run_quiz
+
+    with clear_errors():
+        result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
+        if as_json:
+            print_json(result.as_dict() | {"command": "quiz"})
