@@ -6,8 +6,7 @@ module         what it does
 ``linker``     puts the functions that a run needs into one module, as source
 ``known``      works out what is decided before the run
 ``arrays``     turns tables of rows into arrays of records
-``inlining``   decides which functions are compiled in place of their calls
-``inner``      spares the functions within a program what only its entry needs
+``inlining``   decides which functions are compiled in place of their calls, and which are merged
 ``library``    compiles a module, and keeps the machine code for the next time
 ``choice``     decides whether a run is worth compiling
 =============  ==================================================================

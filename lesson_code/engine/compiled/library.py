@@ -24,7 +24,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from lesson_code.engine.compiled.inlining import inlined
+from lesson_code.engine.compiled.inlining import inlined, merged
 
 PROGRAMS_KEPT = 64
 """In the folder: the ones that were made longest ago are deleted, so that it does not grow."""
@@ -71,16 +71,15 @@ def compiled_function(source: str, entry: str) -> Callable[..., Any]:
     """
     from numba import njit
 
-    from lesson_code.engine.compiled.inner import inner_options
-
     module, keeps = _load(source)
     functions = {n: f for n, f in vars(module).items() if isinstance(f, types.FunctionType)}
     options: dict[str, Any] = {"error_model": "numpy", "_nrt": False}
-    inner = inner_options()
+    inner = {**options, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     for name, function in functions.items():
         if name != entry:
-            compiled = njit(**options, **inner, forceinline=name in module.IN_PLACE)(function)
-            setattr(module, name, compiled)
+            inner["forceinline"] = name in module.IN_PLACE
+            inner["inline"] = "always" if name in module.MERGED else "never"
+            setattr(module, name, njit(**inner)(function))
     start: Callable[..., Any] = njit(**options, cache=keeps)(functions[entry])
     return start
 
@@ -110,7 +109,8 @@ def _name_of(program: str) -> str:
 
 def _program_of(source: str) -> str:
     """Return all that machine code depends on: a program, and what is compiled in place in it."""
-    return f"{source}\n\nIN_PLACE = {sorted(inlined(source))}\n"
+    in_place, merge = sorted(inlined(source)), sorted(merged(source))
+    return f"{source}\n\nIN_PLACE = {in_place}\nMERGED = {merge}\n"
 
 
 def _written(place: Path, name: str, source: str) -> Path:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from lesson_code import Combination
-from lesson_code.engine.compiled.inlining import MOST_NODES, inlined
+from lesson_code.engine.compiled.inlining import MOST_NODES, inlined, merged
 from lesson_code.engine.effects.choice import LACKING
 from lesson_code.engine.effects.rules import RULES
 from lesson_code.engine.stepper import EngineStepper, source_of
@@ -51,6 +51,20 @@ def test_inlined_what_is_put_in_counts_with_the_function_that_calls_it() -> None
 def test_inlined_function_outside_of_loops_stays_a_call() -> None:
     """A stage is called once; and the function that Python calls has no place to stand in."""
     assert inlined(SHORT + "def run(x):\n    return short(x)\n") == frozenset()
+
+
+def test_merged_function_without_loops_that_is_called_once() -> None:
+    """What puts stages in order; with a loop, or called twice, it stays a function."""
+    once = "def run(x):\n    return short(x)\n"
+    assert merged(SHORT + once) == {"short"}
+    assert merged(SHORT + once + "def again(x):\n    return short(x)\n") == frozenset()
+    looped = "def short(x):\n    for _ in x:\n        pass\n"
+    assert merged(looped + once) == frozenset()
+
+
+def test_merged_nothing_that_is_compiled_in_place() -> None:
+    """A function is put into its caller in one way."""
+    assert merged(SHORT + loop("short")) == frozenset()
 
 
 WHOLE_WORLD = "world"

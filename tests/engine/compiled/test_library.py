@@ -96,16 +96,17 @@ def test_program_is_written_as_it_was_linked(place: Path) -> None:
     """So that anybody can read what runs, and what is in place; nothing else is left beside it."""
     compiled_function(SMALL, "entry")
     [path] = [path for path in place.iterdir() if path.is_file()]
-    assert path.read_text() == SMALL + "\n\nIN_PLACE = []\n"
+    assert path.read_text() == SMALL + "\n\nIN_PLACE = []\nMERGED = ['part']\n"
 
 
+@pytest.mark.parametrize(("way", "names"), [("inlined", {"part"}), ("merged", set())])
 def test_program_compiled_in_another_way_is_another_program(
-    place: Path, monkeypatch: pytest.MonkeyPatch
+    place: Path, monkeypatch: pytest.MonkeyPatch, way: str, names: set[str]
 ) -> None:
     """What stands in place of its calls makes other machine code of the same lines."""
     compiled_function(SMALL, "entry")(4.0)
     assert is_kept(SMALL)
-    monkeypatch.setattr(library, "inlined", lambda _: frozenset({"part"}))
+    monkeypatch.setattr(library, way, lambda _: frozenset(names))
     assert not is_kept(SMALL)
 
 
