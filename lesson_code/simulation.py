@@ -4,30 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import Any
 
+import lesson_code.reference.solvers
 from lesson_code.engine.core.mixing import Combination, combination
-from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import Sample, Stepper, record, step_times
+from lesson_code.engine.core.recording import Sample, step_times
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.solver import Request
 from lesson_code.engine.effects.rules import Question
-from lesson_code.engine.event_driven import ExactSolver, record_exact
+from lesson_code.engine.solvers import our_solvers, solvers_in
 from lesson_code.engine.solvers.choice import SolverChoice, solvers_for
-from lesson_code.engine.stepper import SOLVERS, EngineStepper
+from lesson_code.engine.stepper import run_in_steps
 from lesson_code.formulas.validation import non_negative, one_number, positive
 
-OTHERS = {"pymunk": ("C", "pymunk's own"), "box2d": ("C++", "Box2D's own")}
-"""Engines that are not ours, and what their code is."""
+SOLVERS = our_solvers() | solvers_in(lesson_code.reference.solvers)
+"""Ours, and the engines that are not ours, by name."""
 
-NAMES = ("auto", *SOLVERS, "exact", *OTHERS)
+NAMES = ("auto", *SOLVERS)
 """The solvers that a scene can be given to."""
-
-IMPACT_CHOICES = {
-    "impacts": ("simultaneous", "sequential"),
-    "restitution_law": ("newton", "energetic"),
-}
-"""What may be said of impacts; the first is what every solver does."""
 
 
 def simulate(
@@ -136,120 +130,65 @@ def simulate(
     duration = one_number("duration", duration, non_negative)
     if compiled is not None and not isinstance(compiled, bool):
         raise TypeError(f"compiled must be True, False or None, got {compiled!r}")
-    settings: dict[str, Any] = {
-        "dt": one_number("dt", dt, positive),
-        "iterations": None if iterations is None else _count("iterations", iterations),
-        "substeps": None if substeps is None else _count("substeps", substeps),
-        "combine": combination(combine),
-        "effects": effects,
-        "compiled": compiled,
-    }
-    rules = _impact_rules(solver, impacts, restitution_law)
+    asked = Request(
+        scene=scene,
+        duration=duration,
+        dt=one_number("dt", dt, positive),
+        iterations=None if iterations is None else _count("iterations", iterations),
+        substeps=None if substeps is None else _count("substeps", substeps),
+        combine=combination(combine),
+        effects=effects,
+        compiled=compiled,
+        options=_options(solver, impacts=impacts, restitution_law=restitution_law),
+        sample=sample,
+    )
     if solver != "auto":
-        return _simulate(
-            scene, duration, SolverChoice(solver, "asked for"), settings, rules, sample
-        )
+        return _run(asked, SolverChoice(solver, asked.reason))
     if sample is None:
-        sample = step_times(duration, settings["dt"])
-    question = Question(scene, "auto", settings["dt"], duration, settings["combine"])
-    asked = {**settings, "impact_rules": rules}
-    choices = solvers_for(question, asked=asked, effects=effects, compiled=compiled)
-    return _first_that_can(choices, scene, duration, settings, rules, sample)
+        asked = replace(asked, sample=step_times(duration, asked.dt))
+    question = Question(scene, "auto", asked.dt, duration, asked.combine)
+    given = {"iterations": iterations, "substeps": substeps, "impact_rules": asked.options}
+    choices = solvers_for(question, asked=given, effects=effects, compiled=compiled)
+    return _first_that_can(choices, asked)
 
 
-def _first_that_can(
-    choices: Iterable[SolverChoice],
-    scene: Scene,
-    duration: float,
-    settings: dict[str, Any],
-    rules: dict[str, str],
-    sample: Sample,
-) -> Run:
-    """Return the run of the first solver that finds an end; the exact one alone may not."""
+def _first_that_can(choices: Iterable[SolverChoice], asked: Request) -> Run:
+    """Return the run of the first solver that finds an end."""
     refused = ""
-    for choice in choices:
-        choice = choice._replace(reason=choice.reason + refused)
+    for name, reason in choices:
         try:
-            return _simulate(scene, duration, choice, settings, rules, sample)
+            return _run(asked, SolverChoice(name, reason + refused))
         except RuntimeError:
-            if choice.solver != "exact":
+            if not SOLVERS[name].gives_up:
                 raise
-            refused = "; the exact solver finds no end of the collisions"
+            refused = f"; {SOLVERS[name].gives_up}"
     raise AssertionError("the last choice, sequential, suits every scene")  # pragma: no cover
 
 
-def _simulate(
-    scene: Scene,
-    duration: float,
-    choice: SolverChoice,
-    settings: dict[str, Any],
-    rules: dict[str, str],
-    sample: Sample,
-) -> Run:
+def _run(asked: Request, choice: SolverChoice) -> Run:
     """Return a run by one solver."""
-    solver, reason = choice
-    if solver == "exact":
-        chosen = {name: settings[name] for name in ("combine", "effects", "compiled")}
-        return record_exact(
-            ExactSolver(scene, duration=duration, **chosen), duration, sample, reason
-        )
-    settings = _with_counts(solver, settings)
-    if solver in OTHERS:
-        other, plan = _other(solver, scene, settings), Plan(solver, reason, *OTHERS[solver])
-        return record(other, scene, duration, sample, plan)
-    if solver == "direct":
-        settings |= rules
-    stepper = EngineStepper(scene, solver=solver, duration=duration, **settings)
-    run = record(stepper, scene, duration, sample, stepper.plan(reason))
-    return replace(run, plan=stepper.plan(reason))  # as it was in the end
+    solver = SOLVERS[choice.solver]
+    asked = solver.with_counts(replace(asked, reason=choice.reason))
+    return solver.run_scene(asked) if solver.run_scene else run_in_steps(asked, solver)
 
 
-def _with_counts(solver: str, settings: dict[str, Any]) -> dict[str, Any]:
-    """Return the settings, with the numbers of sweeps and sub-steps that a solver makes."""
-    sweeps, parts = (1, 4) if solver == "substep" else (10, 1)
-    if solver in ("naive", "direct"):
-        sweeps, settings = 1, {**settings, "iterations": None}
-    return {
-        **settings,
-        "iterations": settings["iterations"] or sweeps,
-        "substeps": settings["substeps"] or parts,
-    }
+def _options(solver: str, **chosen: str) -> dict[str, str]:
+    """Return the choices that only some solvers offer, or refuse what this one does not.
 
-
-def _other(solver: str, scene: Scene, settings: dict[str, Any]) -> Stepper:
-    """Return another engine at work on a scene; it is loaded only when asked for.
-
-    It has one program for all scenes, and that is compiled.
+    Nothing where they are what every solver does.
     """
-    settings = dict(settings)
-    for name in ("compiled", "effects"):
-        if (value := settings.pop(name)) is not None:
-            raise ValueError(f"{name} must be None for {solver}, got {value!r}")
-    if solver == "pymunk":
-        from lesson_code.reference.pymunk_reference import PymunkStepper
-
-        return PymunkStepper(scene, **settings)
-    from lesson_code.reference.box2d_reference import Box2DStepper
-
-    return Box2DStepper(scene, **settings)
-
-
-def _impact_rules(solver: str, impacts: str, restitution_law: str) -> dict[str, str]:
-    """Return what the direct solver is to be told of impacts, or refuse what a solver has not.
-
-    Nothing where that is the default.
-    """
-    chosen = {"impacts": impacts, "restitution_law": restitution_law}
+    usual = True
     for name, value in chosen.items():
-        first, *_ = IMPACT_CHOICES[name]
-        if value not in IMPACT_CHOICES[name]:
-            raise ValueError(
-                f"{name} must be one of {', '.join(IMPACT_CHOICES[name])}, got {value!r}"
-            )
-        if solver not in ("direct", "auto") and value != first:
-            raise ValueError(f"{name} must be {first!r} unless solver is 'direct', got {value!r}")
-    defaults = {name: first for name, (first, *_) in IMPACT_CHOICES.items()}
-    return {} if chosen == defaults else chosen
+        offering = [s for s in SOLVERS.values() if name in s.options]
+        values = offering[0].options[name]
+        if value not in values:
+            raise ValueError(f"{name} must be one of {', '.join(values)}, got {value!r}")
+        able = [s.name for s in offering]
+        if solver not in ("auto", *able) and value != values[0]:
+            who = " or ".join(map(repr, able))
+            raise ValueError(f"{name} must be {values[0]!r} unless solver is {who}, got {value!r}")
+        usual = usual and value == values[0]
+    return {} if usual else chosen
 
 
 def _count(name: str, value: int) -> int:

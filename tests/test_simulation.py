@@ -147,10 +147,10 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"substeps": 2.5}, "substeps must be a whole number, got 2.5"),
     (
         {"solver": "fast"},
-        "solver must be one of auto, sequential, substep, naive, direct, exact, pymunk, box2d, got "
+        "solver must be one of auto, direct, exact, naive, sequential, substep, box2d, pymunk, got "
         "'fast'",
     ),
-    ({"solver": None}, "solver must be one of .*, exact, pymunk, box2d, got None"),
+    ({"solver": None}, "solver must be one of .*, sequential, substep, box2d, pymunk, got None"),
     ({"impacts": "both"}, "impacts must be one of simultaneous, sequential, got 'both'"),
     ({"impacts": "sequential"}, "impacts must be 'simultaneous' unless solver is 'direct', got"),
     ({"restitution_law": "poisson"}, "restitution_law must be one of newton, energetic, got 'poi"),

@@ -19,14 +19,15 @@ from lesson_code.engine.compiled import as_arrays, as_numbers, compiled_function
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.continuous import advance, rigid_part
 from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.recording import EVENT_NUMBERS
 from lesson_code.engine.core.rows import ImpulseRow
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
-from lesson_code.engine.core.step import Pipeline
+from lesson_code.engine.core.step import advance, rigid_part
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
-from lesson_code.engine.stepper import SOLVERS, STATE_FIELDS
+from lesson_code.engine.solvers.sequential import SOLVER
+from lesson_code.engine.stepper import STATE_FIELDS
 from lesson_code.engine.touch_teller import TouchTeller
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
@@ -41,7 +42,7 @@ IMPULSE = attrgetter(*(field.name for field in fields(ImpulseRow)))
 
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
-ANY_SCENE = Pipeline(rigid_part, uniform_grid, SOLVERS["sequential"])
+ANY_SCENE = Pipeline(rigid_part, uniform_grid, SOLVER.stages_for({}))
 """The stages with every effect: whatever joins the world, its machine code stays the same."""
 
 

@@ -30,7 +30,7 @@ from lesson_code.formulas.arithmetic import cross, dot, perpendicular
 from lesson_code.formulas.validation import Vector, one_number, positive
 from lesson_code.geometry import Circle, Polygon, collide
 
-SOLVER = "small engine"
+NAME = "small engine"
 
 
 @dataclass
@@ -184,6 +184,10 @@ class SmallEngine:
         """Return no impulses: they are not written down."""
         return np.empty((0, EVENT_NUMBERS))
 
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run."""
+        return Plan(NAME, reason)
+
 
 def random_hits(count: int, seed: int) -> Iterator[Scene]:
     """Yield pairs that hit within 0.2 s: a rough disc that spins, and a heavier box, turned.
@@ -232,4 +236,4 @@ def simulate_small(scene: Scene, duration: float, *, dt: float = 1 / 60, sample:
     """
     if scene.damping or scene.callbacks.wanted:
         raise ValueError("scene must have no damping and no callbacks: the small engine knows none")
-    return record(SmallEngine(scene, dt), scene, duration, sample, Plan(SOLVER, "asked for"))
+    return record(SmallEngine(scene, dt), scene, duration, sample, "asked for")

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -20,12 +21,14 @@ from lesson_code.engine.compiled import (
     link,
 )
 from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.continuous import advance, rigid_part
 from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, record
+from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
-from lesson_code.engine.core.step import ContactSolver, Pipeline
+from lesson_code.engine.core.solver import Request, Solver
+from lesson_code.engine.core.step import advance
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
 from lesson_code.engine.core.touches import TouchListener
 from lesson_code.engine.effects.choice import (
@@ -35,62 +38,24 @@ from lesson_code.engine.effects.choice import (
     names_used,
 )
 from lesson_code.engine.effects.rules import Question
-from lesson_code.engine.solvers import (
-    naive as naive_solver,
-)
-from lesson_code.engine.solvers import (
-    sequential as contact_solver,
-)
-from lesson_code.engine.solvers import (
-    substep as substep_solver,
-)
-from lesson_code.engine.solvers.direct import direct_solver
-from lesson_code.engine.solvers.soft_step import soft_part
-
-SOLVERS = {
-    "sequential": ContactSolver(
-        contact_solver.prepare,
-        contact_solver.warm_start,
-        contact_solver.solve,
-        contact_solver.has_overlap_to_undo,
-        contact_solver.correct,
-        contact_solver.store,
-    ),
-    "substep": ContactSolver(
-        substep_solver.prepare,
-        substep_solver.warm_start,
-        substep_solver.solve,
-        contact_solver.has_overlap_to_undo,
-        substep_solver.correct,
-        substep_solver.store,
-    ),
-    "naive": ContactSolver(
-        naive_solver.prepare,
-        naive_solver.warm_start,
-        naive_solver.solve,
-        naive_solver.has_overlap_to_undo,
-        naive_solver.correct,
-        naive_solver.store,
-    ),
-    "direct": direct_solver("simultaneous", "newton"),
-}
-"""The engine's contact solvers, by name."""
-
+from lesson_code.engine.solvers import our_solvers
 
 STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]
 """The fields of a body's row that are its state."""
 
 
-def pipeline_for(scene: Scene, solver: str, choices: tuple[EffectChoice, ...]) -> Pipeline:
+def pipeline_for(
+    scene: Scene, solver: Solver, choices: tuple[EffectChoice, ...], options: Mapping[str, str]
+) -> Pipeline:
     """Return the stages that a scene is run by: those of the effects that are used.
 
     A step is split at the impacts of fast bodies only once the first one is met.
     """
     used = names_used(choices)
     return Pipeline(
-        make_part=soft_part if solver == "substep" else rigid_part,
+        make_part=solver.make_part,
         broad_phase=BROAD_PHASES["uniform_grid" if "broad_phase" in used else "all_pairs"],
-        solver=SOLVERS[solver],
+        solver=solver.stages_for(options),
         listener=TouchListener(scene.callbacks) if "callbacks" in used else None,
         effects=flags_of(choices),
         is_continuous="continuous" in used,
@@ -104,6 +69,8 @@ def source_of(pipeline: Pipeline) -> str:
     return link(advance, pipeline=pipeline)
 
 
+NO_OPTIONS: Mapping[str, str] = MappingProxyType({})
+
 BODY_SECONDS, VISIT_SECONDS = 8e-6, 4e-6
 """s, of plain Python: for a body in a step, and for a visit to a contact."""
 
@@ -113,22 +80,34 @@ CONTACTS_PER_BODY = 2
 
 def choose_code(
     scene: Scene,
-    solver: str,
+    solver: Solver,
     steps: float,
     iterations: int,
     asked: bool | None,
-    program: Callable[[], str] | None = None,
+    program: Callable[[], str],
 ) -> Choice:
     """Return whether to compile a run, from what has been asked for or from the work there is."""
     visits = CONTACTS_PER_BODY * iterations if any(scene.gravity) else 0
     seconds = steps * len(scene.bodies) * (BODY_SECONDS + visits * VISIT_SECONDS)
     never = "callbacks are Python functions" if scene.callbacks.wanted else ""
-    if solver == "direct":
-        never = "the direct solver works on arrays of its own"
-    if program is None:
-        pipeline = pipeline_for(scene, solver, choose_effects(Question(scene, solver)))
-        program = partial(source_of, pipeline)
-    return choose(asked, seconds, program, never)
+    return choose(asked, seconds, program, solver.never_compiled or never)
+
+
+def run_in_steps(asked: Request, solver: Solver) -> Run:
+    """Let the engine step a scene by a solver's stages."""
+    stepper = EngineStepper(
+        asked.scene,
+        solver=solver.name,
+        dt=asked.dt,
+        iterations=asked.iterations or solver.iterations,
+        substeps=asked.substeps or solver.substeps,
+        combine=asked.combine,
+        compiled=asked.compiled,
+        effects=asked.effects,
+        duration=asked.duration,
+        options=asked.options,
+    )
+    return record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
 
 
 class EngineStepper:
@@ -139,17 +118,17 @@ class EngineStepper:
     scene : Scene
         What is simulated.
     solver : str
-        "sequential", "substep", "direct" or "naive".
+        One of those in :mod:`lesson_code.engine.solvers` that have stages, by name.
     dt : float
         s, > 0.
     iterations : int
         Sweeps over the contacts in each sub-step.
     substeps : int
-        Parts of a step; for "substep" with one finding of contacts for all of them.
+        Parts of a step; some solvers find contacts once for all of them.
     combine : Combination
         How a pair's coefficients come from its bodies'.
-    impacts, restitution_law : str
-        How the direct solver treats impacts; the others know only the rules that are the default.
+    options : mapping from str to str
+        Choices that the solver offers, such as "impacts".
     keep_impulses : bool
         Whether every impulse is written down.
     compiled : bool or None
@@ -187,23 +166,21 @@ class EngineStepper:
         iterations: int,
         substeps: int,
         combine: Combination,
-        impacts: str = "simultaneous",
-        restitution_law: str = "newton",
+        options: Mapping[str, str] = NO_OPTIONS,
         keep_impulses: bool = True,
         compiled: bool | None = False,
         effects: Mapping[str, bool] | None = None,
         duration: float = math.inf,
     ) -> None:
         self.dt = dt
-        self._steps_a_step = 1 if solver == "substep" else substeps
+        self._solver = our_solvers()[solver]
+        self._options = options
+        self._steps_a_step = 1 if self._solver.shares_contacts else substeps
         self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine)
         self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
         self._changes: list[str] = []
         self.effects = choose_effects(self._question, self._asked)
-        self.pipeline = pipeline_for(scene, solver, self.effects)
-        if solver == "direct":
-            rules = direct_solver(impacts, restitution_law)
-            self.pipeline = self.pipeline._replace(solver=rules)
+        self.pipeline = pipeline_for(scene, self._solver, self.effects, self._options)
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
         self._rows = self.world
@@ -212,7 +189,7 @@ class EngineStepper:
         self._events: list[NDArray[np.float64]] = []
         steps = 0.0 if math.isinf(duration) else self._steps_a_step * duration / dt
         program = partial(source_of, self.pipeline)
-        self.choice = choose_code(scene, solver, steps, iterations, compiled, program)
+        self.choice = choose_code(scene, self._solver, steps, iterations, compiled, program)
         self._compiled = self.choice.compiled
         if self._compiled:
             self._compile()
@@ -269,9 +246,8 @@ class EngineStepper:
         scene = scene_at(self._question.scene, self.states(), gravity)
         self._question = replace(self._question, scene=scene)
         self.effects = choose_effects(self._question, self._asked)
-        stages = pipeline_for(scene, self._question.solver, self.effects)
+        stages = pipeline_for(scene, self._solver, self.effects, self._options)
         self.pipeline = stages._replace(
-            solver=self.pipeline.solver,
             listener=self.pipeline.listener,
             splits_steps=self.pipeline.splits_steps,
         )

@@ -24,13 +24,14 @@ from lesson_code.engine.compiled import compiled_function, link
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE, why_no_compiler
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
-from lesson_code.engine.core.continuous import rigid_part
 from lesson_code.engine.core.mixing import Combination
-from lesson_code.engine.core.step import ContactSolver, Pipeline
-from lesson_code.engine.effects.choice import BUILT_IN, LACKING
+from lesson_code.engine.core.pipeline import Pipeline, SolverStages
+from lesson_code.engine.core.step import rigid_part
+from lesson_code.engine.effects.choice import capabilities
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.reach import fastest_way
 from lesson_code.engine.effects.rules import RULES
+from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.effect_costs.calls import STAGES, calls_of
 
@@ -246,7 +247,7 @@ by_seed = settings(
 
 def solvers_of(effect: str) -> list[str]:
     """Return the solvers that can do with or without an effect."""
-    return [s for s in SOLVERS if effect not in {**LACKING.get(s, {}), **BUILT_IN.get(s, {})}]
+    return [s for s in SOLVERS if not any(effect in names for names in capabilities(s))]
 
 
 def run_of(spared: Spared, solver: str, effects: dict[str, bool], **settings: Any) -> Run:
@@ -301,7 +302,7 @@ def test_all_effects_that_are_not_called_for_together_change_nothing(
 
 def solvers_have(solver: str) -> set[str]:
     """Return the effects that a solver has."""
-    return set(RULES) - set(LACKING.get(solver, {}))
+    return set(RULES) - set(our_solvers()[solver].lacks)
 
 
 @by_seed
@@ -377,7 +378,7 @@ def link_all(function: Any, pipeline: Pipeline) -> str:
 
 
 @functools.cache
-def linked(function: Any, solver: ContactSolver, sleeping: bool) -> str:
+def linked(function: Any, solver: SolverStages, sleeping: bool) -> str:
     """Return the same, once for each kind of run."""
     every = Pipeline(
         make_part=rigid_part,

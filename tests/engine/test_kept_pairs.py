@@ -10,9 +10,9 @@ import pytest
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs, bound
+from lesson_code.engine.core.candidate_pairs import find_pairs
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.rows import World
-from lesson_code.engine.core.step import find_pairs
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes.gas import gas_of

@@ -10,7 +10,7 @@ import pytest
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.tables import BROAD_PHASES
-from lesson_code.engine.stepper import SOLVERS, EngineStepper
+from lesson_code.engine.stepper import EngineStepper
 
 
 def engine(scene: Scene, **settings: Any) -> EngineStepper:
@@ -70,11 +70,6 @@ def test_states_before_the_first_step_are_the_scenes() -> None:
     """x, y, angle, vx, vy, w of every body."""
     body = Body(Circle(1), mass=1, position=(1, 2), angle=3, velocity=(4, 5), angular_velocity=6)
     assert engine(Scene([body])).states().tolist() == [[1, 2, 3, 4, 5, 6]]
-
-
-def test_solvers_are_found_by_name() -> None:
-    """The lesson's, its first attempt, one with sub-steps, and one that solves islands at once."""
-    assert sorted(SOLVERS) == ["direct", "naive", "sequential", "substep"]
 
 
 def test_plan_says_who_and_why() -> None:

@@ -29,9 +29,6 @@ from lesson_code.engine.compiled.known import is_stage, known_value
 PROJECT = "lesson_code."
 """Functions of modules whose names begin so are taken into a program; others stay outside."""
 
-OUTSIDE = ("lesson_code.engine.solvers.direct",)
-"""Modules whose functions a program imports all the same: they work on arrays with NumPy."""
-
 Names: TypeAlias = Mapping[str, Any]
 Key: TypeAlias = tuple[Any, ...]
 
@@ -290,9 +287,10 @@ def _stages_by_default(function: Any, given: set[str]) -> dict[str, Any]:
 
 
 def _is_outside(stage: Any) -> bool:
-    """Return whether a stage is a function, or part of one, that no program takes in."""
+    """Return whether a stage is a function, or part of one, of a solver that is not compiled."""
     function = stage.func if isinstance(stage, functools.partial) else stage
-    return getattr(function, "__module__", None) in OUTSIDE
+    module = sys.modules.get(getattr(function, "__module__", None) or "")
+    return bool(getattr(getattr(module, "SOLVER", None), "never_compiled", ""))
 
 
 def _is_ours(function: Any) -> bool:

@@ -15,43 +15,15 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.broad_phase import bound
+from lesson_code.engine.core.candidate_pairs import seek_pairs
 from lesson_code.engine.core.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
 from lesson_code.engine.core.narrow_phase import touch
+from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
-from lesson_code.engine.core.step import Pipeline, rest, seek_pairs, step
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.sleeping import everything_sleeps
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.rows import ManifoldRow
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
-
-
-def advance(world: World, pipeline: Pipeline) -> bool:
-    """Make the steps that are left, and return whether all are made.
-
-    They are not when a table was too small or a body was lost. Once there is room, the next call
-    goes on where this one stopped.
-    """
-    state = world.state
-    while state.steps_left > 0:
-        if state.left == 0.0:
-            state.left, state.impacts = state.whole, 0
-        while state.left > 0.0:
-            if not pipeline.make_part(world, pipeline):
-                return False
-            state.left -= state.dt
-        state.steps_done += 1
-        state.steps_left -= 1
-    return True
-
-
-def rigid_part(world: World, pipeline: Pipeline) -> bool:
-    """Make a step, or the part of it until a fast body has hit something; return if it is made."""
-    if pipeline.effects.sleeping and everything_sleeps(world):
-        return rest(world, pipeline)
-    if not world.state.has_moved and not choose_part(world, pipeline):
-        return False
-    return step(world, pipeline)
 
 
 def choose_part(world: World, pipeline: Pipeline) -> bool:

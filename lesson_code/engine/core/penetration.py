@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.broad_phase import bound
+from lesson_code.engine.core.candidate_pairs import seek_pairs
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.motion import turn_with_angle
 from lesson_code.engine.core.narrow_phase import find_contacts
+from lesson_code.engine.core.pipeline import BroadPhase
 from lesson_code.engine.core.rows import ContactRow, World
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.step import BroadPhase, seek_pairs, turn_with_angle
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 

@@ -45,6 +45,9 @@ class Stepper(Protocol):
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10); see :data:`Event`."""
 
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene has been run so far; the reason is that for this solver."""
+
 
 @dataclass(frozen=True)
 class Moment:
@@ -55,7 +58,7 @@ class Moment:
     rest: float
 
 
-def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan: Plan) -> Run:
+def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reason: str) -> Run:
     """Let a solver run for a while, and return what it did.
 
     All steps have the same length. A state between two steps is that of the earlier one, moved
@@ -71,7 +74,8 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, plan
         frames[frame] = stepper.states()
         frames[frame, :, 0:3] += moment.rest * frames[frame, :, 3:6]
     stepper.advance(whole_parts(duration, stepper.dt) - done)
-    return run_of(scene, [moment.time for moment in moments], frames, stepper.events(), plan)
+    times = [moment.time for moment in moments]
+    return run_of(scene, times, frames, stepper.events(), stepper.plan(reason))
 
 
 def run_of(scene: Scene, times: Sequence[float], frames: Any, events: Any, plan: Plan) -> Run:

@@ -1,72 +1,73 @@
-"""The step: the stages of the engine, in their order. The pipeline of notebook 00, as code.
+"""The step: all stages of the engine, in their order. The pipeline of notebook 00, as code.
 
-    detection         1 move the bodies      2 broad phase      3 narrow phase
-    resolution        4 prepare              5 accelerate       6 warm start
-                      7 impulses             8 correction       9 store
-    post-processing  10 callbacks         11 sleep
+===============  ============================  ==============================================
+stage            a step                        a step in sub-steps
+===============  ============================  ==============================================
+..               move the bodies
+detection        broad phase, narrow phase     broad phase, narrow phase
+resolution       prepare                       prepare, with the impacts
+                 accelerate                    how long until a fast body hits something
+                 warm start                    in each sub-step: accelerate, warm start,
+                 impulses                      springs, move the bodies, relax
+                 position correction
+                 store                         store
+post-processing  callbacks, record, sleep      callbacks, record
+===============  ============================  ==============================================
 
-Positions come first: at the end of a step the velocities belong to the contacts at the positions
+In a step positions come first: at its end the velocities belong to the contacts at the positions
 that the bodies have there. The bounce is computed from the velocity before gravity has acted in
 this step, so that a ball that bounces for ever keeps its height.
+
+With sub-steps contacts come first, and the motion follows, because the contacts have to follow
+it. All jumps of velocity lie in their preparation. So the look ahead for fast bodies comes after
+it: it then knows the velocities with which they will move.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from typing import NamedTuple, Protocol, TypeAlias
-
-from lesson_code.engine.core.broad_phase import bound, has_left_box
+from lesson_code.engine.core.candidate_pairs import find_pairs
+from lesson_code.engine.core.continuous import choose_part
 from lesson_code.engine.core.impulse_record import (
     has_room_for_record,
     record_impulses,
     record_resting,
 )
+from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.narrow_phase import find_contacts
-from lesson_code.engine.core.rows import BodyRow, World
-from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.sleeping import has_room_for_sleep, let_sleep
-from lesson_code.geometry.rows import turn
-
-Stage: TypeAlias = Callable[[World, Effects], None]
-"""A stage changes the world's tables and returns nothing."""
-
-BroadPhase: TypeAlias = Callable[[World], int]
-"""Writes the candidate pairs, and returns how many there are."""
+from lesson_code.engine.core.pipeline import Pipeline
+from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.sleeping import everything_sleeps, has_room_for_sleep, let_sleep
 
 
-class ContactSolver(NamedTuple):
-    """The stages in which one kind of solver differs from another."""
+def advance(world: World, pipeline: Pipeline) -> bool:
+    """Make the steps that are left, and return whether all are made.
 
-    prepare: Stage
-    warm_start: Stage
-    solve: Stage
-    has_overlap_to_undo: Callable[[World, Effects], bool]
-    correct: Stage
-    store: Stage
-
-
-class Listener(Protocol):
-    """Who wants to be told of the contacts of a step."""
-
-    def before_impulses(self, world: World) -> None:
-        """Hear of the contacts; may change or remove them."""
-
-    def after_impulses(self, world: World) -> None:
-        """Hear of the contacts again, now with their impulses."""
+    They are not when a table was too small or a body was lost. Once there is room, the next call
+    goes on where this one stopped.
+    """
+    state = world.state
+    while state.steps_left > 0:
+        if state.left == 0.0:
+            state.left, state.impacts = state.whole, 0
+        while state.left > 0.0:
+            if not pipeline.make_part(world, pipeline):
+                return False
+            state.left -= state.dt
+        state.steps_done += 1
+        state.steps_left -= 1
+    return True
 
 
-class Pipeline(NamedTuple):
-    """What the stages of a run are: chosen once, before it begins."""
+# The step
 
-    make_part: Callable[[World, Pipeline], bool]  # a step, or the part of it until an impact
-    broad_phase: BroadPhase
-    solver: ContactSolver
-    listener: Listener | None = None
-    effects: Effects = EVERY_EFFECT
-    is_continuous: bool = True  # whether fast bodies are looked for
-    splits_steps: bool = True  # whether a step is split at their impacts; else the run stops there
-    keeps_impulses: bool = True  # whether every impulse is written down
+
+def rigid_part(world: World, pipeline: Pipeline) -> bool:
+    """Make a step, or the part of it until a fast body has hit something; return if it is made."""
+    if pipeline.effects.sleeping and everything_sleeps(world):
+        return rest(world, pipeline)
+    if not world.state.has_moved and not choose_part(world, pipeline):
+        return False
+    return step(world, pipeline)
 
 
 def step(world: World, pipeline: Pipeline) -> bool:
@@ -75,38 +76,65 @@ def step(world: World, pipeline: Pipeline) -> bool:
     It has not when a table was too small or a body was lost. Once there is room, the next call
     goes on where this one stopped.
     """
-    state, solver, effects = world.state, pipeline.solver, pipeline.effects
+    state, effects = world.state, pipeline.effects
     if not state.has_moved:
-        move(world, effects)  # 1
+        move(world, effects)
         state.has_moved = True
     if state.lost_body >= 0:
         return False
     if effects.collisions:
-        if not find_pairs(world, pipeline.broad_phase, effects):  # 2
+        if not detect(world, pipeline):
             return False
-        if not find_contacts(world, effects):  # 3
-            return False
-        if effects.sleeping and not has_room_for_sleep(world):
-            return False
-        if pipeline.keeps_impulses and not has_room_for_record(world):
-            return False
-        if pipeline.listener is not None:
-            pipeline.listener.before_impulses(world)
-        solver.prepare(world, effects)  # 4
+        pipeline.solver.prepare(world, effects)
     if effects.gravity or effects.damping:
-        accelerate(world, effects)  # 5
+        accelerate(world, effects)
     if effects.collisions:
         resolve(world, pipeline)
-        if pipeline.listener is not None:
-            pipeline.listener.after_impulses(world)  # 10
-        if pipeline.keeps_impulses:
-            record_impulses(world, effects)
-        if effects.sleeping:
-            if pipeline.keeps_impulses:
-                record_resting(world)
-            let_sleep(world)  # 11
+        post_process(world, pipeline)
     state.has_moved = False
     return True
+
+
+def detect(world: World, pipeline: Pipeline) -> bool:
+    """Find the contacts; return whether the tables have room for them and for their record."""
+    effects = pipeline.effects
+    if not find_pairs(world, pipeline.broad_phase, effects):
+        return False
+    if not find_contacts(world, effects):
+        return False
+    if effects.sleeping and not has_room_for_sleep(world):
+        return False
+    if pipeline.keeps_impulses and not has_room_for_record(world):
+        return False
+    if pipeline.listener is not None:
+        pipeline.listener.before_impulses(world)
+    return True
+
+
+def resolve(world: World, pipeline: Pipeline) -> None:
+    """Find the impulses of all contacts, and the pushes out of overlaps."""
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
+    if effects.warm_starting:
+        solver.warm_start(world, effects)
+    for _ in range(state.iterations):
+        solver.solve(world, effects)
+    if effects.position_correction and solver.has_overlap_to_undo(world, effects):
+        for _ in range(state.iterations):
+            solver.correct(world, effects)
+    if effects.warm_starting:
+        solver.store(world, effects)
+
+
+def post_process(world: World, pipeline: Pipeline) -> None:
+    """Tell of the contacts and write down their impulses; let islands at rest fall asleep."""
+    if pipeline.listener is not None:
+        pipeline.listener.after_impulses(world)
+    if pipeline.keeps_impulses:
+        record_impulses(world, pipeline.effects)
+    if pipeline.effects.sleeping:
+        if pipeline.keeps_impulses:
+            record_resting(world)
+        let_sleep(world)
 
 
 def rest(world: World, pipeline: Pipeline) -> bool:
@@ -125,106 +153,56 @@ def rest(world: World, pipeline: Pipeline) -> bool:
     return True
 
 
-def resolve(world: World, pipeline: Pipeline) -> None:
-    """Find the impulses of all contacts, and the pushes out of overlaps."""
-    state, solver, effects = world.state, pipeline.solver, pipeline.effects
-    if effects.warm_starting:
-        solver.warm_start(world, effects)  # 6
-    for _ in range(state.iterations):
-        solver.solve(world, effects)  # 7
-    if effects.position_correction and solver.has_overlap_to_undo(world, effects):
-        for _ in range(state.iterations):
-            solver.correct(world, effects)  # 8
-    if effects.warm_starting:
-        solver.store(world, effects)  # 9
+# The step in sub-steps
 
 
-def move(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Move every body by its velocity and by the push out of an overlap, which is then spent.
+def soft_part(world: World, pipeline: Pipeline) -> bool:
+    """Let a step pass, or the part of it until a fast body has hit something.
 
-    A body that leaves the range of floating point is noted as lost.
+    Returns whether it has passed, as :func:`rigid_part` does. Meanwhile ``state.dt`` is the length
+    of a sub-step.
     """
-    dt = world.state.dt
-    for number, body in enumerate(world.bodies):
-        if body.waits or (effects.sleeping and body.is_asleep):
-            continue
-        body.x += (body.vx + body.push_vx) * dt
-        body.y += (body.vy + body.push_vy) * dt
-        if not math.isfinite(body.x + body.y):
-            world.state.lost_body = number
-            return
-        if effects.rotation and not turn_on(world, body, dt):
-            world.state.lost_body = number
-            return
-        body.push_vx = 0.0
-        body.push_vy = 0.0
-
-
-def turn_on(world: World, body: BodyRow, dt: float) -> bool:
-    """Turn a body by its angular velocity; return whether its angle is still a number."""
-    spin = body.w + body.push_w
-    body.angle += spin * dt
-    body.push_w = 0.0
-    if not math.isfinite(body.angle):
+    state, effects = world.state, pipeline.effects
+    if not state.is_prepared and not prepare_part(world, pipeline):
         return False
-    if spin != 0.0 and body.corner_count > 0:
-        turn_with_angle(world, body)
+    if not choose_part(world, pipeline):
+        return False
+    part = state.dt
+    state.dt = part / state.substeps
+    for _ in range(state.substeps):
+        sub_step(world, pipeline)
+        if state.lost_body >= 0:
+            return False
+    if effects.collisions:
+        pipeline.solver.store(world, effects)
+        post_process(world, pipeline)
+    state.dt = part
+    state.is_prepared = False
     return True
 
 
-def turn_with_angle(world: World, body: BodyRow) -> None:
-    """Let the body's outline follow its angle."""
-    body.cos = math.cos(body.angle)
-    body.sin = math.sin(body.angle)
-    turn(world.corners, body)
+def prepare_part(world: World, pipeline: Pipeline) -> bool:
+    """Find the contacts, and let impacts pass; return whether the tables had room for that."""
+    state, effects = world.state, pipeline.effects
+    state.dt = state.whole / state.substeps
+    if effects.collisions:
+        if not detect(world, pipeline):
+            return False
+        pipeline.solver.prepare(world, effects)
+    state.is_prepared = True
+    return True
 
 
-def find_pairs(world: World, broad_phase: BroadPhase, effects: Effects = EVERY_EFFECT) -> bool:
-    """Find the candidate pairs, and return whether the table had room for them.
-
-    The pairs of an earlier step serve as long as every body is in the box that was drawn then.
-    """
-    state = world.state
-    if state.has_pairs and not has_left_box(world, effects):
-        return True
-    bound(world, effects)
-    return seek_pairs(world, broad_phase)
-
-
-def seek_pairs(world: World, broad_phase: BroadPhase) -> bool:
-    """Find the pairs of the boxes as they are drawn; return whether the table had room."""
-    state = world.state
-    count = broad_phase(world)
-    state.has_pairs = count <= len(world.pairs)
-    if state.has_pairs:
-        state.pair_count = count
-    else:
-        state.pairs_wanted = count
-    return state.has_pairs
-
-
-def accelerate(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Let damping and gravity act on the velocities."""
-    if effects.damping:
-        damp(world, effects)
-    if effects.gravity:
-        fall(world, effects)
-
-
-def damp(world: World, effects: Effects) -> None:
-    """Let the velocities of all bodies that can be pushed die away."""
-    remaining = math.exp(-world.state.damping * world.state.dt)
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
-            body.vx *= remaining
-            body.vy *= remaining
-            body.w *= remaining
-
-
-def fall(world: World, effects: Effects) -> None:
-    """Let gravity act on all bodies that can be pushed."""
-    state = world.state
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
-            body.vx += state.gravity_x * state.dt
-            body.vy += state.gravity_y * state.dt
+def sub_step(world: World, pipeline: Pipeline) -> None:
+    """Let a sub-step pass: springs before the bodies move, rigid contacts after it."""
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
+    if effects.gravity or effects.damping:
+        accelerate(world, effects)
+    if effects.collisions:
+        solver.warm_start(world, effects)
+        for _ in range(state.iterations):
+            solver.solve(world, effects)
+    move(world, effects)
+    if effects.collisions:
+        for _ in range(state.iterations):
+            solver.correct(world, effects)

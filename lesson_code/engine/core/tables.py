@@ -19,9 +19,10 @@ from lesson_code.engine.core.constants import (
     MOST_MARGIN,
 )
 from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, Combination
+from lesson_code.engine.core.motion import turn_with_angle
+from lesson_code.engine.core.pipeline import BroadPhase
 from lesson_code.engine.core.rows import BodyRow, BoxRow, IndexRow, PlaceRow, State, World
 from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.engine.core.step import BroadPhase, turn_with_angle
 from lesson_code.engine.effects.sleeping import is_static_and_moves
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
 from lesson_code.geometry.shapes import Segment

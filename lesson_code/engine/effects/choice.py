@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from lesson_code.engine.effects.flags import Effects
 from lesson_code.engine.effects.rules import RULES, Finding, Question, collisions
+from lesson_code.engine.solvers import our_solvers
 
 OPTIONAL = ("broad_phase", "sleeping", "impulse_record")
 """What may be left out although it is called for: no state of the run depends on it."""
@@ -21,38 +22,6 @@ OF_COLLISIONS = (
     *("warm_starting", "position_correction", "sleeping", "callbacks", "impulse_record"),
 )
 """What no scene calls for in which nothing meets."""
-
-_EXACT = "collisions are computed at their times, not seen after a step"
-_OWN = "the direct solver finds all impulses of an island at once"
-
-LACKING: dict[str, dict[str, str]] = {
-    "naive": {
-        "friction": "the naive solver knows none",
-        "continuous": "the naive solver looks for no fast bodies",
-        "warm_starting": "the naive solver remembers nothing",
-        "position_correction": "the naive solver shifts each pair as it visits it",
-        "sleeping": "only the sequential solver lets islands sleep",
-    },
-    "direct": {"sleeping": "only the sequential solver lets islands sleep"},
-    "substep": {"sleeping": "only the sequential solver lets islands sleep"},
-    "exact": {
-        "manifolds": "discs touch at one point",
-        "seams": "at the end of a face a disc hops, onto the next one if there is one",
-        "damping": "damped motion has no closed form here",
-        "callbacks": "it calls none",
-        "continuous": _EXACT,
-        "warm_starting": "no contact lasts for a step: there are none",
-        "position_correction": _EXACT,
-        "sleeping": "a disc at rest has no events",
-    },
-}
-"""Effects that a solver does not have, and why."""
-
-BUILT_IN: dict[str, dict[str, str]] = {
-    "direct": {"friction": _OWN, "warm_starting": "the cases of the last step are the first guess"},
-    "substep": {"warm_starting": "each sub-step begins with the impulses of the one before"},
-}
-"""Effects that a solver cannot do without, whatever the scene calls for, and why."""
 
 
 @dataclass(frozen=True)
@@ -84,6 +53,15 @@ class EffectChoice:
         return "forced" if self.used else "switched off"
 
 
+def capabilities(solver: str) -> tuple[Mapping[str, str], Mapping[str, str]]:
+    """Return the effects that a solver lacks, and those that it cannot do without, and why.
+
+    None of either where it is still to be chosen.
+    """
+    ours = our_solvers().get(solver)
+    return (ours.lacks, ours.built_in) if ours else ({}, {})
+
+
 def find(question: Question, name: str) -> Finding:
     """Return whether a scene calls for an effect, and why.
 
@@ -93,7 +71,7 @@ def find(question: Question, name: str) -> Finding:
     >>> find(Question(Scene([Body(Circle(1), mass=1.0)])), "friction")
     Finding(called_for=False, reason='no two bodies can meet within the run')
     """
-    lacking, built_in = LACKING.get(question.solver, {}), BUILT_IN.get(question.solver, {})
+    lacking, built_in = capabilities(question.solver)
     if name in lacking:
         return Finding(False, lacking[name])
     if name in OF_COLLISIONS:
@@ -163,12 +141,14 @@ def checked_wishes(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:
 def _choice(question: Question, name: str, wish: bool | None) -> EffectChoice:
     """Return what becomes of one effect."""
     called_for, reason = find(question, name)
+    lacking, built_in = capabilities(question.solver)
     if wish is False and called_for and name not in OPTIONAL:
-        is_built_in = reason == BUILT_IN.get(question.solver, {}).get(name)
+        is_built_in = reason == built_in.get(name)
         who = f"{question.solver!r} cannot do without" if is_built_in else "the scene needs it"
         raise ValueError(f"effects[{name!r}] must not be False: {who} ({reason})")
-    lacking = name in LACKING.get(question.solver, {})
-    if wish is True and (lacking or (name == "sleeping" and question.scene.callbacks.wanted)):
+    if wish is True and (
+        name in lacking or (name == "sleeping" and question.scene.callbacks.wanted)
+    ):
         raise ValueError(
             f"effects[{name!r}] must not be True for {question.solver!r} here: {reason}"
         )

@@ -20,7 +20,7 @@ import numpy as np
 from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
 from lesson_code.engine.core.penetration import deepest_overlaps
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.effects.choice import BUILT_IN, LACKING, checked_wishes
+from lesson_code.engine.effects.choice import capabilities, checked_wishes
 from lesson_code.engine.effects.rules import Question, is_mover, smallest_restitution
 from lesson_code.engine.event_driven import why_not
 from lesson_code.geometry.shapes import Circle
@@ -65,20 +65,19 @@ def solvers_for(
     """
     scene = question.scene
     wishes = checked_wishes(effects)
-    suits = {solver: _has_all(solver, wishes) for solver in LACKING}
     if asked.get("impact_rules"):
         yield SolverChoice("direct", "it alone knows the rule for impacts that is asked for")
         return
     if asked.get("iterations") or asked.get("substeps"):
         yield SolverChoice("sequential", "iterations or sub-steps are asked for")
         return
-    if suits["exact"] and flies_freely(question):
+    if _has_all("exact", wishes) and flies_freely(question):
         yield SolverChoice("exact", "discs that fly freely between their collisions")
     free = sum(not body.is_static for body in scene.bodies)
-    if suits["direct"] and free <= MOST_FOR_DIRECT and compiled is not True:
+    if _has_all("direct", wishes) and free <= MOST_FOR_DIRECT and compiled is not True:
         yield SolverChoice("direct", "few bodies: all contacts are solved at once")
     ratio = mass_ratio(scene)
-    if suits["substep"] and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
+    if _has_all("substep", wishes) and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
         yield SolverChoice(
             "substep", f"masses differ {ratio:.3g} times, and may lie on one another"
         )
@@ -87,7 +86,7 @@ def solvers_for(
 
 def _has_all(solver: str, wishes: Mapping[str, bool]) -> bool:
     """Return whether a solver has what is forced on, and can do without what is left out."""
-    lacking, built_in = LACKING.get(solver, {}), BUILT_IN.get(solver, {})
+    lacking, built_in = capabilities(solver)
     return not any(name in (lacking if wish else built_in) for name, wish in wishes.items())
 
 

@@ -40,8 +40,9 @@ from lesson_code.engine.core.islands import (
     push_velocities,
     velocities,
 )
+from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import ContactRow, World
-from lesson_code.engine.core.step import ContactSolver
+from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
 from lesson_code.engine.solvers.complementarity import solve_contacts
@@ -160,23 +161,6 @@ def begin_with_strikes(world: World, effects: Effects = EVERY_EFFECT) -> None:
         apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
 
 
-def direct_solver(impacts: str, restitution_law: str) -> ContactSolver:
-    """Return the stages of the direct solver for a rule of impacts.
-
-    Parameters
-    ----------
-    impacts : str
-        "simultaneous" or "sequential".
-    restitution_law : str
-        "newton" or "energetic".
-    """
-    rule = STRIKE_RULES[impacts, restitution_law]
-    if rule is None:
-        return ContactSolver(prepare, warm_start, solve, has_overlap_to_undo, correct, store)
-    first = partial(prepare_strikes, rule=rule)
-    return ContactSolver(first, begin_with_strikes, solve, has_overlap_to_undo, correct, store)
-
-
 def note_impulses(contacts: list[ContactRow], x: Floats) -> None:
     """Add impulses to what the contacts have received."""
     jn, jt = x[: len(contacts)].tolist(), x[len(contacts) :].tolist()
@@ -205,3 +189,26 @@ def _pairs(contacts: list[ContactRow]) -> list[list[int]]:
             last = (c.a, c.b)
         pairs[-1].append(k)
     return pairs
+
+
+def stages_with(rule: StrikeRule) -> SolverStages:
+    """Return the stages for a rule of impacts that is not the usual one."""
+    first = partial(prepare_strikes, rule=rule)
+    return SolverStages(first, begin_with_strikes, solve, has_overlap_to_undo, correct, store)
+
+
+_OWN = "the direct solver finds all impulses of an island at once"
+
+SOLVER = Solver(
+    name="direct",
+    stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
+    has_one_sweep=True,
+    options={
+        "impacts": ("simultaneous", "sequential"),
+        "restitution_law": ("newton", "energetic"),
+    },
+    variants={values: stages_with(rule) for values, rule in STRIKE_RULES.items()},
+    never_compiled="the direct solver works on arrays of its own",
+    lacks=NEVER_SLEEPS,
+    built_in={"friction": _OWN, "warm_starting": "the cases of the last step are the first guess"},
+)

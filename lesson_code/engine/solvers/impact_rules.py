@@ -163,10 +163,10 @@ def _energetic_in_turn(p: Problem, e: Floats, pairs: list[list[int]], quiet: flo
     return one_by_one(p, e, pairs, quiet, law=energetic)
 
 
-STRIKE_RULES: dict[tuple[str, str], StrikeRule | None] = {
-    ("simultaneous", "newton"): None,
+STRIKE_RULES: dict[tuple[str, ...], StrikeRule] = {
     ("simultaneous", "energetic"): _all_energetic,
     ("sequential", "newton"): _newton_in_turn,
     ("sequential", "energetic"): _energetic_in_turn,
 }
-"""The rules by their names. Newton's for all at once needs none: it is a target to be reached."""
+"""The rules by their names. Newton's for all at once is not among them: it is a velocity that the
+contacts are to reach."""

@@ -14,7 +14,9 @@ from __future__ import annotations
 
 import math
 
+from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 
 
@@ -74,3 +76,17 @@ def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember nothing."""
+
+
+SOLVER = Solver(
+    name="naive",
+    stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
+    has_one_sweep=True,
+    lacks={
+        "friction": "the naive solver knows none",
+        "continuous": "the naive solver looks for no fast bodies",
+        "warm_starting": "the naive solver remembers nothing",
+        "position_correction": "the naive solver shifts each pair as it visits it",
+        **NEVER_SLEEPS,
+    },
+)

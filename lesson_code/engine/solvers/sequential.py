@@ -60,7 +60,9 @@ from lesson_code.engine.core.contact_frame import (
     set_normal_frame,
     velocity_at,
 )
+from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, MemoryRow, World
+from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers.block_solver import (
     couple,
@@ -289,3 +291,9 @@ def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
             m.tangent_impulse = c.tangent_impulse
     world.state.memory_count = world.state.contact_count
     world.state.dt_before = world.state.dt
+
+
+SOLVER = Solver(
+    name="sequential",
+    stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
+)

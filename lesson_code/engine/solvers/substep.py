@@ -61,7 +61,10 @@ from lesson_code.engine.core.contact_frame import (
     tangent_velocity,
 )
 from lesson_code.engine.core.contact_motion import normal_of
+from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
+from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
 from lesson_code.engine.solvers.block_solver import two_impulses
@@ -280,3 +283,15 @@ def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         c.normal_impulse += c.normal_total
         c.tangent_impulse += c.tangent_total
+
+
+SOLVER = Solver(
+    name="substep",
+    stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
+    make_part=soft_part,
+    shares_contacts=True,
+    iterations=1,
+    substeps=4,
+    lacks=NEVER_SLEEPS,
+    built_in={"warm_starting": "each sub-step begins with the impulses of the one before"},
+)

@@ -11,8 +11,9 @@ import numpy as np
 from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers.choice import solvers_for
-from lesson_code.engine.stepper import SOLVERS, EngineStepper
+from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import largest
@@ -48,7 +49,7 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
         return lambda dt: other.world.Step(dt, 10, 3), other.states
     if solver == "auto":
         choices = solvers_for(Question(scene, dt=DT), asked={})
-        solver = next(choice.solver for choice in choices if choice.solver in SOLVERS)
+        solver = next(choice.solver for choice in choices if our_solvers()[choice.solver].stages)
     ours = EngineStepper(scene, solver=solver, **settings)
 
     def step(dt: float) -> None:

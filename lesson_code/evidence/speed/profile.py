@@ -1,10 +1,10 @@
 """The profile: what each stage of the engine takes in a scene, for a body and for a contact.
 
 The stages and their order are read from the program that a run is made of: what ``step`` calls with
-nothing but the world (with sub-steps: ``prepare_part`` and ``soft_part``), and, indented, what
-these call in the same way. Each is compiled with an entrance of its own, and called several times
-from the same tables; the shortest time counts. Entering costs some microseconds, so that small
-scenes tell nothing.
+nothing but the world (with sub-steps: ``soft_part``), through the functions that only group them,
+and, indented, what these call in the same way. Each is compiled with an entrance of its own, and
+called several times from the same tables; the shortest time counts. Entering costs some
+microseconds, so that small scenes tell nothing.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 from rich.table import Table
 
 from lesson_code.engine.compiled import compiled_function, link
-from lesson_code.engine.core.continuous import advance
+from lesson_code.engine.core.step import advance
 from lesson_code.evidence.scenes.speed import SIZES
 from lesson_code.evidence.speed.clock import worked_seconds
 from lesson_code.evidence.speed.engines import builder, refuse_without_compiler
@@ -30,8 +30,11 @@ VERSION = 1
 CALLS = 7
 """Of each stage; the shortest counts."""
 
-STEPS = {"sequential": ("step", "resolve"), "substep": ("prepare_part", "soft_part")}
-"""The functions that call the stages, by solver."""
+STEPS = {"sequential": "step", "substep": "soft_part"}
+"""The function that makes a step, by solver."""
+
+GROUPS = ("prepare_part", "detect", "resolve", "sub_step", "post_process")
+"""Functions that call stages and do nothing else."""
 
 
 @dataclass(frozen=True)
@@ -165,15 +168,22 @@ def _calls_in(tree: ast.AST, repeated: str) -> Iterator[tuple[str, str]]:
 
 def _measured(source: str, solver: str, world: Any) -> Iterator[Stage]:
     """Yield the stages of a step with their times, and let each do its work on the world."""
-    for function in STEPS[solver]:
-        for name, repeated in stage_calls(source, function):
-            if name in STEPS[solver]:
-                continue
-            calls = int(np.prod([getattr(world.state, count) for count in repeated.split()]))
-            within = [(inner, 1) for inner, _ in stage_calls(source, name)]
-            for inner, depth in [(name, 0), *within]:
-                yield Stage(inner, depth, calls, _shortest(source, inner, world))
-            compiled_function(source, name)(world)
+    for name, repeated in _stages_of(source, STEPS[solver], ""):
+        calls = int(np.prod([getattr(world.state, count) for count in repeated.split()]))
+        within = [(inner, 1) for inner, _ in stage_calls(source, name)]
+        for inner, depth in [(name, 0), *within]:
+            yield Stage(inner, depth, calls, _shortest(source, inner, world))
+        compiled_function(source, name)(world)
+
+
+def _stages_of(source: str, function: str, repeated: str) -> Iterator[tuple[str, str]]:
+    """Yield the stages that a function of the step calls, and what repeats them."""
+    for name, times in stage_calls(source, function):
+        all_times = f"{repeated} {times}".strip()
+        if name in GROUPS:
+            yield from _stages_of(source, name, all_times)
+        else:
+            yield name, all_times
 
 
 def _shortest(source: str, name: str, world: Any) -> float:

@@ -14,7 +14,6 @@ from typing import Any, TypeAlias
 
 from lesson_code.engine.core.constants import SLOP
 from lesson_code.engine.core.mixing import COMBINATIONS
-from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.event_driven import ExactSolver, record_exact
@@ -187,4 +186,4 @@ def sampled(scene: PrecisionScene, method: Method, setting: Setting, *, compiled
     if method.name == "exact":
         return record_exact(exact_solver(scene), scene.duration, scene.times, reason)
     made = stepper(scene, method, setting, compiled=compiled)
-    return record(made, scene.scene, scene.duration, scene.times, Plan(method.name, reason))
+    return record(made, scene.scene, scene.duration, scene.times, reason)

@@ -31,6 +31,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.geometry.manifold import collide
@@ -129,6 +130,10 @@ class Box2DStepper:
     def events(self) -> NDArray[np.float64]:
         """Return the impulses so far, shape (K, 10); points and depths as the step leaves them."""
         return np.array(self._events, dtype=float).reshape(-1, EVENT_NUMBERS)
+
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run, with the reason for the choice of this engine."""
+        return Plan("box2d", reason, "C++", "Box2D's own")
 
     def _correct(self, contact: Any) -> None:
         """Set a new contact's coefficients; Box2D keeps them until it ends."""

@@ -26,6 +26,7 @@ import pymunk
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.formulas.validation import non_negative, one_number
@@ -120,6 +121,10 @@ class PymunkStepper:
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""
         return np.array(self._events, dtype=float).reshape(-1, EVENT_NUMBERS)
+
+    def plan(self, reason: str) -> Plan:
+        """Return how the scene is run, with the reason for the choice of this engine."""
+        return Plan("pymunk", reason, "C", "pymunk's own")
 
     def forget_contacts(self) -> None:
         """Let the space forget its contacts; nothing collides in it any more.

@@ -1,4 +1,4 @@
-"""A film of a window as an animated GIF: a picture is written by Pillow as soon as its time is known.
+"""A film of a window as an animated GIF, in which Pillow keeps only what changes."""
 
 from __future__ import annotations
 

@@ -22,6 +22,7 @@ from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.effects.flags import EVERY_EFFECT
+from lesson_code.engine.solvers.naive import SOLVER as NAIVE
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes import discs as disc_scenes
 from lesson_code.evidence.scenes import events as exact_scenes
@@ -43,7 +44,7 @@ def share_programs(monkeypatch: pytest.MonkeyPatch) -> None:
         every = pipeline._replace(
             effects=EVERY_EFFECT._replace(sleeping=pipeline.effects.sleeping),
             broad_phase=uniform_grid,
-            is_continuous=pipeline.solver is not stepper.SOLVERS["naive"],
+            is_continuous=pipeline.solver is not NAIVE.stages,
             splits_steps=True,
             keeps_impulses=True,
         )

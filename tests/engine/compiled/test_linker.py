@@ -18,19 +18,18 @@ import numpy as np
 import pytest
 
 from lesson_code import Combination, Scene
-from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
 from lesson_code.engine.core import contact_frame, contact_motion
 from lesson_code.engine.core.broad_phase import longest_way
 from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.continuous import advance
+from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import World
-from lesson_code.engine.core.step import Pipeline
+from lesson_code.engine.core.step import advance, rigid_part
 from lesson_code.engine.core.tables import BROAD_PHASES
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers import sequential as contact_solver
-from lesson_code.engine.solvers.soft_step import soft_part
-from lesson_code.engine.stepper import SOLVERS, EngineStepper
+from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes.events import balls_at_wall, turning_rod
 from lesson_code.evidence.scenes.gas import gas_of
 from lesson_code.evidence.scenes.speed import bin_of_shapes
@@ -98,7 +97,8 @@ def test_function_in_which_nothing_is_decided_is_taken_as_it_stands() -> None:
 ], ids=lambda function: function.__name__)  # fmt: skip
 def test_lines_that_the_lesson_shows_are_lines_of_the_program(function: Any) -> None:
     """What `inspect.getsource` shows of a visit is what runs."""
-    pipeline = Pipeline(stepper.rigid_part, BROAD_PHASES["uniform_grid"], SOLVERS["sequential"])
+    stages = our_solvers()["sequential"].stages_for({})
+    pipeline = Pipeline(rigid_part, BROAD_PHASES["uniform_grid"], stages)
     assert inspect.getsource(function).rstrip() in link(advance, pipeline=pipeline)
 
 
@@ -330,10 +330,11 @@ EFFECTS = {
 @pytest.mark.parametrize("solver", ["sequential", "substep", "naive"])
 def test_program_of_the_engine_is_python(solver: str, broad_phase: str, effects: Effects) -> None:
     """One entry with the tables as its only argument, and no name that stands for nothing."""
-    make_part = soft_part if solver == "substep" else stepper.rigid_part
+    make_part = our_solvers()[solver].make_part
     for splits_steps in (True, False):
         pipeline = Pipeline(
-            make_part, BROAD_PHASES[broad_phase], SOLVERS[solver], None, effects,
+            make_part, BROAD_PHASES[broad_phase], our_solvers()[solver].stages_for({}), None,
+            effects,
             splits_steps=splits_steps,
         )  # fmt: skip
         source = link(advance, pipeline=pipeline)
@@ -396,7 +397,8 @@ def test_stages_of_the_direct_solver_are_imported(law: str) -> None:
     usual, linked = (
         EngineStepper(
             cornered(), solver="direct", dt=1 / 60, iterations=1, substeps=1,
-            combine=Combination(), restitution_law=law,
+            combine=Combination(),
+            options={"restitution_law": law},
         )
         for _ in range(2)
     )  # fmt: skip

@@ -23,10 +23,11 @@ from lesson_code.engine.core.broad_phase import (
     slots_for,
     sort_pairs,
 )
+from lesson_code.engine.core.candidate_pairs import seek_pairs
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.constants import LAST_CELL, LEAST_MARGIN, MOST_MARGIN, STEPS_AHEAD
+from lesson_code.engine.core.motion import move, turn_with_angle
 from lesson_code.engine.core.rows import PairRow, World
-from lesson_code.engine.core.step import move, seek_pairs, turn_with_angle
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
 
 ROUNDING = 1e-14

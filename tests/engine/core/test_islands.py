@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs
+from lesson_code.engine.core.candidate_pairs import find_pairs
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.contact_motion import (
     apply_impulse,
@@ -28,7 +29,6 @@ from lesson_code.engine.core.islands import (
 )
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
-from lesson_code.engine.core.step import find_pairs
 from lesson_code.engine.core.tables import world_of
 
 ROUNDING = 1e-12

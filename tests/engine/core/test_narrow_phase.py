@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs
+from lesson_code.engine.core.candidate_pairs import find_pairs
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.narrow_phase import find_overlaps
 from lesson_code.engine.core.rows import ContactRow, World
-from lesson_code.engine.core.step import find_pairs
 from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.geometry import collide

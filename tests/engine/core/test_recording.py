@@ -17,7 +17,7 @@ from lesson_code.engine.core.recording import STATE_NUMBERS, record
 ROUNDING = 1e-12
 """s and m: a time is a product of a step and its number, and up to 100."""
 
-PLAN = Plan("counter", "for these tests")
+REASON = "for these tests"
 DISC = Body(Circle(1), mass=1, velocity=(2, 0))
 
 
@@ -45,11 +45,15 @@ class Counter:
         rest = (0, 1, 0.5, -0.5, 1.0, 0.0, 3.0, -1.0, 0.1)
         return np.column_stack([times, *[np.full(self.done, number) for number in rest]])
 
+    def plan(self, reason: str) -> Plan:
+        """Return how it ran."""
+        return Plan("counter", reason)
+
 
 def recorded(duration: float, sample: Any = None, dt: float = 0.25) -> tuple[Counter, Run]:
     """Return a counter that has run for a while, and what was recorded."""
     counter = Counter(dt)
-    return counter, record(counter, Scene([DISC]), duration, sample, PLAN)
+    return counter, record(counter, Scene([DISC]), duration, sample, REASON)
 
 
 # Every step
@@ -192,7 +196,7 @@ def test_sample_of_another_kind_is_refused_by_name(sample: Any) -> None:
 @pytest.mark.parametrize("sample", [None, "end", [], [0.3]])
 def test_arrays_have_the_shapes_that_the_run_promises(bodies: int, sample: Any) -> None:
     """F frames of N bodies, and K impulses; also where F, N or K is 0."""
-    run = record(Counter(bodies=bodies), Scene([DISC] * bodies), 1.0, sample, PLAN)
+    run = record(Counter(bodies=bodies), Scene([DISC] * bodies), 1.0, sample, REASON)
     frames, events = len(run.times), 4
     assert run.positions.shape == run.velocities.shape == (frames, bodies, 2)
     assert run.angles.shape == run.angular_velocities.shape == (frames, bodies)
@@ -238,7 +242,7 @@ def test_state_beyond_floating_point_is_refused_with_its_body_and_time() -> None
             return np.array([(0.0,) * 6, (0.0, 0.0, 0.0, lost, 0.0, 0.0)])
 
     with pytest.raises(FloatingPointError, match=r"body 1 has left the range .* at 0\.75 s"):
-        record(Runaway(bodies=2), Scene([DISC] * 2), 1.0, None, PLAN)
+        record(Runaway(bodies=2), Scene([DISC] * 2), 1.0, None, REASON)
 
 
 def test_duration_of_more_steps_than_a_day_holds_is_refused() -> None:

@@ -8,8 +8,6 @@ import pytest
 
 from lesson_code import Body, Callbacks, Circle, Material, Scene, Segment, simulate
 from lesson_code.engine.effects.choice import (
-    BUILT_IN,
-    LACKING,
     OPTIONAL,
     choose_effects,
     find,
@@ -17,6 +15,7 @@ from lesson_code.engine.effects.choice import (
 )
 from lesson_code.engine.effects.flags import Effects
 from lesson_code.engine.effects.rules import RULES, Question
+from lesson_code.engine.solvers import our_solvers
 from lesson_code.evidence.scenes.effects import EffectPair, pairs
 
 
@@ -97,7 +96,7 @@ def test_effects_that_make_no_sense_are_refused(
 
 
 @pytest.mark.parametrize(
-    ("solver", "name"), [(solver, name) for solver in LACKING for name in LACKING[solver]]
+    ("solver", "name"), [(s.name, name) for s in our_solvers().values() for name in s.lacks]
 )
 def test_effect_that_a_solver_lacks_cannot_be_forced_on(solver: str, name: str) -> None:
     """It says why; and the plan shows it as left out for that reason."""
@@ -105,7 +104,7 @@ def test_effect_that_a_solver_lacks_cannot_be_forced_on(solver: str, name: str) 
     with pytest.raises(ValueError, match=rf"effects\['{name}'\] must not be True for '{solver}'"):
         choose_effects(question, {name: True})
     choice = {c.name: c for c in choose_effects(question)}[name]
-    assert (choice.verdict, choice.reason) == ("left out", LACKING[solver][name])
+    assert (choice.verdict, choice.reason) == ("left out", our_solvers()[solver].lacks[name])
 
 
 def test_sleep_cannot_be_forced_on_where_callbacks_hear_of_every_contact() -> None:
@@ -135,12 +134,13 @@ def test_every_effect_has_a_choice_in_the_order_of_the_rules(solver: str) -> Non
 
 
 @pytest.mark.parametrize(
-    ("solver", "name"), [(solver, name) for solver in BUILT_IN for name in BUILT_IN[solver]]
+    ("solver", "name"), [(s.name, name) for s in our_solvers().values() for name in s.built_in]
 )
 def test_effect_that_is_built_in_is_used_whatever_the_scene(solver: str, name: str) -> None:
     """Two smooth discs that meet; the plan says that the solver cannot do without."""
     smooth = Scene([disc(0, 0.0, 0.0, velocity=(1, 0)), disc(1.5, 0.0, 0.0)])
-    assert find(Question(smooth, solver, duration=1.0), name) == (True, BUILT_IN[solver][name])
+    reason = our_solvers()[solver].built_in[name]
+    assert find(Question(smooth, solver, duration=1.0), name) == (True, reason)
 
 
 def test_flags_are_those_of_the_choices() -> None:

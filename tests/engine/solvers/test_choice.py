@@ -16,10 +16,10 @@ from lesson_code import (
     Scene,
     Segment,
     simulate,
-    simulation,
 )
 from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
 from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.solvers import exact
 from lesson_code.engine.solvers.choice import (
     SolverChoice,
     flies_freely,
@@ -224,7 +224,7 @@ def test_simulate_goes_on_to_the_next_solver_when_the_exact_one_finds_no_end(
     def without_end(*_: Any) -> None:
         raise RuntimeError("no end")
 
-    monkeypatch.setattr(simulation, "record_exact", without_end)
+    monkeypatch.setattr(exact, "record_exact", without_end)
     scene = Scene([disc(0), disc(3, velocity=(-4, 0))])
     plan = simulate(scene, 1.0).plan
     assert plan.solver == "direct"

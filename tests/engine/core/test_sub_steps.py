@@ -7,13 +7,13 @@ from typing import Any
 import pytest
 
 from lesson_code import Body, Circle, Combination, Material, Scene, Segment
+from lesson_code.engine.core import step as stages
 from lesson_code.engine.core.broad_phase import all_pairs
 from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.step import ContactSolver, Pipeline
+from lesson_code.engine.core.pipeline import Pipeline, SolverStages
+from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.core.tables import world_of
-from lesson_code.engine.solvers import soft_step as stages
-from lesson_code.engine.solvers.soft_step import soft_part
-from lesson_code.engine.stepper import SOLVERS
+from lesson_code.engine.solvers.substep import SOLVER
 
 STAGES = (
     "find_pairs",
@@ -34,7 +34,7 @@ class Noting:
         self.called: list[str] = []
         for name in STAGES:
             monkeypatch.setattr(stages, name, self.stage(name, answer=name != stop))
-        solver = ContactSolver(*[self.stage(name) for name in ContactSolver._fields])
+        solver = SolverStages(*[self.stage(name) for name in SolverStages._fields])
         self.pipeline = Pipeline(soft_part, all_pairs, solver, self)
         self.world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
         self.world.state.substeps = 2
@@ -94,7 +94,7 @@ def test_length_of_the_step_is_that_of_a_sub_step_only_meanwhile() -> None:
     world = world_of(Scene([ball, wall]), dt=0.02, iterations=1, combine=Combination())
     world.state.substeps = 4
     world.state.left = 0.02
-    pipeline = Pipeline(soft_part, all_pairs, SOLVERS["substep"])
+    pipeline = Pipeline(soft_part, all_pairs, SOLVER.stages_for({}))
     for left in (0.015, 0.0):
         while not soft_part(world, pipeline):
             world = make_room(world)

@@ -1,0 +1,18 @@
+"""Engines that are not ours, as solvers; each file loads its engine only to run a scene."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lesson_code.engine.core.solver import Request
+
+
+def settings_of(asked: Request, name: str) -> dict[str, Any]:
+    """Return what an engine is told of a run, or refuse what is ours alone.
+
+    It has one program for all scenes, and that is compiled.
+    """
+    for option in ("compiled", "effects"):
+        if (value := getattr(asked, option)) is not None:
+            raise ValueError(f"{option} must be None for {name}, got {value!r}")
+    return {key: getattr(asked, key) for key in ("dt", "iterations", "substeps", "combine")}
