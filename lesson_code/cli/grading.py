@@ -1,4 +1,4 @@
-"""The commands of whoever grades: ``workbook grade``, of a file or of a class, and ``merge``."""
+"""``workbook grade``, of a file or of a class; ``merge`` and ``release``."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import typer
 from rich.table import Table
 
 from lesson_code.cli.shared import (
+    INSTRUCTORS,
     AsJson,
     cell_progress,
     cell_watcher,
@@ -40,7 +41,7 @@ MOST_REMARKS = 20
 """Students about whom something is said on the terminal; the files say all of it."""
 
 
-@grading.command()
+@grading.command(rich_help_panel=INSTRUCTORS)
 def grade(
     submission: Annotated[
         Path, typer.Argument(help="A notebook or a .py file; for a class, its folder.")
@@ -219,7 +220,7 @@ def _grade_under_nbval(path: Path, exercise: str | None, as_json: bool) -> NoRet
     raise typer.Exit(0 if passed else 1)
 
 
-@grading.command()
+@grading.command(rich_help_panel=INSTRUCTORS)
 def merge(
     submission: Annotated[Path, typer.Argument(help="A notebook or a .py file.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="The notebook to write.")],
@@ -247,7 +248,7 @@ def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:
     return submission, exercise_by_name(name) if name else exercise_of(submission)
 
 
-@grading.command()
+@grading.command(rich_help_panel=INSTRUCTORS)
 def release(
     folder: Annotated[Path, typer.Argument(help="A folder that is new or empty.")],
     as_json: AsJson = False,

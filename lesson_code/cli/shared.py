@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 console = Console()
 errors = Console(stderr=True)
 
+STUDENTS, INSTRUCTORS, MAINTAINERS = "For students", "For instructors", "For maintainers"
+"""Whom a command is for: the groups of `workbook --help`."""
+
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 
 
@@ -32,7 +35,7 @@ def clear_errors() -> Iterator[None]:
     """Turn an error about what was asked into one line and exit code 2."""
     try:
         yield
-    except typer.Exit:  # is a RuntimeError too, but none of these
+    except (typer.Exit, typer.Abort):  # are RuntimeErrors too, but none of these
         raise
     except (ValueError, OSError, RuntimeError) as error:
         say_error(f"workbook: {error}", style="bold red")

@@ -29,7 +29,7 @@ from math import inf
 
 import numpy as np
 
-from lesson_code.chapters.ch04_circles import figures as circle_plots
+from lesson_code.chapters.ch04_circles import figures
 from lesson_code.chapters.ch04_circles import wrong_answers as wrong
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
@@ -67,7 +67,7 @@ check("depth", contact.penetrations[0], 1)
 
 # %%
 fig, ax = style.figure(width=5.4, height=5)
-circle_plots.overlap(ax, p1, r1, p2, r2, contact.normal, contact.penetrations[0])
+figures.overlap(ax, p1, r1, p2, r2, contact.normal, contact.penetrations[0])
 show(
     fig,
     "Two overlapping discs. The normal n points from the centre of disc 1 towards the centre of "
@@ -179,7 +179,7 @@ def draw_hit(offset, restitution, mass_2):
     n, before, after = oblique_hit(offset, restitution, mass_2)
     left = kinetic_energy([1.0, mass_2], after) / kinetic_energy([1.0, mass_2], before)
     fig, ax = style.figure(width=6.4, height=5)
-    circle_plots.hit(ax, n, (0.5, 0.5 * np.sqrt(mass_2)), before, after)
+    figures.hit(ax, n, (0.5, 0.5 * np.sqrt(mass_2)), before, after)
     ax.set(xlim=(-2.4, 2.6), ylim=(-1.7, 1.7))
     ax.set_title(f"energy left: {left:.2f}", y=1.08, fontsize=11)
     return fig
@@ -225,7 +225,7 @@ answers = {
 # %%
 fig, axes = style.figure(2, width=10, height=4)
 for ax, (title, after) in zip(axes, answers.items(), strict=True):
-    circle_plots.hit(ax, n, (0.5, 0.5), (v1, v2), after)
+    figures.hit(ax, n, (0.5, 0.5), (v1, v2), after)
     ax.set(xlim=(-2.2, 2.2), ylim=(-1.5, 1.5))
     ax.set_title(title, y=1.1)
 show(
@@ -284,8 +284,8 @@ ways = {
 # %%
 fig, axes = style.figure(2, width=10, height=3.8)
 for ax, (title, (q1, q2)) in zip(axes, ways.items(), strict=True):
-    circle_plots.two_discs(ax, p1, r1, p2, r2, outline=True)
-    circle_plots.two_discs(ax, q1, r1, q2, r2)
+    figures.two_discs(ax, p1, r1, p2, r2, outline=True)
+    figures.two_discs(ax, q1, r1, q2, r2)
     ax.set(title=title, xlim=(-1.1, 2.3), ylim=(-1.1, 1.1))
 show(
     fig,
@@ -570,7 +570,7 @@ for name, run in cradle.items():
 
 # %%
 fig, ax = style.figure(width=7, height=3.4)
-circle_plots.rows_of_bars(ax, last, [f"disc {k}" for k in range(1, 6)], "velocity after, m/s")
+figures.rows_of_bars(ax, last, [f"disc {k}" for k in range(1, 6)], "velocity after, m/s")
 show(
     fig,
     "Velocities of five discs after the hit. With a gap, the last disc alone moves, at 1 m/s. "

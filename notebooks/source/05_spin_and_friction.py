@@ -28,7 +28,7 @@ import inspect
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch05_spin_and_friction import figures as friction_plots
+from lesson_code.chapters.ch05_spin_and_friction import figures
 from lesson_code.chapters.ch05_spin_and_friction import wrong_answers as wrong
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
@@ -73,7 +73,7 @@ for ax, (v, w, title) in zip(
     (((3, 0), 0, "it moves"), ((0, 0), -6, "it spins"), ((3, 0), -6, "it rolls: both together")),
     strict=True,
 ):
-    friction_plots.point_velocities(ax, v, w, radius=0.5, longest=5.0)
+    figures.point_velocities(ax, v, w, radius=0.5, longest=5.0)
     ax.set_title(title, fontsize=11)
 show(
     fig,
@@ -147,7 +147,7 @@ named = {
 
 # %%
 fig, (left, right) = style.figure(2, width=9.5, height=3.4)
-friction_plots.fan_of_triangles(left, five, polygon_centroid(five))
+figures.fan_of_triangles(left, five, polygon_centroid(five))
 left.set_title("triangles from the centroid", fontsize=11)
 plots.curves(right, named, "extra vertices on one edge", "moment of inertia, kg m²")
 right.set_ylim(0, 21)
@@ -284,10 +284,10 @@ def draw_friction(friction, sliding):
     jn, m_eff = 4.0, 1.0
     jt = friction_impulse(sliding, m_eff, friction, jn)
     fig, (left, right) = style.figure(2, width=9.5, height=3.6)
-    friction_plots.friction_cone(left, jn, -m_eff * sliding, jt, friction)
+    figures.friction_cone(left, jn, -m_eff * sliding, jt, friction)
     speeds = np.linspace(-6, 6, 241)
     ramp = friction_impulse(speeds, m_eff, friction, jn)
-    friction_plots.clamped_ramp(right, speeds, ramp, sliding, jt)
+    figures.clamped_ramp(right, speeds, ramp, sliding, jt)
     right.set_title("it sticks" if abs(jt) < friction * jn else "it slides on", fontsize=11)
     return fig
 
@@ -481,7 +481,7 @@ for name, k in (("disc", 1 / 2), ("hoop", 1.0)):
 # %%
 fig, axes = style.figure(2, width=9.5, height=3.4)
 for ax, name in zip(axes, ("disc", "hoop"), strict=True):
-    friction_plots.measured_on_curves(ax, exact[name], found[name], "time, s", "m/s")
+    figures.measured_on_curves(ax, exact[name], found[name], "time, s", "m/s")
     ax.set(title=name, xlim=(-0.03, 1.03))
 show(
     fig,
@@ -528,7 +528,7 @@ for ax, mu, exact, found, title in (
         "pymunk": (mu[1::2], found["pymunk"][1::2]),
     }
     labels = ("friction coefficient", "speeds up by, m/s²")
-    friction_plots.measured_on_curves(ax, {"closed form": (mu, exact)}, measured, *labels)
+    figures.measured_on_curves(ax, {"closed form": (mu, exact)}, measured, *labels)
     ax.set(title=title, ylim=(-0.2, 5.5))
 
 # %%

@@ -28,12 +28,7 @@ from dataclasses import replace
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch06_sat_and_manifolds import (
-    figures as sat_plots,
-)
-from lesson_code.chapters.ch06_sat_and_manifolds import (
-    manifold_figures as manifold_plots,
-)
+from lesson_code.chapters.ch06_sat_and_manifolds import figures, manifold_figures
 from lesson_code.chapters.ch06_sat_and_manifolds import wrong_answers as wrong
 from lesson_code.chapters.ch06_sat_and_manifolds.drag_polygon import drag_polygon
 from lesson_code.course.quiz.notebook import show_quiz
@@ -79,7 +74,7 @@ fig, axes = style.figure(2, width=9.5, height=4.0)
 for ax, axis, title in zip(
     axes, ((1, 0), diagonal), ("these shadows overlap", "these do not: a gap"), strict=True
 ):
-    sat_plots.shadows_beside(ax, square, triangle, axis)
+    figures.shadows_beside(ax, square, triangle, axis)
     ax.set_title(title, fontsize=11)
 show(
     fig,
@@ -179,8 +174,8 @@ for ax, b, title in (
     (axes[0], brick + right, "at the side: out to the right"),
     (axes[1], chip, "inside: out through the top"),
 ):
-    sat_plots.pair(ax, slab, b)
-    sat_plots.translation(ax, slab, b)
+    figures.pair(ax, slab, b)
+    figures.translation(ax, slab, b)
     ax.set_title(title, fontsize=11)
 show(
     fig,
@@ -244,7 +239,7 @@ for judge, answers in (("pymunk", pymunks), ("Minkowski", minkowskis)):
 # %%
 pose_a, pose_b = (0.0, 0.0, 0.0), (1.3, 0.85, 0.22)
 fig, axes = style.figure(3, width=11, height=2.7)
-manifold_plots.clipping(axes, Polygon.box(3, 1), pose_a, Polygon.box(2, 1), pose_b)
+manifold_figures.clipping(axes, Polygon.box(3, 1), pose_a, Polygon.box(2, 1), pose_b)
 show(
     fig,
     "A tilted box B sits with its lower edge in the top of a level box A. First: the top edge of "
@@ -364,7 +359,7 @@ fig, axes = style.figure(2, width=9.5, height=3.6)
 groups = ((pentagon, around_it), (Segment((-2, 0), (2, 0), radius=0.1), around_rod))
 for ax, (shape, circles) in zip(axes, groups, strict=True):
     discs = [Body(Circle(r), position=(x, y), mass=1) for x, y, r in circles]
-    manifold_plots.ways_out(ax, Scene([Body(shape), *discs]))
+    manifold_figures.ways_out(ax, Scene([Body(shape), *discs]))
 show(
     fig,
     "On the left four circles at a pentagon: beside an edge, at a vertex, and two with the centre "
@@ -576,9 +571,9 @@ print(f"moved {depth:.2f} m the wrong way: {mtv(kite, dart + depth * pointed)[1]
 
 # %%
 fig, ax = style.figure(width=5.5, height=3.8)
-sat_plots.translation(sat_plots.pair(ax, kite, dart), kite, dart)
+figures.translation(figures.pair(ax, kite, dart), kite, dart)
 ax.set_ylim(-1.3, 2.4)
-start = sat_plots.deepest(dart, normal)
+start = figures.deepest(dart, normal)
 plots.arrow(ax, start, depth * pointed, "from middle to middle", style.PURPLE, beside=(0, -9))
 show(
     fig,

@@ -29,7 +29,7 @@ from math import inf
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch07_time_of_impact import figures as impact_plots
+from lesson_code.chapters.ch07_time_of_impact import figures
 from lesson_code.chapters.ch07_time_of_impact import right_answers as unusual
 from lesson_code.chapters.ch07_time_of_impact import wrong_answers as wrong
 from lesson_code.course.quiz.notebook import show_quiz
@@ -65,7 +65,7 @@ from lesson_code.view.svg.animation import animate
 def draw_steps(speed, thickness):
     fig, ax = style.figure(width=9, height=2.6)
     ball = {"dt": 1 / 60, "radius": 0.1, "thickness": thickness, "phase": 0.3}
-    impact_plots.steps_over_a_wall(ax, speed, **ball)
+    figures.steps_over_a_wall(ax, speed, **ball)
     passing = event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, thickness)
     ax.set_title(f"{ax.get_title()}; of many balls {passing:.0%} get through", fontsize=11)
     return fig
@@ -121,8 +121,8 @@ show(
 # %%
 d, v, reach, dt = np.array([-2.25, 0.985]), np.array([5.0, 0.0]), 1.0, 1.0
 fig, axes = style.figure(2, width=10, height=3.2)
-impact_plots.seen_from_the_first(axes[0], d, v, reach, dt, samples=10)
-impact_plots.distance_in_time(axes[1], d, v, reach, dt, samples=10)
+figures.seen_from_the_first(axes[0], d, v, reach, dt, samples=10)
+figures.distance_in_time(axes[1], d, v, reach, dt, samples=10)
 show(
     fig,
     "On the left the way of circle 2 as circle 1 sees it: a straight line that cuts the edge of a "
@@ -462,7 +462,7 @@ for digits in range(5):
 
 # %%
 fig, ax = style.figure(width=8, height=3.6)
-impact_plots.unfolded_wedge(ax, mass_ratio=9)
+figures.unfolded_wedge(ax, mass_ratio=9)
 show(
     fig,
     "Rays from one point, at equal angles, full and dotted in turn. A straight line from right to "
@@ -505,7 +505,7 @@ show(
 # %%
 fig, ax = style.figure(width=9, height=4.4)
 room = box - 2 * radius  # what the ball's centre can reach
-impact_plots.unfolded_box(ax, start - radius, velocity, room, time=6.0)
+figures.unfolded_box(ax, start - radius, velocity, room, time=6.0)
 show(
     fig,
     "A box with the zigzag way of a ball, and the same way unfolded: a straight line through the "

@@ -15,7 +15,8 @@ import pytest
 
 from lesson_code.course.notebooks.server import ServerError
 from lesson_code.course.site.build import MissingToolsError, build
-from lesson_code.course.site.in_browser import JupyterLab, NoBrowserError, chromium, jupyterlab
+
+from .in_browser import JupyterLab, NoBrowserError, chromium, jupyterlab
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, ConsoleMessage, Page, Request

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, load_chapter
-from lesson_code.course.site.in_browser import JupyterLab, LabNotebook
+from lesson_code.course.quiz.bank import ChoiceQuestion, load_quiz
+
+from .in_browser import JupyterLab, LabNotebook
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
@@ -76,7 +77,7 @@ def test_quiz_gives_the_feedback_to_the_answer_that_was_clicked(
 ) -> None:
     """A wrong option is clicked, then the right one; each time its own feedback is read out."""
     number = request.node.callspec.params["chapter"][:2]
-    asked = load_chapter(number).questions
+    asked = load_quiz(number).questions
     question = next(q for q in asked if isinstance(q, ChoiceQuestion))
     quiz = output_with(chapter.page, ".widget-radio")
     place = asked.index(question)

@@ -31,7 +31,7 @@ SOON = 10_000
 """ms: what needs no computing is there at once, unless the machine is busy."""
 
 MOVING = """
-from lesson_code.view import style
+from lesson_code.view.matplotlib import style
 from lesson_code.view.browser.interactive import Slider, explore
 
 def draw(x, y):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import json
 import os
@@ -20,8 +21,10 @@ import pytest
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 from typer.testing import CliRunner
 
-from lesson_code import cli
+from lesson_code import __version__, cli
+from lesson_code.course import fresh_copies
 from lesson_code.course.grading import self_check
+from lesson_code.course.grading.exercises import exercises
 from lesson_code.course.notebooks import nbval_run, root
 from lesson_code.course.notebooks.nbval_run import CellResult
 from lesson_code.course.quiz.bank import chapter_numbers
@@ -29,7 +32,9 @@ from lesson_code.course.site import build
 
 ROOT = Path(__file__).parents[2]
 COMMANDS = [
+    "start",
     "open",
+    "watch",
     "check",
     "grade",
     "merge",
@@ -37,8 +42,8 @@ COMMANDS = [
     "regenerate",
     "play",
     "measure",
+    "release",
     "site",
-    "pictures",
 ]
 ALL_IS_WELL, SOMETHING_IS_NOT, NOT_DONE = 0, 1, 2
 HEAVY = ("matplotlib", "pygame", "pymunk", "IPython", "nbformat", "jupytext", "numpy", "pytest")
@@ -85,6 +90,21 @@ def test_help_lists_every_command() -> None:
         assert f" {name} " in result.output
 
 
+def test_help_groups_commands_by_whom_they_are_for() -> None:
+    """Students come first, and find their commands together."""
+    groups = re.split(r"For (students|instructors|maintainers) ", workbook("--help").output)
+    assert groups[1::2] == ["students", "instructors", "maintainers"]
+    for name, group in (("start", 2), ("open", 2), ("watch", 2), ("grade", 4), ("regenerate", 6)):
+        assert f" {name} " in groups[group]
+
+
+def test_version_is_printed_and_nothing_else_is_done() -> None:
+    """One line, with or without a command behind it."""
+    for arguments in (["--version"], ["--version", "check"]):
+        result = workbook(*arguments)
+        assert (result.exit_code, result.output) == (0, f"collision-workbook {__version__}\n")
+
+
 @pytest.mark.parametrize(
     "command",
     [
@@ -110,7 +130,7 @@ def test_command_without_a_subcommand_shows_its_help(arguments: list[str]) -> No
     """Nothing to do is answered with what there is to do."""
     result = workbook(*arguments)
     assert result.exit_code == NOT_DONE
-    assert "Commands" in result.output
+    assert "COMMAND [ARGS]" in result.output
 
 
 @pytest.mark.parametrize("arguments", [["fly"], ["check", "--fast"], ["open", "--port", "70000"]])
@@ -160,6 +180,56 @@ def test_outside_a_workbook_the_one_of_the_code_is_used(
     monkeypatch.chdir(tmp_path)
     result = workbook("regenerate", "--check")
     assert (result.exit_code, result.output) == (ALL_IS_WELL, "")
+
+
+# start
+
+
+@pytest.mark.parametrize("made_before", [False, True])
+def test_start_writes_notebooks_and_fresh_exercises_and_nothing_else(
+    tmp_path: Path, made_before: bool
+) -> None:
+    """What a student gets: no solutions, no sources, no keys; the folder may be there, empty."""
+    folder = tmp_path / "mine"
+    if made_before:
+        folder.mkdir()
+    result = workbook("start", str(folder))
+    assert result.exit_code == ALL_IS_WELL
+    written = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
+    expected = {p.relative_to(ROOT).as_posix() for p in (ROOT / "notebooks").glob("*.ipynb")}
+    expected |= {f"exercises/{exercise.file_name}" for exercise in exercises()}
+    assert written == expected
+    assert result.stdout.startswith(f"{len(expected)} files in {folder}: ")
+    for name in expected:
+        assert (folder / name).read_bytes() == (ROOT / name).read_bytes()
+
+
+def test_start_leaves_a_folder_that_holds_something_alone(tmp_path: Path) -> None:
+    """The error names argument, rule and value; nothing is written."""
+    (tmp_path / "letter.txt").write_text("mine", encoding="utf-8")
+    for taken, what in ((tmp_path, "holds letter.txt"), (tmp_path / "letter.txt", "is a file")):
+        result = workbook("start", str(taken))
+        assert (result.exit_code, result.stdout) == (NOT_DONE, "")
+        said = f"workbook: folder must be new or empty, got {taken}, which {what}\n"
+        assert result.stderr == said
+    assert [path.name for path in tmp_path.iterdir()] == ["letter.txt"]
+
+
+@pytest.mark.parametrize(("answer", "is_begun"), [("y\n", True), ("n\n", False)])
+def test_open_offers_to_begin_a_workbook_where_there_is_none(
+    nowhere: Path, monkeypatch: pytest.MonkeyPatch, answer: str, is_begun: bool
+) -> None:
+    """Asked on a terminal alone; after a no, it says the command."""
+    opening = importlib.import_module("lesson_code.cli.opening")
+    monkeypatch.setattr(opening, "_is_terminal", lambda: True)
+    monkeypatch.setattr(fresh_copies, "home", lambda: ROOT)
+    monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)  # no server is started
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    result = workbook("open", answers=answer)
+    assert result.exit_code == NOT_DONE
+    assert (nowhere / opening.NEW_FOLDER / root.FIRST_NOTEBOOK).is_file() == is_begun
+    words = "JupyterLab is not installed" if is_begun else "workbook start FOLDER"
+    assert words in result.stderr
 
 
 # check
@@ -598,7 +668,7 @@ def test_open_without_jupyterlab_says_how_to_install_it(monkeypatch: pytest.Monk
     monkeypatch.setattr(signal, "signal", lambda *_: None)
     result = workbook("open")
     assert result.exit_code == NOT_DONE
-    assert "pip install -e '.[jupyter]'" in result.stderr
+    assert 'pip install -e ".[jupyter]"' in result.stderr
 
 
 @pytest.fixture(params=[signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "terminate"])
@@ -649,13 +719,3 @@ def test_site_leaves_other_files_alone(tiny: Path, monkeypatch: pytest.MonkeyPat
     assert result.exit_code == NOT_DONE
     assert "the site's folder must be new, empty or a site, got mine" in result.stderr
     assert [path.name for path in (tiny / "mine").iterdir()] == ["letter.txt"]
-
-
-def test_pictures_names_those_there_are(tiny: Path) -> None:
-    """A picture that is asked for by a wrong name is an error with the right ones."""
-    result = workbook("pictures", "new", "--only", "sunset")
-    assert result.exit_code == NOT_DONE
-    assert (
-        "picture must be one of notebook, page, phone, pool, dominoes, got 'sunset'"
-        in result.stderr
-    )

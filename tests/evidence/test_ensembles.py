@@ -70,7 +70,7 @@ def test_run_that_fails_is_named_and_the_others_are_not_lost(workers: int) -> No
     scenes = [gases()[0], box]
     with pytest.raises(TasksFailedError, match=r"^1 of 2 tasks failed: scenes\[1\]: ") as caught:
         simulate_many(scenes, 1.0, each=[{}, {"duration": 1e10}], dt=1e9, workers=workers)
-    assert isinstance(caught.value.outcomes[0].result, Run)
+    assert isinstance(caught.value.results[0], Run)
 
 
 # What travels

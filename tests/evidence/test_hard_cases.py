@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
+from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from lesson_code import Body, Circle, Scene, parallel
+from lesson_code import Body, Circle, Scene
 from lesson_code.evidence.hard_cases import (
     CASES,
     OURS,
@@ -28,6 +29,7 @@ from lesson_code.evidence.hard_cases import (
     store,
     stored,
 )
+from lesson_code.parallel import WorkerDiedError
 
 FEWEST = 45
 """Cases that the catalogue promises."""
@@ -196,10 +198,12 @@ def test_dead_process_is_an_outcome(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def one_dies(function: Any, tasks: Any, **_options: Any) -> Any:
         for n, task in enumerate(tasks):
+            future: Future[Any] = Future()
             if task[1] == "pymunk":
-                yield parallel.Outcome(n, "", error=parallel.WorkerDiedError("signal 6"))
+                future.set_exception(WorkerDiedError("signal 6"))
             else:
-                yield parallel.Outcome(n, "", function(task))
+                future.set_result(function(task))
+            yield n, future
 
     monkeypatch.setattr(comparison, "iter_tasks", one_dies)
     both = measure_hard_cases(["kane"], solvers=[OURS, "pymunk"])

@@ -10,14 +10,13 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import pytest
 
 from lesson_code.parallel import (
     TasksFailedError,
     WorkerDiedError,
-    cluster,
+    executors,
     iter_tasks,
     map_tasks,
 )
@@ -34,8 +33,8 @@ def address() -> Iterator[str]:
     """Return the address of a cluster of two workers on this machine."""
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(Path(__file__).parent)
-        with cluster._local(2) as address:
-            yield address
+        with executors.local_cluster(2) as cluster:
+            yield cluster.scheduler_address
 
 
 @needs_dask
@@ -51,8 +50,8 @@ def test_results_of_a_cluster_are_those_of_one_process(chores: ModuleType, addre
 
 @needs_dask
 def test_task_that_raises_on_a_cluster_is_named(chores: ModuleType, address: str) -> None:
-    """As in a process of this machine; what cannot travel, too."""
-    tasks = ["a", "raise", "two parts", lambda: 0, "b"]
+    """As in a process of this machine."""
+    tasks = ["a", "raise", "two parts", "exit", "b"]
     with pytest.raises(
         TasksFailedError, match=r"^3 of 5 tasks failed: task 1: ValueError: no such"
     ):
@@ -62,25 +61,22 @@ def test_task_that_raises_on_a_cluster_is_named(chores: ModuleType, address: str
 @needs_dask
 def test_results_of_a_cluster_come_as_they_are_done(chores: ModuleType, address: str) -> None:
     """A task that takes long does not keep back the others' results."""
-    outcomes = iter_tasks(chores.naps, [5.0, *[0.0] * 20], cluster=address)
-    assert {next(outcomes).index for _ in range(10)} <= set(range(1, 21))
-    outcomes.close()  # type: ignore[attr-defined]
+    done = iter_tasks(chores.naps, [5.0, *[0.0] * 20], cluster=address)
+    assert {next(done)[0] for _ in range(10)} <= set(range(1, 21))
+    done.close()
 
 
 @needs_dask
 @needs_signals
 def test_worker_killed_half_way_loses_nothing(chores: ModuleType, address: str) -> None:
-    """Its batches are done again by another, and each task has one outcome."""
-    tasks = [0.02] * 60
-    outcomes, killed = [], 0
-    for outcome in iter_tasks(chores.naps, tasks, cluster=address):
-        outcomes.append(outcome)
-        if not killed:
-            killed = outcome.result
-            os.kill(killed, signal.SIGKILL)
-    assert sorted(outcome.index for outcome in outcomes) == list(range(60))
-    assert not any(outcome.error for outcome in outcomes)
-    assert len({outcome.result for outcome in outcomes}) > 1
+    """Its tasks are done again by another, and each task is done once."""
+    done: list[tuple[int, int]] = []
+    for number, future in iter_tasks(chores.naps, [0.02] * 60, cluster=address):
+        if not done:
+            os.kill(future.result(), signal.SIGKILL)
+        done.append((number, future.result()))
+    assert sorted(number for number, _ in done) == list(range(60))
+    assert len({process for _, process in done}) > 1
 
 
 @needs_dask
@@ -89,10 +85,10 @@ def test_task_that_kills_its_workers_is_named_and_no_other_is_lost(chores: Modul
     """On a cluster that is started for the call, and ends with it."""
     before = threading.active_count()
     tasks = [("kill" if n == 4 else "live", n) for n in range(30)]
-    outcomes = list(iter_tasks(chores.dies, tasks, cluster="local", workers=2))
-    assert sorted(outcome.index for outcome in outcomes) == list(range(30))
-    [failed] = [outcome for outcome in outcomes if outcome.error]
-    assert (failed.index, type(failed.error)) == (4, WorkerDiedError)
+    done = list(iter_tasks(chores.dies, tasks, cluster="local", workers=2))
+    assert sorted(number for number, _ in done) == list(range(30))
+    [(number, error)] = [(n, error) for n, future in done if (error := future.exception())]
+    assert (number, type(error)) == (4, WorkerDiedError)
     assert threading.active_count() <= before + 2  # dask keeps a loop and a pool for the next call
 
 
@@ -101,7 +97,7 @@ def test_address_where_nobody_answers_is_an_error_that_names_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """After some seconds, and not never."""
-    monkeypatch.setattr(cluster, "SECONDS_TO_ANSWER", 0.5)
+    monkeypatch.setattr(executors, "SECONDS_TO_ANSWER", 0.5)
     with pytest.raises(ConnectionError, match=r"no dask scheduler answers at tcp://127.0.0.1:1"):
         map_tasks(len, ["a"], cluster="tcp://127.0.0.1:1")
 
@@ -111,18 +107,3 @@ def test_without_dask_the_error_says_what_to_install(monkeypatch: pytest.MonkeyP
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(RuntimeError, match=r"pip install -e '\.\[cluster\]'"):
         map_tasks(len, ["a"], cluster="local")
-
-
-def test_batches_keep_every_worker_busy_to_the_end() -> None:
-    """Four for each of two workers, none of more than a hundred tasks, and every task in one."""
-
-    class Client:
-        def nthreads(self) -> dict[str, int]:
-            return {"a": 1, "b": 1}
-
-    client: Any = Client()
-    for count in (1, 7, 80, 5000):
-        batches = cluster._batches(client, dict.fromkeys(range(count), b""))
-        assert [index for batch in batches for index in batch] == list(range(count))
-        assert len(batches) >= min(count, 8)
-        assert max(map(len, batches)) <= 100

@@ -8,12 +8,13 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
-from lesson_code.parallel import Outcome, WorkerDiedError, iter_tasks, map_tasks
+from lesson_code.parallel import WorkerDiedError, iter_tasks, map_tasks
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
 
@@ -23,11 +24,6 @@ HANG = 60.0
 AT_ONCE = 5.0
 """s: the end of a call that is interrupted, on a machine with much else to do; the tasks that it
 interrupts would take 600 s."""
-
-
-def by_place(outcomes: list[Outcome]) -> list[Outcome]:
-    """Return outcomes in the order of their tasks."""
-    return sorted(outcomes, key=lambda outcome: outcome.index)
 
 
 def is_gone(pid: int) -> bool:
@@ -53,34 +49,35 @@ def test_task_whose_worker_was_killed_is_done_again(chores: ModuleType, tmp_path
 
 
 @pytest.mark.parametrize(
-    ("way", "words"), [("exit", "at last by exit code 0"), ("kill", "at last by signal 9")]
+    ("way", "words"), [("exit", "at last by EXIT(0)"), ("kill", "at last by SIGKILL(-9)")]
 )
 def test_task_that_kills_its_worker_twice_is_named_and_no_other_is_lost(
     chores: ModuleType, way: str, words: str
 ) -> None:
     """Also where the worker ends with code 0, as if all were well."""
     tasks = [(way if n == 4 else "live", n) for n in range(12)]
-    outcomes = by_place(list(iter_tasks(chores.dies, tasks, workers=2)))
-    assert [outcome.index for outcome in outcomes if outcome.error] == [4]
-    assert [outcome.result for outcome in outcomes if not outcome.error] == [
-        n for n in range(12) if n != 4
-    ]
-    assert isinstance(outcomes[4].error, WorkerDiedError)
-    assert f"its worker died 2 times, {words}" in str(outcomes[4].error)
-    assert "in task 4" in outcomes[4].error.__notes__
+    futures = dict(iter_tasks(chores.dies, tasks, workers=2))
+    error = futures.pop(4).exception()
+    assert isinstance(error, WorkerDiedError)
+    assert f"its worker died 2 times, {words}" in str(error)
+    assert error.__notes__ == ["in task 4"]
+    assert {n: future.result() for n, future in futures.items()} == {
+        n: n for n in range(12) if n != 4
+    }
 
 
 def test_tasks_that_all_kill_their_workers_come_to_an_end(chores: ModuleType) -> None:
     """Each is named; nothing hangs."""
-    outcomes = list(iter_tasks(chores.dies, [("kill", n) for n in range(4)], workers=2))
-    assert sorted(outcome.index for outcome in outcomes) == [0, 1, 2, 3]
-    assert all(isinstance(outcome.error, WorkerDiedError) for outcome in outcomes)
+    done = list(iter_tasks(chores.dies, [("kill", n) for n in range(4)], workers=2))
+    assert sorted(number for number, _ in done) == [0, 1, 2, 3]
+    assert all(isinstance(future.exception(), WorkerDiedError) for _, future in done)
 
 
 # Interruption
 
 
 SLEEPERS = """
+from collections.abc import Callable
 from pathlib import Path
 import chores
 from lesson_code.parallel import map_tasks
@@ -99,9 +96,19 @@ def end_group(pid: int) -> None:
         os.killpg(pid, signal.SIGKILL)
 
 
-@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_workers_end_with_the_process_that_started_them(tmp_path: Path, stop: int) -> None:
-    """A signal to the whole group, as Ctrl-C in a terminal is, ends all of it at once.
+@pytest.mark.parametrize(
+    ("stop", "send"),
+    [
+        (signal.SIGINT, os.killpg),
+        (signal.SIGTERM, os.killpg),
+        (signal.SIGKILL, os.killpg),
+        (signal.SIGKILL, os.kill),
+    ],
+)
+def test_workers_end_with_the_process_that_started_them(
+    tmp_path: Path, stop: int, send: Callable[[int, int], None]
+) -> None:
+    """A signal to the whole group, as Ctrl-C in a terminal is, or to that process alone.
 
     Ctrl-C is told in one traceback, and not in one from each worker.
     """
@@ -127,7 +134,7 @@ def test_workers_end_with_the_process_that_started_them(tmp_path: Path, stop: in
             time.sleep(0.02)
         workers = [int(path.name) for path in pids.iterdir()]
         assert len(workers) == 2
-        os.killpg(process.pid, stop)
+        send(process.pid, stop)
         assert process.wait(AT_ONCE) != 0
         assert all(is_gone(pid) for pid in workers)
         told = process.stderr.read() if process.stderr else ""
@@ -138,8 +145,8 @@ def test_workers_end_with_the_process_that_started_them(tmp_path: Path, stop: in
 
 def test_workers_end_when_the_results_are_no_longer_wanted() -> None:
     """Leaving iter_tasks early stops those that are at a long task."""
-    outcomes = iter_tasks(time.sleep, [0, 600], workers=2)
-    assert next(outcomes).index == 0
+    done = iter_tasks(time.sleep, [0, 600], workers=2)
+    assert next(done)[0] == 0
     started = time.monotonic()
-    outcomes.close()  # type: ignore[attr-defined]
+    done.close()
     assert time.monotonic() - started < AT_ONCE

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 
@@ -53,6 +53,3 @@ def in_the_frame_of_the_pair(
             w = complex(centre - restitution * (w.real - centre), w.imag)
             moving[a], moving[b] = u * turn, w * turn
     return moving
-
-
-ALTERNATIVES = marked(globals(), Alternative)

@@ -11,9 +11,7 @@ import numpy as np
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.asteroids import rules as asteroids_rules
-from lesson_code.chapters.asteroids.right_answers import ALTERNATIVES
-from lesson_code.chapters.asteroids.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 FIELD_MASSES = (1.0, 4.0, 2.5, 7.0, 0.5, 3.0, 5.5, 1.5, 2.0)
 """kg: of the field in which the momentum is added up."""
@@ -109,8 +107,6 @@ TASKS = (
             Criterion("the pieces", bursts, points=2),
             Criterion("the momentum is kept", bursts_of_three, part=momentum_of_pieces),
         ),
-        wrong_models=for_task(WRONG_MODELS, "A.1"),
-        alternatives=for_task(ALTERNATIVES, "A.1"),
     ),
     Task(
         id="A.2",
@@ -121,8 +117,6 @@ TASKS = (
             Criterion("from rest", shots_at_rest),
             Criterion("while it moves", shots, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "A.2"),
-        alternatives=for_task(ALTERNATIVES, "A.2"),
     ),
     Task(
         id="A.3",
@@ -135,7 +129,5 @@ TASKS = (
             Criterion("the momentum of a field is kept", crowded_fields, part=momentum_of_field),
             Criterion("a field", crowded_fields),
         ),
-        wrong_models=for_task(WRONG_MODELS, "A.3"),
-        alternatives=for_task(ALTERNATIVES, "A.3"),
     ),
 )

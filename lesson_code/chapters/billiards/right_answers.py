@@ -22,7 +22,7 @@ from lesson_code.chapters.billiards.wrong_answers import (
     RESTITUTION,
     WIDTH,
 )
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 
@@ -94,6 +94,3 @@ def counts_steps_with_divmod(position: Vector, velocity: Vector, elapsed: float)
         position, velocity, new_hits = step(position, velocity, TIME_STEP)
         hits.extend(new_hits)
     return position, velocity, hits, max(0.0, rest - 1e-9) / 60
-
-
-ALTERNATIVES = marked(globals(), Alternative)

@@ -9,10 +9,8 @@ from typing import Any
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.billiards import rules as billiards_table
-from lesson_code.chapters.billiards.right_answers import ALTERNATIVES
 from lesson_code.chapters.billiards.rules import LAUNCH, TABLE, TIME_STEP
-from lesson_code.chapters.billiards.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 REACH = TABLE.radius + TABLE.bumper_half_thickness
 """A ball whose centre is nearer to the bumper's middle line overlaps it, px."""
@@ -175,8 +173,6 @@ TASKS = (
             Criterion("corners", in_corners),
             Criterion("no wall", on_free_table),
         ),
-        wrong_models=for_task(WRONG_MODELS, "B.1"),
-        alternatives=for_task(ALTERNATIVES, "B.1"),
     ),
     Task(
         id="B.2",
@@ -188,8 +184,6 @@ TASKS = (
             Criterion("both ends", at_the_ends),
             Criterion("no overlap", off_the_bumper),
         ),
-        wrong_models=for_task(WRONG_MODELS, "B.2"),
-        alternatives=for_task(ALTERNATIVES, "B.2"),
     ),
     Task(
         id="B.3",
@@ -200,8 +194,6 @@ TASKS = (
             Criterion("a ball moving in", moving_in, points=2),
             Criterion("a ball moving out", moving_out),
         ),
-        wrong_models=for_task(WRONG_MODELS, "B.3"),
-        alternatives=for_task(ALTERNATIVES, "B.3"),
     ),
     Task(
         id="B.4",
@@ -214,8 +206,6 @@ TASKS = (
             Criterion("corners", corner_steps),
             Criterion("the bumper", bumper_steps),
         ),
-        wrong_models=for_task(WRONG_MODELS, "B.4"),
-        alternatives=for_task(ALTERNATIVES, "B.4"),
     ),
     Task(
         id="B.5",
@@ -227,7 +217,5 @@ TASKS = (
             Criterion("frames with a rest", frames_with_a_rest),
             Criterion("all four walls and the bumper within 8 s", the_launch, part=names_hit),
         ),
-        wrong_models=for_task(WRONG_MODELS, "B.5"),
-        alternatives=for_task(ALTERNATIVES, "B.5"),
     ),
 )

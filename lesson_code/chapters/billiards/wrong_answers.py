@@ -17,7 +17,7 @@ from lesson_code.chapters.billiards.rules import (
     step,
     wall_contacts,
 )
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 Vector: TypeAlias = Any
 
@@ -210,6 +210,3 @@ def subtracts_until_empty(position: Vector, velocity: Vector, elapsed: float) ->
         hits += new_hits
         elapsed -= TIME_STEP
     return position, velocity, hits, elapsed
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

@@ -9,9 +9,7 @@ from typing import Any
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.breakout import rules as breakout_rules
-from lesson_code.chapters.breakout.right_answers import ALTERNATIVES
-from lesson_code.chapters.breakout.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 RADIUS = 0.1
 BOX = (0.74, 0.24)
@@ -121,8 +119,6 @@ TASKS = (
             Criterion("on the paddle", on_the_paddle),
             Criterion("beyond its ends", beyond_the_ends),
         ),
-        wrong_models=for_task(WRONG_MODELS, "K.1"),
-        alternatives=for_task(ALTERNATIVES, "K.1"),
     ),
     Task(
         id="K.2",
@@ -134,8 +130,6 @@ TASKS = (
             Criterion("corners, met and missed", at_corners, points=2),
             Criterion("at any speed", at_any_speed),
         ),
-        wrong_models=for_task(WRONG_MODELS, "K.2"),
-        alternatives=for_task(ALTERNATIVES, "K.2"),
     ),
     Task(
         id="K.3",
@@ -148,7 +142,5 @@ TASKS = (
             Criterion("no ball through a brick at any speed", fast_flights, part=what_broke),
             Criterion("no brick in reach", free_flights),
         ),
-        wrong_models=for_task(WRONG_MODELS, "K.3"),
-        alternatives=for_task(ALTERNATIVES, "K.3"),
     ),
 )

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters.breakout.rules import STEEPEST, brick_impact
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 Vector: TypeAlias = Any
 
@@ -161,6 +161,3 @@ def flips_an_axis(
         duration -= first[0]
         velocity = velocity * np.array([1.0, -1.0])
         broken.append(first[1])
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

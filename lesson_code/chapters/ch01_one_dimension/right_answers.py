@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 
 @alternative("1.1")
@@ -55,6 +55,3 @@ def from_the_velocity_change(m1: float, v1: float, m2: float, v2: float) -> floa
     """The impulse is what the second body's momentum gains."""
     v2_after = ((m2 - m1) * v2 + 2 * m1 * v1) / (m1 + m2)
     return m2 * (v2_after - v2)
-
-
-ALTERNATIVES = marked(globals(), Alternative)

@@ -7,10 +7,8 @@ from random import Random
 from typing import Any
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch01_one_dimension.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch01_one_dimension.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.formulas import collide_1d, elastic_1d, inelastic_1d, momentum
 
 
@@ -76,8 +74,6 @@ TASKS = (
             Criterion("unequal masses, head on", moving_against),
             Criterion("unequal masses, one catching up", catching_up),
         ),
-        wrong_models=for_task(WRONG_MODELS, "1.1"),
-        alternatives=for_task(ALTERNATIVES, "1.1"),
         explain=momentum_before_and_after,
     ),
     Task(
@@ -90,8 +86,6 @@ TASKS = (
             Criterion("unequal masses, head on", moving_against),
             Criterion("unequal masses, one catching up", catching_up),
         ),
-        wrong_models=for_task(WRONG_MODELS, "1.2"),
-        alternatives=for_task(ALTERNATIVES, "1.2"),
         explain=momentum_before_and_after,
     ),
     Task(
@@ -104,7 +98,5 @@ TASKS = (
             Criterion("head on", moving_against),
             Criterion("one catching up", catching_up),
         ),
-        wrong_models=for_task(WRONG_MODELS, "1.3"),
-        alternatives=for_task(ALTERNATIVES, "1.3"),
     ),
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 
 @wrong_model(
@@ -96,6 +96,3 @@ def impulse_on_the_first(m1: float, v1: float, m2: float, v2: float) -> float:
 def ignores_second_velocity(m1: float, v1: float, m2: float, v2: float) -> float:
     """Only the first body's velocity makes the blow."""
     return 2 * v1 * m1 * m2 / (m1 + m2)
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

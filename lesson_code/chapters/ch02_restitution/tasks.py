@@ -13,10 +13,8 @@ from lesson_code.chapters.ch01_one_dimension.tasks import (
     moving_against,
     target_at_rest,
 )
-from lesson_code.chapters.ch02_restitution.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch02_restitution.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.formulas import collide_1d, restitution_1d
 from lesson_code.reference.closed_forms import bounce_heights, rest_time
 
@@ -115,8 +113,6 @@ TASKS = (
             Criterion("bodies that met head on", velocities_head_on, points=2),
             Criterion("one body that caught up", velocities_catching_up),
         ),
-        wrong_models=for_task(WRONG_MODELS, "2.1"),
-        alternatives=for_task(ALTERNATIVES, "2.1"),
     ),
     Task(
         id="2.2",
@@ -129,8 +125,6 @@ TASKS = (
             Criterion("one catching up", lossy_catching_up),
             Criterion("the limits e = 1 and e = 0", limits),
         ),
-        wrong_models=for_task(WRONG_MODELS, "2.2"),
-        alternatives=for_task(ALTERNATIVES, "2.2"),
         explain=momentum_before_and_after,
     ),
     Task(
@@ -143,8 +137,6 @@ TASKS = (
             Criterion("several bounces", several_bounces),
             Criterion("no loss", elastic_drop),
         ),
-        wrong_models=for_task(WRONG_MODELS, "2.3"),
-        alternatives=for_task(ALTERNATIVES, "2.3"),
         explain=energy_factor,
     ),
     Task(
@@ -156,7 +148,5 @@ TASKS = (
             Criterion("on earth", drops_on_earth, points=2),
             Criterion("on the moon, and onto clay", drops_elsewhere),
         ),
-        wrong_models=for_task(WRONG_MODELS, "2.4"),
-        alternatives=for_task(ALTERNATIVES, "2.4"),
     ),
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 
 @wrong_model("2.1", "A ball that bounces back at all: should its restitution be negative?")
@@ -126,6 +126,3 @@ def ten_bounces(height: float, restitution: float, gravity: float) -> float:
     """After ten bounces the ball is as good as at rest."""
     fall = (2 * height / gravity) ** 0.5
     return float(fall + sum(2 * fall * restitution**n for n in range(1, 11)))
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 
@@ -85,6 +85,3 @@ def in_place(
     position += depth * normal
     velocity -= (1 + restitution) * min(0.0, float(velocity @ normal)) * normal
     return [position, velocity]
-
-
-ALTERNATIVES = marked(globals(), Alternative)

@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch03_reflection.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch03_reflection.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.formulas import bounce, reflect
 
 LEVEL_NORMALS = ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
@@ -141,8 +139,6 @@ TASKS = (
             Criterion("tilted walls", at_tilted_walls, points=2),
             Criterion("the back of a wall", from_behind),
         ),
-        wrong_models=for_task(WRONG_MODELS, "3.1"),
-        alternatives=for_task(ALTERNATIVES, "3.1"),
         explain=speed_before_and_after,
     ),
     Task(
@@ -156,8 +152,6 @@ TASKS = (
             Criterion("a ball that is already leaving", leaving),
             Criterion("the limits e = 1 and e = 0", without_loss),
         ),
-        wrong_models=for_task(WRONG_MODELS, "3.2"),
-        alternatives=for_task(ALTERNATIVES, "3.2"),
         explain=parts_of_the_answer,
     ),
     Task(
@@ -169,7 +163,5 @@ TASKS = (
             Criterion("a ball moving in", inside_coming_in, points=2),
             Criterion("a ball moving out", inside_leaving, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "3.3"),
-        alternatives=for_task(ALTERNATIVES, "3.3"),
     ),
 )

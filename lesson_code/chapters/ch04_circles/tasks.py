@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch04_circles.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch04_circles.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.formulas.smooth_pair import separating_push, smooth_impulse
 
 DIAGONAL = (math.sqrt(0.5), -math.sqrt(0.5))
@@ -271,8 +269,6 @@ TASKS = (
             Criterion("touching is not overlapping", just_touching),
             Criterion("the same centre", on_the_same_centre),
         ),
-        wrong_models=for_task(WRONG_MODELS, "4.1"),
-        alternatives=for_task(ALTERNATIVES, "4.1"),
         explain=distance_and_reach,
     ),
     Task(
@@ -285,8 +281,6 @@ TASKS = (
             Criterion("circles that already separate", separating),
             Criterion("the limits e = 1 and e = 0", without_loss),
         ),
-        wrong_models=for_task(WRONG_MODELS, "4.2"),
-        alternatives=for_task(ALTERNATIVES, "4.2"),
         explain=momentum_and_speed_along_normal,
     ),
     Task(
@@ -299,8 +293,6 @@ TASKS = (
             Criterion("unequal masses", of_unequal_masses, points=2),
             Criterion("a fixed circle", one_fixed),
         ),
-        wrong_models=for_task(WRONG_MODELS, "4.3"),
-        alternatives=for_task(ALTERNATIVES, "4.3"),
         explain=way_apart,
     ),
     Task(
@@ -313,8 +305,6 @@ TASKS = (
             Criterion("circles that already separate", overlapping_but_separating),
             Criterion("a fixed circle", against_a_fixed_one),
         ),
-        wrong_models=for_task(WRONG_MODELS, "4.4"),
-        alternatives=for_task(ALTERNATIVES, "4.4"),
         explain=positions_and_velocities,
     ),
 )

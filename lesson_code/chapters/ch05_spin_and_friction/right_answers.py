@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Number: TypeAlias = Any
 Vector: TypeAlias = Any
@@ -191,4 +191,17 @@ def in_the_frame_of_the_wall(
     return [[after.real, after.imag], w + radius * jt / inertia]
 
 
-ALTERNATIVES = marked(globals(), Alternative)
+@alternative("5.5")
+def along_and_across_the_wall(
+    velocity: Vector, w: float, radius: float, normal: Vector, restitution: float, friction: float
+) -> Any:
+    """For a disc of 1 kg: an impulse across the wall, then one along it, clamped."""
+    import numpy as np
+
+    tangent = np.array([-normal[1], normal[0]])
+    v_n, v_t = np.dot(velocity, normal), np.dot(velocity, tangent) - w * radius
+    if v_n >= 0:
+        return velocity, w
+    jn = -(1 + restitution) * v_n
+    jt = np.clip(-v_t / 3, -friction * jn, friction * jn)
+    return velocity + jn * normal + jt * tangent, w - 2 * jt / radius

@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch05_spin_and_friction.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch05_spin_and_friction.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.evidence.scenes.slopes import coulomb
 from lesson_code.evidence.scenes.spinning_discs import bounce_with_spin
 from lesson_code.formulas import (
@@ -267,8 +265,6 @@ TASKS = (
             Criterion("clockwise order", polygons_clockwise),
             Criterion("a vertex too many", polygons_with_a_vertex_too_many),
         ),
-        wrong_models=for_task(WRONG_MODELS, "5.1"),
-        alternatives=for_task(ALTERNATIVES, "5.1"),
     ),
     Task(
         id="5.2",
@@ -279,8 +275,6 @@ TASKS = (
             Criterion("spinning on the spot", spinning_on_the_spot),
             Criterion("moving and spinning", moving_and_spinning, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "5.2"),
-        alternatives=for_task(ALTERNATIVES, "5.2"),
         explain=part_of_the_spin,
     ),
     Task(
@@ -293,8 +287,6 @@ TASKS = (
             Criterion("off centre", hits_off_centre, points=2),
             Criterion("against the ground", hits_on_the_ground),
         ),
-        wrong_models=for_task(WRONG_MODELS, "5.3"),
-        alternatives=for_task(ALTERNATIVES, "5.3"),
         explain=lever_arms,
     ),
     Task(
@@ -307,8 +299,6 @@ TASKS = (
             Criterion("a contact that slips", slipping, points=2),
             Criterion("very slow sliding", creeping),
         ),
-        wrong_models=for_task(WRONG_MODELS, "5.4"),
-        alternatives=for_task(ALTERNATIVES, "5.4"),
         explain=limit_and_need,
     ),
     Task(
@@ -321,8 +311,6 @@ TASKS = (
             Criterion("a wall that slips", smooth_walls, points=2),
             Criterion("a disc that is leaving", leaving_discs),
         ),
-        wrong_models=for_task(WRONG_MODELS, "5.5"),
-        alternatives=for_task(ALTERNATIVES, "5.5"),
         explain=turning_about_the_contact,
     ),
 )

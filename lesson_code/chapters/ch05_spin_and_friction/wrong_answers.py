@@ -9,7 +9,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.chapters.ch05_spin_and_friction.right_answers import along_and_across_the_wall
+from lesson_code.course.grading.task import edited, wrong_model
 
 Number: TypeAlias = Any
 Vector: TypeAlias = Any
@@ -228,44 +229,21 @@ def torque_with_the_wrong_sign(
 @wrong_model(
     "5.5", "A ball without spin hits a rough wall at an angle. Does it leave without spin?"
 )
-def spin_unchanged(
-    velocity: Vector, w: float, radius: float, normal: Vector, restitution: float, friction: float
-) -> Any:
+@edited(along_and_across_the_wall, {"w - 2 * jt / radius": "w"})
+def spin_unchanged() -> None:
     """Friction slows the disc; only a torque of its own could change the spin."""
-    tangent = np.array([-normal[1], normal[0]])
-    v_n, v_t = np.dot(velocity, normal), np.dot(velocity, tangent) - w * radius
-    if v_n >= 0:
-        return velocity, w
-    jn = -(1 + restitution) * v_n
-    jt = np.clip(-v_t / 3, -friction * jn, friction * jn)
-    return velocity + jn * normal + jt * tangent, w
 
 
 @wrong_model("5.5", "A disc rolls along the wall. Is there sliding where they touch?")
-def sliding_of_the_centre(
-    velocity: Vector, w: float, radius: float, normal: Vector, restitution: float, friction: float
-) -> Any:
+@edited(along_and_across_the_wall, {" - w * radius": ""})
+def sliding_of_the_centre() -> None:
     """A disc slides as fast as its centre moves along the wall."""
-    tangent = np.array([-normal[1], normal[0]])
-    v_n, v_t = np.dot(velocity, normal), np.dot(velocity, tangent)
-    if v_n >= 0:
-        return velocity, w
-    jn = -(1 + restitution) * v_n
-    jt = np.clip(-v_t / 3, -friction * jn, friction * jn)
-    return velocity + jn * normal + jt * tangent, w - 2 * jt / radius
 
 
 @wrong_model("5.5", "A wall that is nearly smooth: can it stop any sliding at once?")
-def always_grips(
-    velocity: Vector, w: float, radius: float, normal: Vector, restitution: float, friction: float
-) -> Any:
+@edited(along_and_across_the_wall, {"np.clip(-v_t / 3, -friction * jn, friction * jn)": "-v_t / 3"})
+def always_grips() -> None:
     """A rough wall always stops the sliding, however small the friction."""
-    tangent = np.array([-normal[1], normal[0]])
-    v_n, v_t = np.dot(velocity, normal), np.dot(velocity, tangent) - w * radius
-    if v_n >= 0:
-        return velocity, w
-    jt = -v_t / 3
-    return velocity - (1 + restitution) * v_n * normal + jt * tangent, w - 2 * jt / radius
 
 
 @wrong_model("5.5", "After your hit, does the rim still slide, the other way? What else gave way?")
@@ -292,6 +270,3 @@ def hits_when_leaving(
     jn = -(1 + restitution) * v_n
     jt = np.clip(-v_t / 3, -friction * abs(jn), friction * abs(jn))
     return velocity + jn * normal + jt * tangent, w - 2 * jt / radius
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

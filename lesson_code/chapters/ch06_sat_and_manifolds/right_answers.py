@@ -6,8 +6,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
-from lesson_code.geometry import closest_point_on_segment
+from lesson_code.course.grading.task import alternative
+from lesson_code.geometry import closest_point_on_segment, project, sat_axes
 
 Vector: TypeAlias = Any
 
@@ -103,6 +103,20 @@ def all_axes_at_once(vertices_a: Vector, vertices_b: Vector) -> Any:
     return complex(*normals[best]), ways_out[best]
 
 
+@alternative("6.4")
+def both_ways_along_each_axis(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """B leaves forwards or backwards along each axis; the shortest way out is kept."""
+    best = None
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
+        for depth, normal in ((high_a - low_b, axis), (high_b - low_a, -axis)):
+            if depth <= 0:
+                return None
+            if best is None or depth < best[1]:
+                best = normal, depth
+    return best
+
+
 @alternative("6.5")
 def by_the_part_that_is_inside(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
     """The parts of the way at which the segment comes in and goes out, as Liang and Barsky do."""
@@ -151,6 +165,3 @@ def by_shrinking_the_circle(centre: Vector, radius: float, vertices: Vector) -> 
     sign = -1 if all(turns) else 1
     depth = radius - sign * abs(nearest)
     return (sign * nearest / abs(nearest), depth) if depth > 0 else None
-
-
-ALTERNATIVES = marked(globals(), Alternative)

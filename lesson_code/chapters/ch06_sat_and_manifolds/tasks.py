@@ -11,10 +11,8 @@ import numpy as np
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.ch06_sat_and_manifolds import draws as pairs
-from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch06_sat_and_manifolds.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import ANSWER_TOLERANCE, Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import ANSWER_TOLERANCE, Arguments, Criterion, Task
 from lesson_code.formulas import polygon_centroid
 from lesson_code.geometry import Circle, Polygon, collide, mtv, overlap, project, sat_axes
 
@@ -301,8 +299,6 @@ TASKS = (
             Criterion("four edges and more", more_edges, points=2, part=as_lines),
             Criterion("a vertex listed twice", a_vertex_twice, part=as_lines),
         ),
-        wrong_models=for_task(WRONG_MODELS, "6.1"),
-        alternatives=for_task(ALTERNATIVES, "6.1"),
         explain=axes_are_lines,
     ),
     Task(
@@ -314,8 +310,6 @@ TASKS = (
             Criterion("a polygon beyond the origin", beyond_the_origin),
             Criterion("a polygon about the origin", about_the_origin),
         ),
-        wrong_models=for_task(WRONG_MODELS, "6.2"),
-        alternatives=for_task(ALTERNATIVES, "6.2"),
     ),
     Task(
         id="6.3",
@@ -327,8 +321,6 @@ TASKS = (
             Criterion("one inside the other", one_in_the_other),
             Criterion("apart, touching or overlapping", apart_or_not, part=is_overlap),
         ),
-        wrong_models=for_task(WRONG_MODELS, "6.3"),
-        alternatives=for_task(ALTERNATIVES, "6.3"),
     ),
     Task(
         id="6.4",
@@ -341,8 +333,6 @@ TASKS = (
             Criterion("deeper than the middle", past_the_middle),
             Criterion("apart, touching or overlapping", polygons_apart_or_not, part=is_overlap),
         ),
-        wrong_models=for_task(WRONG_MODELS, "6.4"),
-        alternatives=for_task(ALTERNATIVES, "6.4"),
         explain=after_your_move,
     ),
     Task(
@@ -354,8 +344,6 @@ TASKS = (
             Criterion("one end outside", crossing, points=2),
             Criterion("all inside and all outside", on_one_side),
         ),
-        wrong_models=for_task(WRONG_MODELS, "6.5"),
-        alternatives=for_task(ALTERNATIVES, "6.5"),
     ),
     Task(
         id="6.6",
@@ -368,7 +356,5 @@ TASKS = (
             Criterion("the centre inside", with_the_centre_inside),
             Criterion("apart or overlapping", circle_apart_or_not, part=is_overlap),
         ),
-        wrong_models=for_task(WRONG_MODELS, "6.6"),
-        alternatives=for_task(ALTERNATIVES, "6.6"),
     ),
 )

@@ -9,7 +9,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import both_ways_along_each_axis
+from lesson_code.course.grading.task import edited, wrong_model
 from lesson_code.formulas.arithmetic import cross
 from lesson_code.geometry import closest_point_on_segment, project, sat_axes
 
@@ -141,17 +142,12 @@ def direction_from_the_centres(vertices_a: Vector, vertices_b: Vector) -> Any:
 
 
 @wrong_model("6.4", "Let a corner of A point at a side of B. Whose edge has the axis you need?")
-def axes_of_a_only(vertices_a: Vector, vertices_b: Vector) -> Any:
+@edited(
+    both_ways_along_each_axis,
+    {"[*sat_axes(vertices_a), *sat_axes(vertices_b)]": "sat_axes(vertices_a)"},
+)
+def axes_of_a_only() -> None:
     """The edges of one of the two polygons are enough."""
-    best = None
-    for axis in sat_axes(vertices_a):
-        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
-        for depth, normal in ((high_a - low_b, axis), (high_b - low_a, -axis)):
-            if depth <= 0:
-                return None
-            if best is None or depth < best[1]:
-                best = normal, depth
-    return best
 
 
 @wrong_model("6.4", "Put a small polygon inside a large one. Moved by what you return, is it out?")
@@ -183,31 +179,15 @@ def largest_overlap(vertices_a: Vector, vertices_b: Vector) -> Any:
 
 
 @wrong_model("6.4", "Move B by depth times your normal. Does it come out of A, or go deeper?")
-def from_b_to_a(vertices_a: Vector, vertices_b: Vector) -> Any:
+@edited(both_ways_along_each_axis, {"low_b, axis": "low_b, -axis", "low_a, -axis": "low_a, axis"})
+def from_b_to_a() -> None:
     """The normal points from B to A."""
-    best = None
-    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
-        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
-        for depth, normal in ((high_a - low_b, -axis), (high_b - low_a, axis)):
-            if depth <= 0:
-                return None
-            if best is None or depth < best[1]:
-                best = normal, depth
-    return best
 
 
 @wrong_model("6.4", "Two squares stand side by side and just touch. What does yours return?")
-def touching_is_a_hit(vertices_a: Vector, vertices_b: Vector) -> Any:
+@edited(both_ways_along_each_axis, {"depth <= 0": "depth < 0"})
+def touching_is_a_hit() -> None:
     """Polygons that touch overlap."""
-    best = None
-    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
-        (low_a, high_a), (low_b, high_b) = project(vertices_a, axis), project(vertices_b, axis)
-        for depth, normal in ((high_a - low_b, axis), (high_b - low_a, -axis)):
-            if depth < 0:
-                return None
-            if best is None or depth < best[1]:
-                best = normal, depth
-    return best
 
 
 @wrong_model("6.5", "One end is outside. Where does the segment cross the line: is a point kept?")
@@ -324,6 +304,3 @@ def from_middle_to_middle(centre: Vector, radius: float, vertices: Vector) -> An
     depth = radius + distance if inside else radius - distance
     way = centre - vertices.mean(axis=0)
     return (way / np.hypot(*way), depth) if depth > 0 else None
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

@@ -12,20 +12,11 @@ import numpy as np
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.ch07_time_of_impact import draws as flights
-from lesson_code.chapters.ch07_time_of_impact import (
-    wrong_answers as time_of_impact,
-)
-from lesson_code.chapters.ch07_time_of_impact import (
-    wrong_answers_of_events as events,
-)
-from lesson_code.chapters.ch07_time_of_impact.right_answers import ALTERNATIVES
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.geometry.impact_times import line_impact_time
 from lesson_code.geometry.straight_impact_times import straight_impact_time
 from lesson_code.reference.event_closed_forms import block_collisions
-
-WRONG_MODELS = (*time_of_impact.WRONG_MODELS, *events.WRONG_MODELS)
 
 # 7.2: the floor
 
@@ -253,8 +244,6 @@ TASKS = (
             Criterion("circles that never meet, and two that do", flights.misses),
             Criterion("circles that touch or overlap at the start", flights.in_touch),
         ),
-        wrong_models=for_task(WRONG_MODELS, "7.1"),
-        alternatives=for_task(ALTERNATIVES, "7.1"),
         explain=distance_at_the_answer,
     ),
     Task(
@@ -268,8 +257,6 @@ TASKS = (
             Criterion("on the floor at the start", at_the_floor),
             Criterion("next to no gravity", nearly_weightless),
         ),
-        wrong_models=for_task(WRONG_MODELS, "7.2"),
-        alternatives=for_task(ALTERNATIVES, "7.2"),
         explain=height_at_the_answer,
     ),
     Task(
@@ -283,8 +270,6 @@ TASKS = (
             Criterion("several impacts", with_several_impacts),
             Criterion("at a wall at the start", starting_at_a_wall),
         ),
-        wrong_models=for_task(WRONG_MODELS, "7.3"),
-        alternatives=for_task(ALTERNATIVES, "7.3"),
         explain=impacts_in_the_step,
     ),
     Task(
@@ -297,8 +282,6 @@ TASKS = (
             Criterion("a pair that meets now", flights.crowds_with_a_hit_now),
             Criterion("crowds in which no pair meets", flights.crowds_that_part),
         ),
-        wrong_models=for_task(WRONG_MODELS, "7.4"),
-        alternatives=for_task(ALTERNATIVES, "7.4"),
         explain=what_all_pairs_do,
     ),
     Task(
@@ -310,7 +293,5 @@ TASKS = (
             Criterion("mass ratios 1, 100, 10,000, ...", hundreds),
             Criterion("any mass ratio", any_ratio, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "7.5"),
-        alternatives=for_task(ALTERNATIVES, "7.5"),
     ),
 )

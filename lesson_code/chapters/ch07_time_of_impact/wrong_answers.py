@@ -1,4 +1,4 @@
-"""Wrong models of chapter 07, tasks 7.1 to 7.3: the time of impact, and the rest of the step.
+"""Wrong models of chapter 07: times of impact, the rest of the step, and events.
 
 Each stands alone, as a student would hand it in: it calls no helper.
 """
@@ -10,22 +10,21 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.chapters.ch07_time_of_impact.right_answers import (
+    from_hit_to_hit,
+    pair_by_pair,
+    with_the_quadratic_formula,
+)
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 Time: TypeAlias = float | None
 
 
 @wrong_model("7.1", "The hit comes after the end of the step. Whose business is it then?")
-def beyond_the_step(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(with_the_quadratic_formula, {"t if t <= dt else None": "t"})
+def beyond_the_step() -> None:
     """Circles on a collision course hit; the length of the step plays no part."""
-    d, v = p2 - p1, v2 - v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if b >= 0 or b * b - a * c < 0:
-        return None
-    return float(max(c, 0.0) / (-b + math.sqrt(b * b - a * c)))
 
 
 @wrong_model("7.1", "A circle crosses another one in a hundredth of the step. Do ten looks see it?")
@@ -69,16 +68,9 @@ def negative_time(
 
 
 @wrong_model("7.1", "Both circles move. What does the second one look like, seen from the first?")
-def second_velocity_ignored(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(with_the_quadratic_formula, {"v2 - v1": "-v1"})
+def second_velocity_ignored() -> None:
     """Circle 1 flies towards circle 2, which waits."""
-    d, v = p2 - p1, -v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if b >= 0 or b * b - a * c < 0:
-        return None
-    t = max(c, 0.0) / (-b + math.sqrt(b * b - a * c))
-    return t if t <= dt else None
 
 
 @wrong_model("7.1", "At your time the circles are nearest. Had they touched before that?")
@@ -94,46 +86,21 @@ def nearest_approach(
 
 
 @wrong_model("7.1", "Two circles fly side by side, a metre apart. When do they meet?")
-def side_by_side_is_now(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(with_the_quadratic_formula, {"return None": "return None if a else 0.0"})
+def side_by_side_is_now() -> None:
     """Where the quadratic has no square, its root is 0."""
-    d, v = p2 - p1, v2 - v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if a == 0:
-        return 0.0
-    if b >= 0 or b * b - a * c < 0:
-        return None
-    t = max(c, 0.0) / (-b + math.sqrt(b * b - a * c))
-    return t if t <= dt else None
 
 
 @wrong_model("7.1", "The circles overlap and still approach. When is that hit to be resolved?")
-def too_late_when_overlapping(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(with_the_quadratic_formula, {"b >= 0": "b >= 0 or c <= 0"})
+def too_late_when_overlapping() -> None:
     """A time of impact is greater than 0; circles that touch or overlap have met before."""
-    d, v = p2 - p1, v2 - v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if b >= 0 or c <= 0 or b * b - a * c < 0:
-        return None
-    t = c / (-b + math.sqrt(b * b - a * c))
-    return t if t <= dt else None
 
 
 @wrong_model("7.1", "The circles overlap, but they part. Is there anything left to collide?")
-def overlapping_is_always_now(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(with_the_quadratic_formula, {"return None": "return None if c > 0 else 0.0"})
+def overlapping_is_always_now() -> None:
     """Circles that touch or overlap hit at once, whichever way they move."""
-    d, v = p2 - p1, v2 - v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if c <= 0:
-        return 0.0
-    if b >= 0 or b * b - a * c < 0:
-        return None
-    t = c / (-b + math.sqrt(b * b - a * c))
-    return t if t <= dt else None
 
 
 @wrong_model("7.2", "Take 0.5 from 0.50000000000001. How many digits are left for your time?")
@@ -293,4 +260,99 @@ def scales_the_tangent(
         v = restitution * np.where(np.arange(2) == axis, -v, v)
 
 
-WRONG_MODELS = marked(globals(), WrongModel)
+@wrong_model("7.4", "A snail is near, a bullet is far. Which of them arrives first?")
+@edited(
+    pair_by_pair,
+    {
+        "append((t, i, j))": "append((np.hypot(*d) - radii[i] - radii[j], t, i, j))",
+        "min(found, default=None)": "min(found)[1:] if found else None",
+    },
+)
+def the_nearest_pair() -> None:
+    """The pair with the smallest gap meets first."""
+
+
+@wrong_model("7.4", "You stop at the first pair that meets. Is there one that meets before it?")
+@edited(pair_by_pair, {"min(found, default=None)": "found[0] if found else None"})
+def the_first_pair_found() -> None:
+    """The first pair that will meet is the one that meets first."""
+
+
+@wrong_model("7.4", "Is your event the next one, or the last one?")
+@edited(pair_by_pair, {"min(found": "max(found"})
+def the_last_event() -> None:
+    """Of all times the largest one is the next."""
+
+
+@wrong_model("7.4", "Can number 0 meet number 2, before either of them meets number 1?")
+@edited(pair_by_pair, {"range(i + 1, len(radii))": "range(i + 1, len(radii))[:1]"})
+def only_neighbours() -> None:
+    """A circle meets the next one in the list."""
+
+
+@wrong_model("7.4", "Two circles meet at the time 0.0. What does Python make of `if 0.0:`?")
+@edited(pair_by_pair, {"found.append((t, i, j))": "found += [(t, i, j)] if t else []"})
+def now_is_no_time() -> None:
+    """`if t` asks whether two circles meet."""
+
+
+@wrong_model("7.4", "One of your times is negative. Has that pair still to meet?")
+@edited(
+    pair_by_pair,
+    {
+        "b < 0 <= b * b - a * c": "a > 0 and b * b - a * c >= 0",
+        "max(c, 0.0) / (-b + np.sqrt(b * b - a * c))": "(-b - np.sqrt(b * b - a * c)) / a",
+    },
+)
+def meetings_of_the_past() -> None:
+    """The smallest root of all is the next event."""
+
+
+@wrong_model("7.4", "Which number has the first circle of a list in Python?")
+@edited(pair_by_pair, {"(t, i, j)": "(t, i + 1, j + 1)"})
+def numbered_from_one() -> None:
+    """The first circle is number 1."""
+
+
+@wrong_model("7.5", "Is it pi for every mass ratio? Count by hand for a ratio of 2.")
+def digits_of_pi(mass_ratio: float) -> int:
+    """The count is pi times the square root of the ratio, rounded down."""
+    return int(math.pi * math.sqrt(mass_ratio))
+
+
+@wrong_model("7.5", "The light block has hit the wall. Did you count that?")
+@edited(from_hit_to_hit, {"light, count = -light, count + 1": "light = -light"})
+def walls_not_counted() -> None:
+    """A collision takes two blocks."""
+
+
+@wrong_model("7.5", "The heavy block has turned round. Can the light one still catch up with it?")
+@edited(from_hit_to_hit, {"light > heavy": "heavy < 0"})
+def until_the_heavy_block_turns() -> None:
+    """When the heavy block moves away, all is over."""
+
+
+@wrong_model("7.5", "Which of the blocks stands at the wall, the heavy one or the light one?")
+@edited(from_hit_to_hit, {"(light + mass_ratio * heavy)": "(mass_ratio * light + heavy)"})
+def heavy_block_at_the_wall() -> None:
+    """The block that comes is the light one."""
+
+
+@wrong_model("7.5", "Only equal masses exchange their velocities. What does the mass ratio do?")
+@edited(from_hit_to_hit, {"2 * centre - light, 2 * centre - heavy": "heavy, light"})
+def exchanges_velocities() -> None:
+    """In an elastic collision the blocks exchange their velocities."""
+
+
+@wrong_model("7.5", "How many collisions can there be between two looks? How many do you count?")
+def steps_in_time(mass_ratio: float) -> int:
+    """One looks sixty times in a second, and counts what has met."""
+    x1, x2, v1, v2, count = 1.0, 2.0, 0.0, -1.0, 0
+    for _ in range(1200):
+        x1, x2 = x1 + v1 / 60, x2 + v2 / 60
+        if x2 <= x1 and v2 < v1:
+            centre = (v1 + mass_ratio * v2) / (1 + mass_ratio)
+            v1, v2, count = 2 * centre - v1, 2 * centre - v2, count + 1
+        if x1 <= 0 and v1 < 0:
+            v1, count = -v1, count + 1
+    return count

@@ -9,10 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.chapters.ch08_what_accuracy_costs.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch08_what_accuracy_costs.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.evidence.work_precision.orders import fit_order
 
 SPLITS = {
@@ -304,8 +302,6 @@ TASKS = (
             Criterion("one large error", one_large_error),
             Criterion("a single time, and no error", at_one_time),
         ),
-        wrong_models=for_task(WRONG_MODELS, "8.1"),
-        alternatives=for_task(ALTERNATIVES, "8.1"),
         explain=distances,
     ),
     Task(
@@ -319,8 +315,6 @@ TASKS = (
             Criterion("the longer step second", the_other_way_round),
             Criterion("errors that grow", not_converging),
         ),
-        wrong_models=for_task(WRONG_MODELS, "8.2"),
-        alternatives=for_task(ALTERNATIVES, "8.2"),
         explain=foretold,
     ),
     Task(
@@ -332,8 +326,6 @@ TASKS = (
             Criterion("errors that are a power of the step", exact_powers, points=2),
             Criterion("errors that scatter", scattered, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "8.3"),
-        alternatives=for_task(ALTERNATIVES, "8.3"),
     ),
     Task(
         id="8.4",
@@ -345,8 +337,6 @@ TASKS = (
             Criterion("the best split is at an end", optimum_at_an_end),
             Criterion("whether anything stands", all_fell),
         ),
-        wrong_models=for_task(WRONG_MODELS, "8.4"),
-        alternatives=for_task(ALTERNATIVES, "8.4"),
         explain=sweeps_of_the_rows,
     ),
     Task(
@@ -359,8 +349,6 @@ TASKS = (
             Criterion("an error of just what is allowed", just_allowed),
             Criterion("failures, and nothing good enough", with_failures, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "8.5"),
-        alternatives=for_task(ALTERNATIVES, "8.5"),
         explain=rows_that_are_good_enough,
     ),
 )

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 Vector: TypeAlias = Any
 
@@ -230,6 +230,3 @@ def something_is_always_best(table: Vector, allowed: float) -> Any:
     """Where nothing is good enough, the most accurate will have to do."""
     good = [n for n in range(len(table)) if table[n][1] <= allowed]
     return min(good or range(len(table)), key=lambda n: table[n][0] if good else table[n][1])
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

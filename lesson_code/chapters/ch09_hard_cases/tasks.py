@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch09_hard_cases.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch09_hard_cases.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 # 9.1: a tower
 
@@ -281,8 +279,6 @@ TASKS = (
             Criterion("different boxes", unequal_boxes),
             Criterion("one box", one_box),
         ),
-        wrong_models=for_task(WRONG_MODELS, "9.1"),
-        alternatives=for_task(ALTERNATIVES, "9.1"),
         explain=sum_of_weights,
     ),
     Task(
@@ -295,8 +291,6 @@ TASKS = (
             Criterion("a load of hundreds and thousands", heavy_loads, points=2),
             Criterion("a load of a billion", huge_loads),
         ),
-        wrong_models=for_task(WRONG_MODELS, "9.2"),
-        alternatives=for_task(ALTERNATIVES, "9.2"),
         explain=left_after,
     ),
     Task(
@@ -310,8 +304,6 @@ TASKS = (
             Criterion("a tip that jams", jammed),
             Criterion("whether a tip parts", parting),
         ),
-        wrong_models=for_task(WRONG_MODELS, "9.3"),
-        alternatives=for_task(ALTERNATIVES, "9.3"),
         explain=velocity_of_the_tip,
     ),
     Task(
@@ -324,8 +316,6 @@ TASKS = (
             Criterion("beside the centre of mass", beside_the_centre, points=2),
             Criterion("a body that only spins, or only flies", at_rest_in_place),
         ),
-        wrong_models=for_task(WRONG_MODELS, "9.4"),
-        alternatives=for_task(ALTERNATIVES, "9.4"),
     ),
     Task(
         id="9.5",
@@ -338,8 +328,6 @@ TASKS = (
             Criterion("balls of different masses", unequal_balls),
             Criterion("nothing approaches", parting_balls),
         ),
-        wrong_models=for_task(WRONG_MODELS, "9.5"),
-        alternatives=for_task(ALTERNATIVES, "9.5"),
         explain=momentum_and_energy,
     ),
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 Table: TypeAlias = Any
@@ -50,6 +50,18 @@ def asks_pair_by_pair(bodies: Table, gravity: Vector) -> Any:
         if w or (inverse_mass and corners):
             found.append("rotation")
     return tuple(dict.fromkeys(found))
+
+
+@alternative("10.2")
+def asks_effect_by_effect(bodies: Table, gravity: Vector) -> Any:
+    """For each effect a question to all pairs, or to all bodies."""
+    m, corners, e, mu, w = bodies.T
+    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
+    rubs = any(mu[a] * mu[b] > 0 for a, b in pairs)
+    bounces = any(e[a] * e[b] > 0 for a, b in pairs)
+    turns = w.any() or corners[m > 0].any() or (m.any() and rubs)
+    needed = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
+    return [name for name in needed if needed[name]]
 
 
 @alternative("10.3")
@@ -123,6 +135,3 @@ def powers_of_the_table(inverse_masses: Vector, still: Vector, touches: Table) -
     reached = np.linalg.matrix_power(near, count) > 0
     disturbed = (reached & (np.array(still) == 0) & free).any(axis=1)
     return np.flatnonzero(free & ~disturbed)
-
-
-ALTERNATIVES = marked(globals(), Alternative)

@@ -11,10 +11,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch10_only_what_the_scene_needs.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch10_only_what_the_scene_needs.wrong_answers import WRONG_MODELS
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 Numbers: TypeAlias = tuple[float, ...]
 
@@ -345,8 +343,6 @@ TASKS = (
             Criterion("rough floors", rough_floors),
             Criterion("rough bodies with smooth partners", smooth_partners),
         ),
-        wrong_models=for_task(WRONG_MODELS, "10.1"),
-        alternatives=for_task(ALTERNATIVES, "10.1"),
         explain=pairs_that_can_meet,
     ),
     Task(
@@ -360,8 +356,6 @@ TASKS = (
             Criterion("rotation", turning_or_not, points=2, part=says_rotation),
             Criterion("the whole plan", whole_plans, part=in_order),
         ),
-        wrong_models=for_task(WRONG_MODELS, "10.2"),
-        alternatives=for_task(ALTERNATIVES, "10.2"),
     ),
     Task(
         id="10.3",
@@ -373,8 +367,6 @@ TASKS = (
             Criterion("different masses", unequal_discs, points=2),
             Criterion("a light body at rest", a_light_one_at_rest),
         ),
-        wrong_models=for_task(WRONG_MODELS, "10.3"),
-        alternatives=for_task(ALTERNATIVES, "10.3"),
         explain=energy_of_all,
     ),
     Task(
@@ -387,8 +379,6 @@ TASKS = (
             Criterion("it turns back within the time", turning_points_inside, points=2),
             Criterion("it turns back later, or would have earlier", turning_points_outside),
         ),
-        wrong_models=for_task(WRONG_MODELS, "10.4"),
-        alternatives=for_task(ALTERNATIVES, "10.4"),
         explain=turning_times,
     ),
     Task(
@@ -401,8 +391,6 @@ TASKS = (
             Criterion("piles on one floor", piles_on_one_floor, points=2, part=in_order),
             Criterion("long chains", long_chains, part=in_order),
         ),
-        wrong_models=for_task(WRONG_MODELS, "10.5"),
-        alternatives=for_task(ALTERNATIVES, "10.5"),
         explain=islands_in_words,
     ),
 )

@@ -10,7 +10,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.chapters.ch10_only_what_the_scene_needs.right_answers import asks_effect_by_effect
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 Table: TypeAlias = Any
@@ -66,80 +67,41 @@ def pairs_with_itself(inverse_masses: Vector, frictions: Vector) -> float:
 
 
 @wrong_model("10.2", "A ball slides over a rough floor. Does it ever begin to turn?")
-def discs_never_turn(bodies: Table, gravity: Vector) -> list[str]:
+@edited(asks_effect_by_effect, {" or (m.any() and rubs)": ""})
+def discs_never_turn() -> None:
     """Rotation is for bodies with corners, and for those that turn from the start."""
-    m, corners, e, mu, w = bodies.T
-    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
-    rubs = any(mu[a] * mu[b] > 0 for a, b in pairs)
-    bounces = any(e[a] * e[b] > 0 for a, b in pairs)
-    turns = w.any() or corners[m > 0].any()
-    needed = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
-    return [name for name in needed if needed[name]]
 
 
 @wrong_model("10.2", "A box at rest is hit at one end. Does it turn?")
-def only_what_turns_already(bodies: Table, gravity: Vector) -> list[str]:
+@edited(asks_effect_by_effect, {" or corners[m > 0].any() or (m.any() and rubs)": ""})
+def only_what_turns_already() -> None:
     """Rotation is called for if a body turns at the start."""
-    m, _, e, mu, w = bodies.T
-    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
-    rubs = any(mu[a] * mu[b] > 0 for a, b in pairs)
-    bounces = any(e[a] * e[b] > 0 for a, b in pairs)
-    turns = w.any()
-    needed = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
-    return [name for name in needed if needed[name]]
 
 
 @wrong_model("10.2", "The floor has corners. Can anything turn it?")
-def floors_turn(bodies: Table, gravity: Vector) -> list[str]:
+@edited(
+    asks_effect_by_effect, {"corners[m > 0].any() or (m.any() and rubs)": "corners.any() or rubs"}
+)
+def floors_turn() -> None:
     """Whatever has corners can be turned."""
-    m, corners, e, mu, w = bodies.T
-    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
-    rubs = any(mu[a] * mu[b] > 0 for a, b in pairs)
-    bounces = any(e[a] * e[b] > 0 for a, b in pairs)
-    turns = w.any() or corners.any() or rubs
-    needed = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
-    return [name for name in needed if needed[name]]
 
 
 @wrong_model("10.2", "A ball with e = 0.8 meets one with e = 0. Which e has the pair?")
-def bounces_alone(bodies: Table, gravity: Vector) -> list[str]:
+@edited(asks_effect_by_effect, {"any(e[a] * e[b] > 0 for a, b in pairs)": "e.any()"})
+def bounces_alone() -> None:
     """One body that bounces is enough for restitution."""
-    m, corners, e, mu, w = bodies.T
-    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
-    rubs = any(mu[a] * mu[b] > 0 for a, b in pairs)
-    bounces = e.any()
-    turns = w.any() or corners[m > 0].any() or (m.any() and rubs)
-    needed = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
-    return [name for name in needed if needed[name]]
 
 
 @wrong_model("10.2", "A rough ball on smooth ice: what does the pair do?")
-def rubs_alone(bodies: Table, gravity: Vector) -> list[str]:
+@edited(asks_effect_by_effect, {"any(mu[a] * mu[b] > 0 for a, b in pairs)": "mu.any()"})
+def rubs_alone() -> None:
     """One rough body is enough for friction."""
-    m, corners, e, mu, w = bodies.T
-    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
-    rubs = mu.any()
-    bounces = any(e[a] * e[b] > 0 for a, b in pairs)
-    turns = w.any() or corners[m > 0].any() or (m.any() and rubs)
-    needed = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
-    return [name for name in needed if needed[name]]
 
 
 @wrong_model("10.2", "Gravity is a vector. Which of its parts have you asked?")
-def gravity_is_down(bodies: Table, gravity: Vector) -> list[str]:
+@edited(asks_effect_by_effect, {"any(gravity)": "gravity[1] != 0"})
+def gravity_is_down() -> None:
     """Gravity pulls down, so its y decides."""
-    m, corners, e, mu, w = bodies.T
-    pairs = [(a, b) for a in range(len(m)) for b in range(a) if m[a] + m[b] > 0]
-    rubs = any(mu[a] * mu[b] > 0 for a, b in pairs)
-    bounces = any(e[a] * e[b] > 0 for a, b in pairs)
-    turns = w.any() or corners[m > 0].any() or (m.any() and rubs)
-    needed = {
-        "friction": rubs,
-        "gravity": gravity[1] != 0,
-        "restitution": bounces,
-        "rotation": turns,
-    }
-    return [name for name in needed if needed[name]]
 
 
 @wrong_model("10.3", "A heavy ball strikes a light one at rest. Which is faster after that?")
@@ -282,6 +244,3 @@ def floors_sleep(inverse_masses: Vector, still: Vector, touches: Table) -> list[
         near = {n for n in range(count) if any(touches[n][k] for k in awake)}
         awake |= {n for n in near if inverse_masses[n] > 0}
     return [n for n in range(count) if n not in awake]
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

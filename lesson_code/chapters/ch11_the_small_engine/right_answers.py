@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 Table: TypeAlias = Any
@@ -90,6 +90,33 @@ def with_complex_numbers(
     return v, w, x, y
 
 
+@alternative("11.2")
+def one_loop_for_both_directions(
+    a: Vector,
+    arm_a: Vector,
+    b: Vector,
+    arm_b: Vector,
+    normal: Vector,
+    restitution: float,
+    friction: float,
+) -> Any:
+    """First the normal, then the tangent; both bodies in lists of two."""
+    import numpy as np
+
+    v, w, jn = [a[2:4], b[2:4]], [a[4], b[4]], 0.0
+    arms = np.array([arm_a, arm_b])
+    for turn, n in enumerate((normal, np.array([-normal[1], normal[0]]))):
+        r = arms[:, 0] * n[1] - arms[:, 1] * n[0]
+        yields = 1 / a[0] + 1 / b[0] + r[0] ** 2 / a[1] + r[1] ** 2 / b[1]
+        u = (v[1] - v[0]) @ n + w[1] * r[1] - w[0] * r[0]
+        limit = friction * jn
+        j = np.clip(-u / yields, -limit, limit) if turn else max(-(1 + restitution) * u / yields, 0)
+        jn = jn if turn else j
+        v = [v[0] - j * n / a[0], v[1] + j * n / b[0]]
+        w = [w[0] - j * r[0] / a[1], w[1] + j * r[1] / b[1]]
+    return v[0], w[0], v[1], w[1]
+
+
 @alternative("11.3")
 def from_the_centre_of_mass(
     positions: Table,
@@ -135,4 +162,39 @@ def from_the_centre_of_mass(
     return np.array(p), np.array(v)
 
 
-ALTERNATIVES = marked(globals(), Alternative)
+@alternative("11.3")
+def pair_by_pair_and_wall_by_wall(
+    positions: Table,
+    velocities: Table,
+    masses: Vector,
+    radii: Vector,
+    restitution: float,
+    gravity: Vector,
+    room: Vector,
+    dt: float,
+) -> Any:
+    """The steps of the task in their order, each written out."""
+    import numpy as np
+
+    v = velocities + gravity * dt
+    p = positions + velocities * dt
+    for i in range(len(p)):
+        for j in range(i + 1, len(p)):
+            way = p[j] - p[i]
+            depth = radii[i] + radii[j] - np.hypot(*way)
+            if depth <= 0:
+                continue
+            n, k = way / np.hypot(*way), 1 / masses[i] + 1 / masses[j]
+            vn = (v[j] - v[i]) @ n
+            jn = max(-(1 + restitution) * vn / k, 0)
+            v[i] -= jn / masses[i] * n
+            v[j] += jn / masses[j] * n
+            p[i] -= depth / k / masses[i] * n
+            p[j] += depth / k / masses[j] * n
+    for axis in (0, 1):
+        low, high = radii, room[axis] - radii
+        left, right = p[:, axis] < low, p[:, axis] > high
+        out = (left & (v[:, axis] < 0)) | (right & (v[:, axis] > 0))
+        v[out, axis] *= -restitution
+        p[:, axis] = np.clip(p[:, axis], low, high)
+    return p, v

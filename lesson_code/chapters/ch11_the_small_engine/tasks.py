@@ -9,11 +9,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters import draws
-from lesson_code.chapters.ch11_the_small_engine.right_answers import ALTERNATIVES
-from lesson_code.chapters.ch11_the_small_engine.wrong_answers import WRONG_MODELS
 from lesson_code.chapters.draws import Vector
 from lesson_code.course.grading.compare import written
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 Box: TypeAlias = tuple[float, float, float, float]
 
@@ -299,8 +297,6 @@ TASKS = (
             Criterion("crossed, and one inside another", crossed_and_nested, part=_in_order),
             Criterion("many boxes", many_boxes, part=_in_order),
         ),
-        wrong_models=for_task(WRONG_MODELS, "11.1"),
-        alternatives=for_task(ALTERNATIVES, "11.1"),
     ),
     Task(
         id="11.2",
@@ -313,8 +309,6 @@ TASKS = (
             Criterion("rough bodies", rough_bodies, points=2),
             Criterion("whether bodies part", parting_bodies),
         ),
-        wrong_models=for_task(WRONG_MODELS, "11.2"),
-        alternatives=for_task(ALTERNATIVES, "11.2"),
         explain=momentum_of_both,
     ),
     Task(
@@ -328,7 +322,5 @@ TASKS = (
             Criterion("discs that meet", discs_that_meet),
             Criterion("all at once", all_at_once),
         ),
-        wrong_models=for_task(WRONG_MODELS, "11.3"),
-        alternatives=for_task(ALTERNATIVES, "11.3"),
     ),
 )

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters.cradle.rules import GRAVITY
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 
@@ -47,6 +47,3 @@ def all_balls_at_once(angles: Vector, rates: Vector, length: float, dt: float, s
                 rates[begin:end] = np.sort(rates[begin:end])
                 begin = end
     return angles, rates
-
-
-ALTERNATIVES = marked(globals(), Alternative)

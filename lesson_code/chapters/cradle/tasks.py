@@ -8,9 +8,7 @@ from typing import Any
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.cradle import rules as cradle_rules
-from lesson_code.chapters.cradle.right_answers import ALTERNATIVES
-from lesson_code.chapters.cradle.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 BALLS, PULL = 5, 0.5
 """Balls in the cradle; rad, how far they are pulled out."""
@@ -93,8 +91,6 @@ TASKS = (
             Criterion("unequal masses", unequal_rows, points=2),
             Criterion("nothing approaches", parting_rows),
         ),
-        wrong_models=for_task(WRONG_MODELS, "C.1"),
-        alternatives=for_task(ALTERNATIVES, "C.1"),
     ),
     Task(
         id="C.2",
@@ -105,8 +101,6 @@ TASKS = (
             Criterion("short strings", short_strings),
             Criterion("long strings", long_strings),
         ),
-        wrong_models=for_task(WRONG_MODELS, "C.2"),
-        alternatives=for_task(ALTERNATIVES, "C.2"),
     ),
     Task(
         id="C.3",
@@ -117,7 +111,5 @@ TASKS = (
             Criterion("k balls in, k balls out", pulled_out, points=3, part=balls_out),
             Criterion("angles and rates", half_way),
         ),
-        wrong_models=for_task(WRONG_MODELS, "C.3"),
-        alternatives=for_task(ALTERNATIVES, "C.3"),
     ),
 )

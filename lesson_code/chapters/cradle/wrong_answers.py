@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters.cradle.rules import GRAVITY, swing_step
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 Vector: TypeAlias = Any
 
@@ -134,6 +134,3 @@ def _swung(angles: Vector, rates: Vector, length: float, dt: float) -> Any:
     """Return every ball after one step of its own."""
     moved = [swing_step(a, r, length, dt) for a, r in zip(angles, rates, strict=True)]
     return np.array([angle for angle, _ in moved]), np.array([rate for _, rate in moved])
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

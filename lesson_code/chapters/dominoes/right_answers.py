@@ -7,7 +7,7 @@ import math
 from itertools import pairwise
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.task import Alternative, alternative, marked
+from lesson_code.course.grading.task import alternative
 
 Vector: TypeAlias = Any
 
@@ -42,6 +42,3 @@ def as_a_list_of_pairs(
                 one[1] = following[1] = 0.5 * (one[1] + following[1])
         row = [[a, r] if a <= math.pi / 2 else [math.pi / 2, 0] for a, r in row]
     return [a for a, _ in row], [r for _, r in row]
-
-
-ALTERNATIVES = marked(globals(), Alternative)

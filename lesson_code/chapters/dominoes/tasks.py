@@ -8,9 +8,7 @@ from random import Random
 from typing import Any
 
 from lesson_code.chapters.dominoes import rules as dominoes_rules
-from lesson_code.chapters.dominoes.right_answers import ALTERNATIVES
-from lesson_code.chapters.dominoes.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 COUNT, HEIGHT, SPACING, DT = 8, 0.6, 0.3, 1 / 240
 """Dominoes in a row; m, m and s."""
@@ -79,8 +77,6 @@ TASKS = (
         objective="How far a domino can lean.",
         expected=dominoes_rules.tipping_angle,
         criteria=(Criterion("thin ones", thin), Criterion("thick ones", thick)),
-        wrong_models=for_task(WRONG_MODELS, "D.1"),
-        alternatives=for_task(ALTERNATIVES, "D.1"),
     ),
     Task(
         id="D.2",
@@ -88,8 +84,6 @@ TASKS = (
         objective="What it takes to topple one.",
         expected=dominoes_rules.toppling_rate,
         criteria=(Criterion("thin ones", thin), Criterion("thick ones", thick)),
-        wrong_models=for_task(WRONG_MODELS, "D.2"),
-        alternatives=for_task(ALTERNATIVES, "D.2"),
     ),
     Task(
         id="D.3",
@@ -101,7 +95,5 @@ TASKS = (
             Criterion("they fall in order", while_it_falls, points=2, part=who_has_fallen),
             Criterion("every domino falls", when_all_is_over, part=who_has_fallen),
         ),
-        wrong_models=for_task(WRONG_MODELS, "D.3"),
-        alternatives=for_task(ALTERNATIVES, "D.3"),
     ),
 )

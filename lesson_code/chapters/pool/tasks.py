@@ -10,9 +10,7 @@ import numpy as np
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.pool import rules as pool_rules
-from lesson_code.chapters.pool.right_answers import ALTERNATIVES
-from lesson_code.chapters.pool.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 RADIUS = 0.03
 SYMMETRIC = 1e-9
@@ -98,8 +96,6 @@ TASKS = (
             Criterion("balls that touch", racks, points=2),
             Criterion("balls with gaps", loose_racks),
         ),
-        wrong_models=for_task(WRONG_MODELS, "P.1"),
-        alternatives=for_task(ALTERNATIVES, "P.1"),
     ),
     Task(
         id="P.2",
@@ -110,8 +106,6 @@ TASKS = (
             Criterion("beside the centre", strokes, points=2),
             Criterion("at the centre", centre_strokes),
         ),
-        wrong_models=for_task(WRONG_MODELS, "P.2"),
-        alternatives=for_task(ALTERNATIVES, "P.2"),
     ),
     Task(
         id="P.3",
@@ -124,7 +118,5 @@ TASKS = (
             Criterion("a break keeps the momentum", oblique_breaks, part=total),
             Criterion("a break", oblique_breaks, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "P.3"),
-        alternatives=for_task(ALTERNATIVES, "P.3"),
     ),
 )

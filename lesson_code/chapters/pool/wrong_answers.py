@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 Vector: TypeAlias = Any
 
@@ -154,6 +154,3 @@ def each_by_its_own_count(
 def one_round(positions: Vector, velocities: Vector, radius: float, restitution: float) -> Any:
     """One round is enough."""
     return _shared(velocities, _touching(positions, radius), restitution, 1, own=False)
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

@@ -11,10 +11,8 @@ import numpy as np
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.soft_body import rules as soft_body_rules
-from lesson_code.chapters.soft_body.right_answers import ALTERNATIVES
 from lesson_code.chapters.soft_body.rules import BLOB, ring_area
-from lesson_code.chapters.soft_body.wrong_answers import WRONG_MODELS
-from lesson_code.course.grading.task import Arguments, Criterion, Task, for_task
+from lesson_code.course.grading.task import Arguments, Criterion, Task
 
 MASSES, RADIUS = 12, 0.7
 """Masses in the ring that falls; m."""
@@ -122,8 +120,6 @@ TASKS = (
         objective="The area inside a ring, with its sign.",
         expected=soft_body_rules.ring_area,
         criteria=(Criterion("counter-clockwise", rings), Criterion("clockwise", clockwise_rings)),
-        wrong_models=for_task(WRONG_MODELS, "S.1"),
-        alternatives=for_task(ALTERNATIVES, "S.1"),
     ),
     Task(
         id="S.2",
@@ -134,8 +130,6 @@ TASKS = (
             Criterion("at rest", still_rings),
             Criterion("in motion", moving_rings, points=2),
         ),
-        wrong_models=for_task(WRONG_MODELS, "S.2"),
-        alternatives=for_task(ALTERNATIVES, "S.2"),
     ),
     Task(
         id="S.3",
@@ -143,8 +137,6 @@ TASKS = (
         objective="A gas inside that keeps the area.",
         expected=soft_body_rules.pressure_forces,
         criteria=(Criterion("too small", small_rings), Criterion("too large", large_rings)),
-        wrong_models=for_task(WRONG_MODELS, "S.3"),
-        alternatives=for_task(ALTERNATIVES, "S.3"),
     ),
     Task(
         id="S.4",
@@ -156,7 +148,5 @@ TASKS = (
             Criterion("it keeps its area", long_falls, part=keeps_area),
             Criterion("it comes to rest", landed, part=is_at_rest),
         ),
-        wrong_models=for_task(WRONG_MODELS, "S.4"),
-        alternatives=for_task(ALTERNATIVES, "S.4"),
     ),
 )

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.soft_body.rules import BLOB, pressure_forces, ring_area, ring_forces
-from lesson_code.course.grading.task import WrongModel, marked, wrong_model
+from lesson_code.chapters.soft_body.right_answers import force_by_force
+from lesson_code.chapters.soft_body.rules import pressure_forces, ring_area, ring_forces
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -45,11 +45,6 @@ def ring_left_open(positions: Vector) -> Any:
 def bounding_box(positions: Vector) -> Any:
     """The area is that of the box around the ring."""
     return float(np.prod(positions.max(axis=0) - positions.min(axis=0)))
-
-
-def _pulls(positions: Vector, pull: Vector) -> Any:
-    """Return the forces of springs that pull each mass towards the next one."""
-    return pull - np.roll(pull, 1, axis=0)
 
 
 def _directions(positions: Vector) -> tuple[Any, Any]:
@@ -146,78 +141,25 @@ def away_from_the_middle(positions: Vector, area: float, stiffness: float) -> An
     return (pressure * (length + np.roll(length, 1)) / 2 / distance)[:, None] * away
 
 
-Floor: TypeAlias = Callable[[Any, Any], None]
-
-
-def _falls(
-    state: tuple[Any, Any],
-    length: float,
-    area: float,
-    steps: float,
-    floor: Floor,
-    gas: float = BLOB.pressure,
-    weight: float = BLOB.gravity,
-) -> Any:
-    """Return a ring after so many steps, with a floor, a gas and a weight of its own."""
-    p, v = state[0].copy(), state[1].copy()
-    for _ in range(int(steps)):
-        forces = ring_forces(p, v, length, BLOB.stiffness, BLOB.damping)
-        forces = forces + pressure_forces(p, area, gas)
-        v = v + (forces / BLOB.mass - BLOB.air * v + np.array([0.0, -weight])) * BLOB.dt
-        p = p + v * BLOB.dt
-        floor(p, v)
-    return p, v
-
-
-def _right_floor(p: Vector, v: Vector) -> None:
-    """Do what the floor of the task does."""
-    below = p[:, 1] < 0
-    p[below, 1] = 0.0
-    v[below, 1] = np.maximum(v[below, 1], 0.0)
-    v[below, 0] *= BLOB.grip
-
-
-def _no_floor(p: Vector, v: Vector) -> None:
-    """Do nothing."""
-
-
-def _only_velocities(p: Vector, v: Vector) -> None:
-    """Stop what is below the floor, but leave it there."""
-    below = p[:, 1] < 0
-    v[below, 1] = np.maximum(v[below, 1], 0.0)
-    v[below, 0] *= BLOB.grip
-
-
 @wrong_model("S.4", "Where is the lowest mass at the end? And where is the floor?")
-def falls_through(
-    positions: Vector, velocities: Vector, length: float, area: float, steps: float
-) -> Any:
+@edited(force_by_force, {"p[:, 1] < 0": "p[:, 1] < -np.inf"})
+def falls_through() -> None:
     """The floor is only a picture."""
-    return _falls((positions, velocities), length, area, steps, _no_floor)
 
 
 @wrong_model("S.4", "A mass is below the floor and stands still. How does it come out again?")
-def stays_below(
-    positions: Vector, velocities: Vector, length: float, area: float, steps: float
-) -> Any:
+@edited(force_by_force, {"p[below, 1] = 0.0": "pass"})
+def stays_below() -> None:
     """Whoever stops is no longer below the floor."""
-    return _falls((positions, velocities), length, area, steps, _only_velocities)
 
 
 @wrong_model("S.4", "What keeps the area of your ring when it is squashed?")
-def without_gas(
-    positions: Vector, velocities: Vector, length: float, area: float, steps: float
-) -> Any:
+@edited(force_by_force, {"BLOB.pressure": "0.0"})
+def without_gas() -> None:
     """Springs alone keep the shape."""
-    return _falls((positions, velocities), length, area, steps, _right_floor, gas=0.0)
 
 
 @wrong_model("S.4", "Which way is down, with y up?")
-def falls_upwards(
-    positions: Vector, velocities: Vector, length: float, area: float, steps: float
-) -> Any:
+@edited(force_by_force, {"-BLOB.gravity": "BLOB.gravity"})
+def falls_upwards() -> None:
     """Weight points towards larger y."""
-    return _falls((positions, velocities), length, area, steps, _right_floor, weight=-BLOB.gravity)
-
-
-WRONG_MODELS = marked(globals(), WrongModel)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from datetime import datetime
 from functools import partial
@@ -22,7 +22,7 @@ from lesson_code.course.grading.check_task import LARGEST_SEED
 from lesson_code.course.grading.exercises import exercise_by_name
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.submission import LARGEST_FILE
-from lesson_code.parallel import Outcome, iter_tasks
+from lesson_code.parallel import iter_tasks
 
 JOURNAL = "journal.jsonl"
 VERSION = 1
@@ -124,7 +124,7 @@ def _graded(
     if len(waiting) < len(papers):
         told(f"{len(papers) - len(waiting)} of {len(papers)} files are graded already")
     failed: dict[str, Marks] = {}
-    outcomes = iter_tasks(
+    done = iter_tasks(
         partial(mark, terms=terms),
         [_job(paper, hands) for paper in waiting],
         workers=hands.workers,
@@ -132,12 +132,13 @@ def _graded(
         names=[shown(paper.name) for paper in waiting],
         progress="grading" if waiting else None,
     )
-    for outcome in outcomes:
-        paper = waiting[outcome.index]
-        if outcome.error is None:
-            journal.write(paper, outcome.result)
-        else:
-            failed[key_of(paper)] = {"problem": _lost(outcome)}
+    with closing(done):  # an interruption while a mark is written stops the workers, too
+        for number, future in done:
+            error = future.exception()
+            if error is None:
+                journal.write(waiting[number], future.result())
+            else:
+                failed[key_of(waiting[number])] = {"problem": _lost(error)}
     return {**journal.done, **failed}
 
 
@@ -152,9 +153,9 @@ def _job(paper: Paper, hands: Hands) -> Job:
     return Job(paper.name, paper.path)
 
 
-def _lost(outcome: Outcome) -> str:
+def _lost(error: BaseException) -> str:
     """Return in a line why a file has no marks; it is tried again when the run is repeated."""
     return (
-        f"the grader failed ({type(outcome.error).__name__}: {outcome.error}); "
+        f"the grader failed ({type(error).__name__}: {error}); "
         "run the same command again to grade it"
     )

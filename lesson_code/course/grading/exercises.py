@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
 
 from lesson_code.course.chapters import Chapter, chapters_with
 from lesson_code.course.grading.submission import Submission
-from lesson_code.course.grading.task import Task
+from lesson_code.course.grading.task import Alternative, KnownAnswer, Task, WrongModel
+
+KNOWN_ANSWERS: dict[str, type[KnownAnswer]] = {
+    "wrong_answers": WrongModel,
+    "right_answers": Alternative,
+}
+"""The modules of a chapter that mark answers, and what each marks."""
 
 
 @dataclass(frozen=True)
@@ -32,11 +38,36 @@ class Exercise:
         """A chapter's exercise is a notebook, a program's a program."""
         return ".ipynb" if self.chapter.number else ".py"
 
+    @property
+    def file_name(self) -> str:
+        """Name of the file, with its suffix."""
+        return f"{self.name}{self.suffix}"
+
     @cached_property
     def tasks(self) -> tuple[Task, ...]:
-        """The functions to write."""
-        tasks: tuple[Task, ...] = self.chapter.module("tasks").TASKS
-        return tasks
+        """The functions to write, each with the answers that the chapter marks for it."""
+        return tuple(map(self._with_known_answers, self.chapter.module("tasks").TASKS))
+
+    @cached_property
+    def known_answers(self) -> tuple[KnownAnswer, ...]:
+        """The answers that the chapter marks, wrong and right, in the order of their modules."""
+        return tuple(
+            mark
+            for module, kind in KNOWN_ANSWERS.items()
+            for mark in vars(self.chapter.module(module)).values()
+            if isinstance(mark, kind)
+        )
+
+    def _with_known_answers(self, task: Task) -> Task:
+        """Return a task with its answers; practice checks, which bring their own, as they are."""
+        if task.wrong_models:
+            return task
+        known = [mark for mark in self.known_answers if mark.task == task.id]
+        return replace(
+            task,
+            wrong_models=tuple(mark for mark in known if isinstance(mark, WrongModel)),
+            alternatives=tuple(mark for mark in known if isinstance(mark, Alternative)),
+        )
 
     @property
     def points(self) -> int:
@@ -50,11 +81,11 @@ class Exercise:
 
     def solution(self, root: Path) -> Path:
         """Return where the solution stands in a workbook."""
-        return root / "solutions" / f"{self.name}{self.suffix}"
+        return root / "solutions" / self.file_name
 
     def student_copy(self, root: Path) -> Path:
         """Return where the student's copy stands in a workbook."""
-        return root / "exercises" / f"{self.name}{self.suffix}"
+        return root / "exercises" / self.file_name
 
 
 @cache

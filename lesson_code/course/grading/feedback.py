@@ -15,7 +15,7 @@ import numpy as np
 from lesson_code.course.grading import difference
 from lesson_code.course.grading.compare import told_apart, written
 from lesson_code.course.grading.task import Arguments, Task
-from lesson_code.course.isolation.outcome import Outcome
+from lesson_code.course.isolation.call_outcome import CallOutcome
 
 NOT_WRITTEN = "not written yet"
 
@@ -39,7 +39,7 @@ HIDDEN = {
 
 
 def message(
-    task: Task, arguments: Arguments, outcome: Outcome, got: Any, expected: Any
+    task: Task, arguments: Arguments, outcome: CallOutcome, got: Any, expected: Any
 ) -> tuple[str, str]:
     """Return what to say of a call that did not do what was asked, and the reason in short.
 
@@ -52,7 +52,7 @@ def message(
         What is asked.
     arguments : tuple
         The inputs of the call.
-    outcome : Outcome
+    outcome : CallOutcome
         What came of it.
     got, expected
         What is looked at of the answer, and what it should have been.
@@ -77,7 +77,7 @@ def message(
     return f"{called} {shown} {looks}", looks
 
 
-def hidden_message(outcome: Outcome) -> tuple[str, str]:
+def hidden_message(outcome: CallOutcome) -> tuple[str, str]:
     """Return what to say where inputs, values and the words of errors stay unsaid; and why."""
     if outcome.kind == "not written":
         return NOT_WRITTEN, NOT_WRITTEN

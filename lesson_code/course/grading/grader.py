@@ -15,7 +15,7 @@ from lesson_code.course.grading.submission import Submission, read_submission
 from lesson_code.course.grading.task import Arguments
 from lesson_code.course.grading.verdict import Call, judge
 from lesson_code.course.isolation import Children, InForce, Limits, StudentProcess, isolated
-from lesson_code.course.isolation.outcome import Outcome
+from lesson_code.course.isolation.call_outcome import CallOutcome
 
 
 class Grader:
@@ -103,12 +103,12 @@ class Grader:
 def _explaining(call: Call, submission: Submission, exercise: Exercise) -> Call:
     """Return a way to call functions that says of a missing one where it may be."""
 
-    def explaining(function: str, arguments: Arguments) -> Outcome:
+    def explaining(function: str, arguments: Arguments) -> CallOutcome:
         outcome = call(function, arguments)
         if outcome.kind != "missing":
             return outcome
         others = [name for name in submission.functions if name not in exercise.task_ids]
-        return Outcome("missing", text=missing_function(function, others, submission.lost))
+        return CallOutcome("missing", text=missing_function(function, others, submission.lost))
 
     return explaining
 

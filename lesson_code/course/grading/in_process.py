@@ -22,20 +22,20 @@ from typing import Any, cast
 import numpy as np
 
 from lesson_code.course.grading.task import Arguments
+from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome
 from lesson_code.course.isolation.inside import answers
-from lesson_code.course.isolation.outcome import Outcome, outcome_of
 
 
 def call_here(
     functions: dict[str, Any], function: str, arguments: Arguments, seconds: float = 3.0
-) -> Outcome:
+) -> CallOutcome:
     """Call a function in this process, as a notebook does with its reader's own code."""
     try:
         with kept_apart(), silence(), time_limit(seconds):
             reply = answers.call(function, list(arguments), functions)
     except TimeLimitError:
-        return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
-    return outcome_of(reply)
+        return CallOutcome("timeout", text=f"it did not finish within {seconds:g} s")
+    return call_outcome(reply)
 
 
 @contextlib.contextmanager

@@ -8,9 +8,7 @@ nothing of a solution stands in a student copy.
 from __future__ import annotations
 
 import ast
-import importlib
 import json
-import pkgutil
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -19,7 +17,7 @@ from lesson_code.course.grading.exercises import Exercise, exercises
 from lesson_code.course.grading.grader import grade
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.submission import read_submission
-from lesson_code.course.grading.task import KnownAnswer, Task, marked
+from lesson_code.course.grading.task import KnownAnswer, Task
 from lesson_code.course.grading.verdict import Verdict, judge
 from lesson_code.course.notebooks.student_copy import SOLUTION_ONLY
 
@@ -155,26 +153,18 @@ def _verdicts(task: Task, mark: KnownAnswer) -> Iterator[Verdict]:
 
 
 def _orphans() -> Iterator[str]:
-    """Yield which wrong models and alternatives no task lists."""
-    tasks = [task for exercise in exercises() for task in exercise.tasks]
-    listed = [mark for task in tasks for mark in (*task.wrong_models, *task.alternatives)]
-    for mark in (mark for exercise in exercises() for mark in _marks_beside(exercise)):
-        if mark not in listed:
-            yield f"{mark.name}: is marked for task {mark.task}, which does not list it"
+    """Yield which wrong models and alternatives are marked for a task that is not there."""
+    for exercise in exercises():
+        for mark in exercise.known_answers:
+            if mark.task not in exercise.task_ids.values():
+                where = f"{mark.task}, which {exercise.name} does not have"
+                yield f"{mark.name}: is marked for task {where}"
 
 
 def _orphaned_files(root: Path) -> Iterator[str]:
     """Yield which files among the exercises and solutions belong to no exercise."""
-    known = [f"{exercise.name}{exercise.suffix}" for exercise in exercises()]
+    known = [exercise.file_name for exercise in exercises()]
     for folder in ("exercises", "solutions"):
         for path in sorted((root / folder).iterdir()):
             if path.suffix in (".ipynb", ".py") and path.name not in known:
                 yield f"{folder}/{path.name}: belongs to no exercise"
-
-
-def _marks_beside(exercise: Exercise) -> Iterator[KnownAnswer]:
-    """Yield all that is marked as an answer in the folder of an exercise."""
-    package = exercise.chapter.module("tasks").__name__.rpartition(".")[0]
-    for found in pkgutil.iter_modules(importlib.import_module(package).__path__):
-        if found.name.startswith(("wrong_answers", "right_answers")):
-            yield from marked(vars(exercise.chapter.module(found.name)), KnownAnswer)

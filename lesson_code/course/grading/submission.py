@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from lesson_code.course.isolation.outcome import one_line
+from lesson_code.course.isolation.call_outcome import one_line
 
 LARGEST_FILE = 20_000_000
 """Bytes. A notebook with every figure in it stays under 2 MB."""

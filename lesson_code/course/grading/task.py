@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import ast
 import inspect
+import linecache
 import textwrap
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from random import Random
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeAlias
 
 Arguments: TypeAlias = tuple[Any, ...]
 """The arguments of one call: numbers, and tuples of numbers for vectors."""
@@ -70,24 +71,62 @@ def alternative(task: str) -> Callable[[Function], Alternative]:
     return lambda function: Alternative(task, function)
 
 
-M = TypeVar("M", bound=KnownAnswer)
+def edited(right: KnownAnswer, edits: Mapping[str, str]) -> Callable[[Function], Function]:
+    """Write a wrong answer as a right one with a few pieces of its source replaced.
+
+    The decorated function gives the name and, as its docstring, the misconception; it has no code.
+
+    Parameters
+    ----------
+    right : KnownAnswer
+        The right answer to start from.
+    edits : mapping of str to str
+        Each piece of its source to replace, and what replaces it.
+
+    Raises
+    ------
+    ValueError
+        A piece does not stand in the source exactly once.
+    """
+
+    def write(named: Function) -> Function:
+        source = inspect.getsource(right.function)
+        for old, new in edits.items():
+            if source.count(old) != 1:
+                raise ValueError(f"{old!r} must stand once in {right.name}, for {named.__name__}")
+            source = source.replace(old, new)
+        source = _plain_definition(source, named.__name__, inspect.getdoc(named) or "")
+        return _defined(source, named, vars(inspect.getmodule(right.function)))
+
+    return write
 
 
-def marked(module: dict[str, Any], kind: type[M]) -> tuple[M, ...]:
-    """Return what a module has marked as `kind`, in the order it is written."""
-    return tuple(value for value in module.values() if isinstance(value, kind))
+def _defined(source: str, named: Function, names: dict[str, Any]) -> Function:
+    """Return the function that some source defines; `inspect` finds this source."""
+    file = f"<{named.__module__}.{named.__name__}>"
+    linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
+    made: dict[str, Function] = {}
+    exec(compile(source, file, "exec"), names, made)  # noqa: S102 - the course's own source
+    return made[named.__name__]
 
 
 def source_as_answer(model: KnownAnswer, function_name: str) -> str:
     """Return the model's source as a student would hand it in: undecorated, renamed, untyped."""
-    tree = ast.parse(textwrap.dedent(inspect.getsource(model.function)))
+    return _plain_definition(inspect.getsource(model.function), function_name)
+
+
+def _plain_definition(source: str, name: str, docstring: str | None = None) -> str:
+    """Return a function's source without decorators and types, under another name."""
+    tree = ast.parse(textwrap.dedent(source))
     definition = tree.body[0]
     assert isinstance(definition, ast.FunctionDef)  # noqa: S101 - only functions are marked
     definition.decorator_list = []
-    definition.name = function_name
+    definition.name = name
     definition.returns = None
     for argument in definition.args.args:
         argument.annotation = None
+    if docstring is not None:
+        definition.body[0] = ast.Expr(ast.Constant(docstring))
     return ast.unparse(tree)
 
 
@@ -128,8 +167,3 @@ class Task:
     def title(self) -> str:
         """The task's number and function, as every report writes it."""
         return f"{self.id} {self.function}"
-
-
-def for_task(marks: tuple[M, ...], task: str) -> tuple[M, ...]:
-    """Return those of `marks` that belong to a task."""
-    return tuple(mark for mark in marks if mark.task == task)

@@ -14,20 +14,20 @@ import numpy as np
 from lesson_code.course.grading.compare import agrees
 from lesson_code.course.grading.feedback import NOT_WRITTEN, hidden_message, message
 from lesson_code.course.grading.task import Arguments, Criterion, Part, Task, WrongModel
+from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
-from lesson_code.course.isolation.outcome import Outcome
 
-Call: TypeAlias = Callable[[str, Arguments], Outcome]
+Call: TypeAlias = Callable[[str, Arguments], CallOutcome]
 """Calls a student's function by name: in this process, or across the wall."""
 
 
 @dataclass(frozen=True)
-class Trial:
+class TriedCall:
     """One call: its arguments, what was expected, and what came."""
 
     arguments: Arguments
     expected: Any
-    outcome: Outcome
+    outcome: CallOutcome
 
     def agrees(self, part: Part | None) -> bool:
         """Return whether the answer is right, in the part that is looked at."""
@@ -133,12 +133,12 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
     )
 
 
-def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[Trial]:
+def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[TriedCall]:
     """Make the calls of one criterion; after one that hangs, crashes or is not there, no more."""
-    trials: list[Trial] = []
+    trials: list[TriedCall] = []
     for arguments, expected in drawn(task, criterion, seed):
         outcome = call(task.function, arguments)
-        trials.append(Trial(arguments, expected, outcome))
+        trials.append(TriedCall(arguments, expected, outcome))
         if outcome.kind not in ("returned", "raised"):
             break
     return trials
@@ -158,7 +158,9 @@ def stream_of(task: Task, criterion: Criterion, seed: int) -> Random:
     return Random(zlib.crc32(f"{seed} {task.id} {criterion.name}".encode()))  # noqa: S311
 
 
-def _mark(task: Task, criterion: Criterion, trials: list[Trial], hidden: bool) -> CriterionVerdict:
+def _mark(
+    task: Task, criterion: Criterion, trials: list[TriedCall], hidden: bool
+) -> CriterionVerdict:
     """Return the marks for one criterion: all of its points or none."""
     failed = next((trial for trial in trials if not trial.agrees(criterion.part)), None)
     if failed is None:
@@ -167,7 +169,7 @@ def _mark(task: Task, criterion: Criterion, trials: list[Trial], hidden: bool) -
     return CriterionVerdict(criterion.name, 0, criterion.points, said, reason)
 
 
-def _message(task: Task, criterion: Criterion, trial: Trial, hidden: bool) -> tuple[str, str]:
+def _message(task: Task, criterion: Criterion, trial: TriedCall, hidden: bool) -> tuple[str, str]:
     """Return what to say of a trial that failed, in the part that its criterion looks at."""
     if hidden:
         return hidden_message(trial.outcome)
@@ -185,7 +187,7 @@ def _part(part: Part, answer: Any) -> Any:
         return None
 
 
-def _recognised(task: Task, tried: list[tuple[Criterion, list[Trial]]]) -> WrongModel | None:
+def _recognised(task: Task, tried: list[tuple[Criterion, list[TriedCall]]]) -> WrongModel | None:
     """Return the wrong model that gives just what the student's function gave, if one does.
 
     As for the marks, only that part of an answer counts which its criterion looks at.
@@ -207,12 +209,12 @@ def _recognised(task: Task, tried: list[tuple[Criterion, list[Trial]]]) -> Wrong
     return None
 
 
-def _looked_at(part: Part | None, trial: Trial) -> Any:
+def _looked_at(part: Part | None, trial: TriedCall) -> Any:
     """Return what a criterion looks at of the answer that came."""
     return trial.outcome.value if part is None else _part(part, trial.outcome.value)
 
 
-def _wrong_answer(model: WrongModel, part: Part | None, trial: Trial) -> Any:
+def _wrong_answer(model: WrongModel, part: Part | None, trial: TriedCall) -> Any:
     """Return what a wrong model makes of a trial's arguments, or words where it fails."""
     try:
         with np.errstate(all="ignore"):

@@ -1,7 +1,7 @@
 """The parent's side of the wall: asks a child, and believes nothing but plain values.
 
 What is expected never crosses the wall. No result, a result of another form, a crash or silence is
-an :class:`Outcome` that says so, and earns nothing.
+an :class:`CallOutcome` that says so, and earns nothing.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from lesson_code.course.grading.task import Arguments
+from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome, one_line
 from lesson_code.course.isolation.channel import Channel
 from lesson_code.course.isolation.limits import Limits
-from lesson_code.course.isolation.outcome import Outcome, one_line, outcome_of
 from lesson_code.course.isolation.rungs import Children
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class StudentProcess:
         self._limits = limits or Limits()
         self._channel: Channel | None = None
         self._numbers = count(1)
-        self._load_failed: Outcome | None = None
+        self._load_failed: CallOutcome | None = None
         self._is_loaded = False
         self.load_errors: list[str] = []
 
@@ -51,7 +51,7 @@ class StudentProcess:
     ) -> None:
         self._end()
 
-    def call(self, function: str, arguments: Arguments) -> Outcome:
+    def call(self, function: str, arguments: Arguments) -> CallOutcome:
         """Return what came of calling a function of the submission."""
         if self._channel is None and self._load_failed is None:
             self._start()
@@ -59,7 +59,7 @@ class StudentProcess:
             return self._load_failed
         request = {"call": function, "arguments": arguments}
         reply = self._ask(request, self._limits.seconds_a_call)
-        return reply if isinstance(reply, Outcome) else outcome_of(reply)
+        return reply if isinstance(reply, CallOutcome) else call_outcome(reply)
 
     def _start(self) -> None:
         """Start a child and load the submission into it."""
@@ -67,15 +67,15 @@ class StudentProcess:
         reply = self._ask(
             {"load": [unit.as_request() for unit in self._units]}, self._limits.seconds_to_load
         )
-        if isinstance(reply, Outcome):
-            self._load_failed = Outcome(reply.kind, text=f"{reply.text}, while it was loaded")
+        if isinstance(reply, CallOutcome):
+            self._load_failed = CallOutcome(reply.kind, text=f"{reply.text}, while it was loaded")
         elif not self._is_loaded:  # a second child could tell what the first was called with
             self._is_loaded = True
             errors = reply.get("loaded")
             lines = errors if isinstance(errors, list) else []
             self.load_errors = [one_line(line) for line in lines if isinstance(line, str)]
 
-    def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | Outcome:
+    def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | CallOutcome:
         """Return the child's reply, or what kept it from replying."""
         assert self._channel is not None  # noqa: S101 - _start has made it
         number = next(self._numbers)
@@ -86,10 +86,12 @@ class StudentProcess:
             return reply
         self._end()
         if line is None:
-            return Outcome("timeout", text=f"it did not finish within {seconds:g} s")
+            return CallOutcome("timeout", text=f"it did not finish within {seconds:g} s")
         if reply is not None:
-            return Outcome("crashed", text="it wrote where only the grader's own lines may stand")
-        return Outcome("crashed", text="it ended the process, or used more than it may")
+            return CallOutcome(
+                "crashed", text="it wrote where only the grader's own lines may stand"
+            )
+        return CallOutcome("crashed", text="it ended the process, or used more than it may")
 
     def _end(self) -> None:
         """End the child and everything it has started."""

@@ -25,7 +25,7 @@ from lesson_code.course.isolation import (
     StudentProcess,
     opened,
 )
-from lesson_code.course.isolation.outcome import Outcome
+from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.measuring.processes import end, processes_below, processes_of_children
 
 VERSION = 1
@@ -239,7 +239,7 @@ def _what_got_through(children: Children, hostile: Hostile, neighbour: Path) -> 
     return tuple(sorted(set(found)))
 
 
-def _graded(children: Children, path: Path, exercise: str) -> tuple[list[int], Outcome]:
+def _graded(children: Children, path: Path, exercise: str) -> tuple[list[int], CallOutcome]:
     """Return a submission's points, task by task, and what it says of itself."""
     tasks = exercise_by_name(exercise).tasks
     with StudentProcess(read_submission(path).units, children, LIMITS) as student:

@@ -16,6 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import quote
 
+from lesson_code.course.notebooks.root import how_to_install
+
 HOST = "127.0.0.1"
 USUAL_PORT = 8888
 SECONDS_TO_START = 60.0
@@ -30,7 +32,7 @@ class ServerError(RuntimeError):
 
 
 @dataclass(frozen=True)
-class Server:
+class JupyterServer:
     """A running JupyterLab and the address at which notebook 00 opens."""
 
     process: subprocess.Popen[bytes]
@@ -55,7 +57,7 @@ def has_screen() -> bool:
 
 def start(
     root: Path, notebook: Path, port: int | None = None, config: Path | None = None
-) -> Server:
+) -> JupyterServer:
     """Start JupyterLab and return once it answers.
 
     Parameters
@@ -75,7 +77,7 @@ def start(
         JupyterLab is missing or does not start, or the port asked for is taken.
     """
     if importlib.util.find_spec("jupyterlab") is None:
-        raise ServerError("JupyterLab is not installed: pip install -e '.[jupyter]'")
+        raise ServerError(f"JupyterLab is not installed: {how_to_install('jupyter')}")
     chosen = _free_port([USUAL_PORT, 0] if port is None else [port])
     token = secrets.token_hex(24)
     environment = {**os.environ, "JUPYTER_TOKEN": token}
@@ -83,7 +85,7 @@ def start(
         environment["JUPYTER_CONFIG_DIR"] = str(config)
     process = subprocess.Popen(_command(root, chosen), env=environment)  # noqa: S603 - our own
     address = f"http://{HOST}:{chosen}/lab/tree/{quote(notebook.as_posix())}?token={token}"
-    server = Server(process, address)
+    server = JupyterServer(process, address)
     try:
         _wait_for(server, f"http://{HOST}:{chosen}/api")
     except BaseException:  # Ctrl-C too: no server is left behind
@@ -125,7 +127,7 @@ def _free_port(wanted: Sequence[int]) -> int:
     )
 
 
-def _wait_for(server: Server, url: str) -> None:
+def _wait_for(server: JupyterServer, url: str) -> None:
     """Return when the server answers, or say that it does not."""
     # Without proxies: one that is set for the web would be asked for this machine's own address.
     opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))

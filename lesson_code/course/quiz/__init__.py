@@ -4,15 +4,15 @@ The notebook's quiz stands in :mod:`lesson_code.course.quiz.notebook` and the te
 :mod:`lesson_code.course.quiz.terminal`, so that neither loads what only the other needs.
 """
 
-from lesson_code.course.quiz.bank import Chapter, Question, chapter_numbers, load_bank, load_chapter
-from lesson_code.course.quiz.checker import Verdict, check_answer
+from lesson_code.course.quiz.bank import Question, Quiz, chapter_numbers, load_bank, load_quiz
+from lesson_code.course.quiz.checker import CheckedAnswer, check_answer
 
 __all__ = [
-    "Chapter",
+    "CheckedAnswer",
     "Question",
-    "Verdict",
+    "Quiz",
     "chapter_numbers",
     "check_answer",
     "load_bank",
-    "load_chapter",
+    "load_quiz",
 ]

@@ -30,7 +30,7 @@ LETTERS = "abcde"
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """One answer to choose from, and what is said to whoever chooses it."""
+    """One answer to choose from, and what is said to those who choose it."""
 
     text: str
     feedback: str
@@ -166,8 +166,8 @@ Question: TypeAlias = ChoiceQuestion | NumericQuestion
 
 
 @dataclass(frozen=True, slots=True)
-class Chapter:
-    """One chapter's questions, in the order in which they are asked.
+class Quiz:
+    """The questions of a chapter, in the order in which they are asked.
 
     Parameters
     ----------
@@ -206,8 +206,8 @@ def chapter_numbers() -> tuple[str, ...]:
     return tuple(chapter.number for chapter in chapters_with(QUIZ))
 
 
-def load_chapter(number: str) -> Chapter:
-    """Return one chapter of the bank.
+def load_quiz(number: str) -> Quiz:
+    """Return the quiz of one chapter.
 
     Parameters
     ----------
@@ -221,22 +221,22 @@ def load_chapter(number: str) -> Chapter:
 
     Examples
     --------
-    >>> load_chapter("03").title
+    >>> load_quiz("03").title
     'Reflection'
     """
     padded, known = str(number).zfill(2), {c.number: c for c in chapters_with(QUIZ)}
     if padded not in known:
         raise ValueError(f"chapter must be one of {', '.join(known)}, got {number!r}")
-    return read_chapter(padded, known[padded].file(QUIZ).read_text(encoding="utf-8"))
+    return read_quiz(padded, known[padded].file(QUIZ).read_text(encoding="utf-8"))
 
 
-def load_bank() -> tuple[Chapter, ...]:
-    """Return every chapter of the bank, in order."""
-    return tuple(load_chapter(number) for number in chapter_numbers())
+def load_bank() -> tuple[Quiz, ...]:
+    """Return the quiz of every chapter, in order."""
+    return tuple(load_quiz(number) for number in chapter_numbers())
 
 
-def read_chapter(number: str, toml: str) -> Chapter:
-    """Return the chapter written in a TOML text.
+def read_quiz(number: str, toml: str) -> Quiz:
+    """Return the quiz written in a TOML text.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def read_chapter(number: str, toml: str) -> Chapter:
         _read_question(f"{where}, question number {place}", open_question(dict(entry)))
         for place, entry in enumerate(_tables(where, table, "question"), start=1)
     ]
-    return Chapter(number, _text(where, table, "title"), tuple(questions))
+    return Quiz(number, _text(where, table, "title"), tuple(questions))
 
 
 def _read_question(place: str, table: Table) -> Question:

@@ -27,14 +27,14 @@ ANSWER_SHOWN = 40
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class CheckedAnswer:
     """Whether an answer is right, and what to say to it."""
 
     right: bool
     feedback: str
 
 
-def check_answer(question: Question, answer: object) -> Verdict:
+def check_answer(question: Question, answer: object) -> CheckedAnswer:
     """Judge one answer.
 
     Parameters
@@ -47,7 +47,7 @@ def check_answer(question: Question, answer: object) -> Verdict:
 
     Returns
     -------
-    Verdict
+    CheckedAnswer
         Right or not, with the feedback for this very answer.
 
     Raises
@@ -64,9 +64,9 @@ def check_answer(question: Question, answer: object) -> Verdict:
     ...     wrong_values=(WrongValue(0.9, "Speeds shrink by e. And heights?"),),
     ...     wrong_feedback="How does the height depend on the speed?")
     >>> check_answer(question, "0,81 m")
-    Verdict(right=True, feedback='e² h.')
+    CheckedAnswer(right=True, feedback='e² h.')
     >>> check_answer(question, 0.9)
-    Verdict(right=False, feedback='Speeds shrink by e. And heights?')
+    CheckedAnswer(right=False, feedback='Speeds shrink by e. And heights?')
     >>> check_answer(question, "high")
     Traceback (most recent call last):
         ...
@@ -80,8 +80,8 @@ def check_answer(question: Question, answer: object) -> Verdict:
 def expected_answer(question: Question) -> str:
     """Return in a few words what an answer to the question looks like.
 
-    >>> from lesson_code.course.quiz.bank import load_chapter
-    >>> expected_answer(load_chapter("00").questions[0])
+    >>> from lesson_code.course.quiz.bank import load_quiz
+    >>> expected_answer(load_quiz("00").questions[0])
     'a letter from a to d'
     """
     if isinstance(question, ChoiceQuestion):
@@ -96,24 +96,24 @@ def right_answer(question: Question) -> str:
     return f"{question.value:g} {question.unit}".rstrip().replace("-", "\N{MINUS SIGN}")
 
 
-def _check_choice(question: ChoiceQuestion, answer: object) -> Verdict:
+def _check_choice(question: ChoiceQuestion, answer: object) -> CheckedAnswer:
     """Judge a letter; "b", "B", "b)" and "b." are the same answer."""
     letter = answer.strip().rstrip(").").casefold() if isinstance(answer, str) else ""
     options = dict(question.lettered)
     if letter not in options:
         raise _unreadable(expected_answer(question), answer)
-    return Verdict(letter == question.answer, options[letter].feedback)
+    return CheckedAnswer(letter == question.answer, options[letter].feedback)
 
 
-def _check_number(question: NumericQuestion, answer: object) -> Verdict:
+def _check_number(question: NumericQuestion, answer: object) -> CheckedAnswer:
     """Judge a number: right, a recognised mistake, or some other number."""
     value = _read_number(question, answer)
     if abs(value - question.value) <= question.tolerance:
-        return Verdict(True, question.right_feedback)
+        return CheckedAnswer(True, question.right_feedback)
     for wrong in question.wrong_values:
         if abs(value - wrong.value) <= question.tolerance:
-            return Verdict(False, wrong.feedback)
-    return Verdict(False, question.wrong_feedback)
+            return CheckedAnswer(False, wrong.feedback)
+    return CheckedAnswer(False, question.wrong_feedback)
 
 
 def _read_number(question: NumericQuestion, answer: object) -> float:

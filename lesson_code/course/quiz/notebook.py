@@ -14,11 +14,11 @@ import ipywidgets as widgets
 from IPython.display import display
 
 from lesson_code.course.quiz.bank import (
-    Chapter,
     ChoiceQuestion,
     NumericQuestion,
     Question,
-    load_chapter,
+    Quiz,
+    load_quiz,
 )
 from lesson_code.course.quiz.checker import check_answer, expected_answer
 
@@ -42,7 +42,7 @@ def show_quiz(chapter: str) -> None:
     ValueError
         There is no such chapter.
     """
-    loaded = load_chapter(chapter)
+    loaded = load_quiz(chapter)
     form = QuizForm(loaded)
     bundle = dict(form.box._repr_mimebundle_())
     bundle["text/html"] = questions_as_html(loaded)
@@ -108,31 +108,31 @@ class QuestionForm:
 
 
 class QuizForm:
-    """A chapter's questions, and the count of those answered right.
+    """A quiz, and the count of those answered right.
 
     Parameters
     ----------
-    chapter : Chapter
+    quiz : Quiz
         What is asked.
 
     Attributes
     ----------
     questions : list of QuestionForm
-        In the order of the chapter.
+        In the order of the quiz.
     count : ipywidgets.HTML
         "2 of 5 right".
     box : ipywidgets.VBox
         The whole quiz.
     """
 
-    def __init__(self, chapter: Chapter) -> None:
+    def __init__(self, quiz: Quiz) -> None:
         self.questions = [
             QuestionForm(place, question, self._count)
-            for place, question in enumerate(chapter.questions, start=1)
+            for place, question in enumerate(quiz.questions, start=1)
         ]
         self.count = widgets.HTML()
         self._count()
-        title = widgets.HTML(value=f"<p><b>{escape(_title(chapter))}</b></p>")
+        title = widgets.HTML(value=f"<p><b>{escape(_title(quiz))}</b></p>")
         self.box = widgets.VBox([title, *(form.box for form in self.questions), self.count])
 
     def _count(self) -> None:
@@ -141,19 +141,19 @@ class QuizForm:
         self.count.value = _status(f"{right} of {len(self.questions)} right")
 
 
-def questions_as_html(chapter: Chapter) -> str:
+def questions_as_html(quiz: Quiz) -> str:
     """Return a chapter's questions and options as an ordered list, without answers."""
-    items = "\n".join(_item(question) for question in chapter.questions)
+    items = "\n".join(_item(question) for question in quiz.questions)
     return (
-        f"<p><b>{escape(_title(chapter))}</b></p>\n<ol>\n{items}\n</ol>\n"
+        f"<p><b>{escape(_title(quiz))}</b></p>\n<ol>\n{items}\n</ol>\n"
         f"<p>{escape(HOW_TO_ANSWER)}</p>"
     )
 
 
-def questions_as_text(chapter: Chapter) -> str:
+def questions_as_text(quiz: Quiz) -> str:
     """Return a chapter's questions and options as plain text, without answers."""
-    lines = [_title(chapter)]
-    for place, question in enumerate(chapter.questions, start=1):
+    lines = [_title(quiz)]
+    for place, question in enumerate(quiz.questions, start=1):
         lines += ["", f"{place}. {question.text}"]
         lines += [f"   {line}" for line in _lines_below(question)]
     return "\n".join([*lines, "", HOW_TO_ANSWER])
@@ -195,9 +195,9 @@ def _labelled(letter: str, text: str) -> str:
     return f"{letter}) {text}"
 
 
-def _title(chapter: Chapter) -> str:
+def _title(quiz: Quiz) -> str:
     """Return the quiz's heading."""
-    return f"Quiz {chapter.number}: {chapter.title}"
+    return f"Quiz {quiz.number}: {quiz.title}"
 
 
 def _status(strong: str = "", text: str = "") -> str:

@@ -27,7 +27,7 @@ SECRET = {
 """What does not stand in a sealed question as it is, by its kind."""
 
 
-def seal_chapter(toml: str) -> str:
+def seal_quiz(toml: str) -> str:
     """Return a chapter's TOML text with the key and the feedback of each question sealed.
 
     Raises

@@ -16,8 +16,13 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from lesson_code.course.quiz.bank import Chapter, ChoiceQuestion, Question, load_chapter
-from lesson_code.course.quiz.checker import Verdict, check_answer, expected_answer, right_answer
+from lesson_code.course.quiz.bank import ChoiceQuestion, Question, Quiz, load_quiz
+from lesson_code.course.quiz.checker import (
+    CheckedAnswer,
+    check_answer,
+    expected_answer,
+    right_answer,
+)
 from lesson_code.course.quiz.result import QuestionResult, QuizResult
 
 TRIES = 2
@@ -50,11 +55,11 @@ def run_quiz(chapters: Sequence[str], console: Console, ask: Ask | None = None) 
     ValueError
         A chapter does not exist, before anything is asked.
     """
-    loaded = [load_chapter(number) for number in chapters]
+    loaded = [load_quiz(number) for number in chapters]
     results: list[QuestionResult] = []
     try:
-        for chapter in loaded:
-            _ask_chapter(chapter, console, ask or reader(console), results)
+        for quiz in loaded:
+            _ask_quiz(quiz, console, ask or reader(console), results)
         finished = True
     except (EOFError, KeyboardInterrupt):
         console.print("\n\nThe quiz ends here.")
@@ -80,25 +85,27 @@ def reader(console: Console) -> Ask:
     return read
 
 
-def _ask_chapter(
-    chapter: Chapter, console: Console, ask: Ask, results: list[QuestionResult]
-) -> None:
+def _ask_quiz(quiz: Quiz, console: Console, ask: Ask, results: list[QuestionResult]) -> None:
     """Ask a chapter's questions; each goes to the results, even when its answers break off."""
-    console.rule(Text(f"Chapter {chapter.number}: {chapter.title}"))
-    for place, question in enumerate(chapter.questions, start=1):
-        _print_question(f"{place} of {len(chapter.questions)}", question, console)
+    console.rule(Text(f"Chapter {quiz.number}: {quiz.title}"))
+    for place, question in enumerate(quiz.questions, start=1):
+        _print_question(f"{place} of {len(quiz.questions)}", question, console)
         answers: list[str] = []
-        verdicts: list[Verdict] = []
+        verdicts: list[CheckedAnswer] = []
         try:
             _ask_question(question, console, ask, answers, verdicts)
         finally:
             if verdicts:
                 right = verdicts[-1].right
-                results.append(QuestionResult(chapter.number, question.id, tuple(answers), right))
+                results.append(QuestionResult(quiz.number, question.id, tuple(answers), right))
 
 
 def _ask_question(
-    question: Question, console: Console, ask: Ask, answers: list[str], verdicts: list[Verdict]
+    question: Question,
+    console: Console,
+    ask: Ask,
+    answers: list[str],
+    verdicts: list[CheckedAnswer],
 ) -> None:
     """Collect answers and their verdicts until one is right or the tries are used up."""
     for tries_left in reversed(range(TRIES)):
@@ -114,7 +121,9 @@ def _ask_question(
     console.print(Text(question.right_feedback))
 
 
-def _ask_until_readable(question: Question, console: Console, ask: Ask) -> tuple[str, Verdict]:
+def _ask_until_readable(
+    question: Question, console: Console, ask: Ask
+) -> tuple[str, CheckedAnswer]:
     """Return an answer and its verdict; what cannot be read costs no try."""
     while True:
         answer = ask(f"Your answer ({expected_answer(question)}): ").strip()
@@ -133,18 +142,18 @@ def _print_question(place: str, question: Question, console: Console) -> None:
             console.print(Padding(Text(f"{letter}) {option.text}"), (0, 0, 0, 3), expand=False))
 
 
-def _print_verdict(verdict: Verdict, console: Console) -> None:
+def _print_verdict(verdict: CheckedAnswer, console: Console) -> None:
     """Print the verdict in words, not in colour alone, and the feedback."""
     word = ("Right. ", "bold green") if verdict.right else ("Not right. ", "bold red")
     console.print(Text.assemble(word, verdict.feedback))
 
 
-def _print_summary(result: QuizResult, chapters: Sequence[Chapter], console: Console) -> None:
+def _print_summary(result: QuizResult, quizzes: Sequence[Quiz], console: Console) -> None:
     """Print how many questions of each chapter were right at the first try."""
     if not result.questions:
         console.print("No question was answered.")
         return
-    titles = {chapter.number: chapter.title for chapter in chapters}
+    titles = {quiz.number: quiz.title for quiz in quizzes}
     table = Table("Chapter", "Right first time", "Asked", title="Summary")
     for score in result.scores:
         name = Text(f"{score.chapter} {titles[score.chapter]}")

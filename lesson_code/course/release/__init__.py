@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from lesson_code.course.release.bundle import bundle_files, write_folder, write_zip
+from lesson_code.course.fresh_copies import write_folder
+from lesson_code.course.release.bundle import bundle_files, write_zip
 from lesson_code.course.release.leaks import leaks
 
 __all__ = ["LeakError", "Release", "release"]

@@ -17,14 +17,14 @@ import zipfile
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path, PurePath, PurePosixPath
 
-from lesson_code.course.grading.exercises import Exercise, exercises
+from lesson_code.course.fresh_copies import KEPT_EXERCISES, Files
+from lesson_code.course.grading.exercises import KNOWN_ANSWERS, Exercise, exercises
 from lesson_code.course.grading.practice import practice_of, reference
 from lesson_code.course.grading.task import Task
 from lesson_code.course.notebooks.root import require_instructors
 from lesson_code.course.quiz.bank import QUIZ
-from lesson_code.course.quiz.sealing import seal_chapter
+from lesson_code.course.quiz.sealing import seal_quiz
 from lesson_code.course.release.slicing import Names, all_needed, sliced, used_names
-from lesson_code.course.watch.reset import FRESH
 
 TOP_FILES = ("pyproject.toml", "requirements.lock", "LICENSE")
 NOT_OF_THE_PACKAGE = ("__pycache__", ".mypy_cache", ".ruff_cache")
@@ -32,17 +32,11 @@ CHAPTERS = PurePosixPath("lesson_code/chapters")
 CHECKS = ("tasks.py", "draws.py")
 """Of a chapter, and of all chapters: what is asked, with which inputs, and what is expected."""
 
-KNOWN_ANSWERS = ("right_answers*.py", "wrong_answers*.py")
-"""Of a chapter: what is known to be answered."""
-
 EARLIEST = (1980, 1, 1, 0, 0, 0)
 """The time of every file in the zip, so that the same workbook is the same bytes."""
 
 COMMAND = re.compile(r"^python3 -m venv .*workbook open$", re.M)
 STUDENTS_PART = re.compile(r"^## For students$.*?(?=^## )", re.M | re.S)
-
-Files = dict[str, bytes]
-"""What stands in the files of a copy, by their paths with slashes."""
 
 
 def bundle_files(root: Path) -> Files:
@@ -57,26 +51,10 @@ def bundle_files(root: Path) -> Files:
     files = {path.as_posix(): (root / path).read_bytes() for path in sorted(_as_they_are(root))}
     for exercise in exercises():
         copy = exercise.student_copy(root)
-        files[(FRESH / copy.name).as_posix()] = copy.read_bytes()
+        files[(KEPT_EXERCISES / copy.name).as_posix()] = copy.read_bytes()
     files |= {path: text.encode() for path, text in _taken_apart(root, files)}
     files["README.md"] = _readme((root / "README.md").read_text(encoding="utf-8")).encode()
     return dict(sorted(files.items()))
-
-
-def write_folder(files: Files, folder: Path) -> None:
-    """Write a copy into a folder that is new or empty.
-
-    Raises
-    ------
-    ValueError
-        There is something in the folder.
-    """
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise ValueError(f"{folder}: is there already; name a folder that is new or empty")
-    for name, content in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
 
 
 def write_zip(files: Files, path: Path) -> None:
@@ -115,7 +93,7 @@ def holds_checks(path: PurePath) -> bool:
 
 def holds_answers(path: PurePath) -> bool:
     """Return whether a file of the workbook holds known answers, right or wrong."""
-    return path.is_relative_to(CHAPTERS) and any(map(path.match, KNOWN_ANSWERS))
+    return path.is_relative_to(CHAPTERS) and path.suffix == ".py" and path.stem in KNOWN_ANSWERS
 
 
 def is_quiz(path: PurePath) -> bool:
@@ -127,7 +105,7 @@ def _taken_apart(root: Path, files: Files) -> Iterator[tuple[str, str]]:
     """Yield path and text of each file of which a copy holds a part, or holds it sealed."""
     inside = [path.relative_to(root) for path in sorted((root / CHAPTERS).rglob("*.*"))]
     for quiz in filter(is_quiz, inside):
-        yield quiz.as_posix(), seal_chapter((root / quiz).read_text(encoding="utf-8"))
+        yield quiz.as_posix(), seal_quiz((root / quiz).read_text(encoding="utf-8"))
     answers = _sources(root, filter(holds_answers, inside))
     shown: Names = {}
     for code in _notebook_code(files):

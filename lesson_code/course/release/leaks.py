@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from lesson_code.course.fresh_copies import KEPT_EXERCISES, Files
 from lesson_code.course.grading.exercises import exercises
 from lesson_code.course.grading.self_check import answers_in, formulas_in, squeezed
 from lesson_code.course.grading.task import Function, Task
@@ -22,12 +23,7 @@ from lesson_code.course.grading.verdict import stream_of
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
 from lesson_code.course.quiz.bank import ChoiceQuestion, Question, load_bank
 from lesson_code.course.quiz.sealing import SECRET
-from lesson_code.course.release.bundle import (
-    Files,
-    holds_answers,
-    holds_checks,
-    is_quiz,
-)
+from lesson_code.course.release.bundle import holds_answers, holds_checks, is_quiz
 
 NOT_FOR_STUDENTS = ("solutions", "tests", "source", "golden")
 """Folders of which nothing goes out."""
@@ -89,6 +85,7 @@ def _is_searched(name: str) -> bool:
     """Return whether no line of an answer may stand in a file: it is not the lesson itself."""
     path = PurePosixPath(name)
     is_course = path.is_relative_to("lesson_code/course") or path.parts[0] == "exercises"
+    is_course |= path.is_relative_to(KEPT_EXERCISES.as_posix())
     return is_course or holds_checks(path) or holds_answers(path) or is_quiz(path)
 
 

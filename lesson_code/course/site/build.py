@@ -8,10 +8,12 @@ import shutil
 import tempfile
 import warnings
 from collections.abc import Callable, Collection, Iterable
+from contextlib import closing
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
+from lesson_code.course.notebooks.root import how_to_install
 from lesson_code.course.site.finishing import finish
 from lesson_code.course.site.front_pages import TITLE, exercise_page, front_page
 from lesson_code.course.site.mathml import write_font
@@ -116,7 +118,7 @@ def missing_tools() -> list[str]:
 def _require_tools() -> None:
     """Say what to install if something is missing."""
     if missing := missing_tools():
-        raise MissingToolsError(f"{', '.join(missing)} not installed: pip install -e '.[site]'")
+        raise MissingToolsError(f"{', '.join(missing)} not installed: {how_to_install('site')}")
 
 
 def _require_own(site: Path) -> None:
@@ -132,12 +134,14 @@ def _moving_figures(notebooks: list[Path], told: Told) -> dict[str, list[MovingF
     found = {}
     # The largest files hold the largest figures. Begun first, they do not end alone.
     by_size = sorted(notebooks, key=lambda path: -path.stat().st_size)
-    outcomes = iter_tasks(figures_of, by_size, names=[path.stem for path in by_size])
-    for done, outcome in enumerate(outcomes, start=1):
-        if outcome.error is not None:
-            raise SiteError(str(outcome.error)) from outcome.error
-        found[outcome.name] = outcome.result
-        told(f"figures of {outcome.name}", done / (len(notebooks) + 1))
+    names = [path.stem for path in by_size]
+    with closing(iter_tasks(figures_of, by_size, names=names)) as drawn:
+        for number, future in drawn:
+            error = future.exception()
+            if error is not None:
+                raise SiteError(str(error)) from error
+            found[names[number]] = future.result()
+            told(f"figures of {names[number]}", len(found) / (len(notebooks) + 1))
     return found
 
 

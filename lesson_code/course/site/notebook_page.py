@@ -12,7 +12,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from lesson_code.course.quiz.bank import load_chapter
+from lesson_code.course.quiz.bank import load_quiz
 from lesson_code.course.site.moving import Control, MovingFigure
 from lesson_code.course.site.page_quiz import quiz_html
 
@@ -74,7 +74,7 @@ class NotebookPage:
         if data.get("text/plain", "").startswith("Figure: "):
             return None
         if "text/html" in data and (quiz := QUIZ.search(source)):
-            return _html_output(output, quiz_html(load_chapter(quiz[1])))
+            return _html_output(output, quiz_html(load_quiz(quiz[1])))
         return output
 
     def _figure(self, output: Any) -> str:

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from html import escape
 from typing import Any, TypeAlias
 
-from lesson_code.course.quiz.bank import Chapter, ChoiceQuestion, NumericQuestion, Question
+from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, Quiz
 from lesson_code.course.quiz.checker import expected_answer
 
 Sealed: TypeAlias = dict[str, str]
@@ -30,12 +30,12 @@ ROUNDING = 1e-6
 """Of a tolerance: how much further the drawers reach, so that no answer at its edge is missed."""
 
 
-def quiz_html(chapter: Chapter) -> str:
+def quiz_html(quiz: Quiz) -> str:
     """Return a chapter's quiz, a form for each question, for ``quiz.js`` to bring to life."""
     questions = "\n".join(
-        _form(place, question) for place, question in enumerate(chapter.questions, start=1)
+        _form(place, question) for place, question in enumerate(quiz.questions, start=1)
     )
-    title = escape(f"Quiz {chapter.number}: {chapter.title}")
+    title = escape(f"Quiz {quiz.number}: {quiz.title}")
     return (
         f'<div class="quiz" role="group" aria-label="{title}">\n<p><strong>{title}</strong></p>\n'
         f'{questions}\n<p class="count" role="status"></p>\n'

@@ -34,4 +34,4 @@ def _where_to_read(exercise: Exercise) -> str:
     """Return where an exercise's chapter, or its own text, is to be read."""
     if exercise.suffix == ".ipynb":
         return f"Read notebook {exercise.name[:2]}, {exercise.title}, again."
-    return f"Read what stands at the top of exercises/{exercise.name}{exercise.suffix} again."
+    return f"Read what stands at the top of exercises/{exercise.file_name} again."

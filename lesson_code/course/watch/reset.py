@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from lesson_code.course.fresh_copies import fresh_exercise
 from lesson_code.course.grading.exercises import Exercise
-from lesson_code.course.notebooks.regenerate import fresh_student_copy
 
 BACKUPS = "backups"
 """Folder beside the exercises that holds what was there before a reset."""
-
-FRESH = Path("lesson_code", "course", "fresh_exercises")
-"""Where a student's copy keeps them: it has no solutions to make them from."""
 
 
 def put_back(exercise: Exercise, root: Path) -> Path | None:
@@ -23,7 +20,7 @@ def put_back(exercise: Exercise, root: Path) -> Path | None:
         The workbook has neither the solution nor a fresh copy of the exercise.
     """
     path = exercise.student_copy(root)
-    fresh = _fresh(exercise, root)
+    fresh = fresh_exercise(exercise, root)
     backup = None
     if path.exists():
         backup = _free_name(path)
@@ -31,14 +28,6 @@ def put_back(exercise: Exercise, root: Path) -> Path | None:
         path.replace(backup)
     path.write_text(fresh, encoding="utf-8", newline="\n")
     return backup
-
-
-def _fresh(exercise: Exercise, root: Path) -> str:
-    """Return an exercise as it is before anything is written."""
-    kept = root / FRESH / f"{exercise.name}{exercise.suffix}"
-    if kept.exists():
-        return kept.read_text(encoding="utf-8")
-    return fresh_student_copy(root, exercise.name, exercise.task_ids)
 
 
 def _free_name(path: Path) -> Path:

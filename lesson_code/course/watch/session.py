@@ -25,7 +25,7 @@ HELP = "h: more help   l: list   n: next exercise   s: solution   r: reset   q: 
 
 
 @dataclass
-class Session:
+class WatchSession:
     """Exercises that are watched, what is known of them, and the one that is on the screen.
 
     Parameters
@@ -132,7 +132,7 @@ class Session:
         for exercise in self.exercises:
             right, tasks = self.progress.count([exercise])
             earned, full = self.progress.points([exercise])
-            name = f"{exercise.name}{exercise.suffix}"
+            name = exercise.file_name
             self.screen.row(name, f"{right} of {tasks} tasks", f"{earned} of {full} points")
         self._show_course()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from importlib.util import find_spec
 from io import StringIO
@@ -16,8 +17,7 @@ from rich.table import Table
 
 from lesson_code.evidence.hard_cases.case import OURS, SOLVERS, Outcome, run_case
 from lesson_code.evidence.hard_cases.catalogue import CASES, by_theme, case_by_name
-from lesson_code.parallel import iter_tasks, usable_cores
-from lesson_code.parallel.outcome import WorkerDiedError
+from lesson_code.parallel import WorkerDiedError, iter_tasks, usable_cores
 
 VERSION = 1
 """Version of the form that :meth:`Comparison.as_dict` writes; it grows when a key changes."""
@@ -199,15 +199,15 @@ def run_task(task: Task) -> Outcome:
 def _outcomes(tasks: list[Task], **options: Any) -> Iterable[tuple[Task, Outcome]]:
     """Yield each task and what has become of it."""
     named = [f"{name}, {solver}" for name, solver in tasks]
-    for done in iter_tasks(run_task, tasks, names=named, **options):
-        task = tasks[done.index]
-        if isinstance(done.error, WorkerDiedError):
-            bound = case_by_name(task[0]).bound
-            yield task, Outcome(*task, math.nan, bound, error=f"the process died: {done.error}")
-        elif done.error is not None:
-            raise done.error
-        else:
-            yield task, done.result
+    with closing(iter_tasks(run_task, tasks, names=named, **options)) as done:
+        for number, future in done:
+            task = tasks[number]
+            error = future.exception()
+            if isinstance(error, WorkerDiedError):
+                bound = case_by_name(task[0]).bound
+                yield task, Outcome(*task, math.nan, bound, error=f"the process died: {error}")
+            else:
+                yield task, future.result()
 
 
 def store(comparison: Comparison, path: Path = STORED) -> None:

@@ -27,7 +27,7 @@ from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.race import Race, Timing
 from lesson_code.evidence.speed.statistics import growth_exponent
 from lesson_code.evidence.speed.targets import Target, targets_of
-from lesson_code.parallel.tasks import usable_cores
+from lesson_code.parallel import usable_cores
 
 VERSION = 2
 """Version of the form that :meth:`Speed.as_dict` writes; it grows when a key changes."""

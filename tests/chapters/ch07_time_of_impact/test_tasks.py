@@ -14,12 +14,7 @@ import pytest
 
 from lesson_code.chapters.ch07_time_of_impact import draws as flights
 from lesson_code.chapters.ch07_time_of_impact import tasks
-from lesson_code.chapters.ch07_time_of_impact import (
-    wrong_answers as time_of_impact,
-)
-from lesson_code.chapters.ch07_time_of_impact import (
-    wrong_answers_of_events as events,
-)
+from lesson_code.chapters.ch07_time_of_impact import wrong_answers as wrong
 from lesson_code.course.grading.exercises import task_by_id
 from lesson_code.course.grading.task import ANSWER_TOLERANCE, Arguments
 
@@ -173,7 +168,7 @@ def test_drawn_touching_circles_touch_exactly() -> None:
 def test_drawn_falls_need_what_they_are_about() -> None:
     """Without gravity to speak of, the formula from school loses what the answer has to keep."""
     for given in drawn(tasks.nearly_weightless)[::3]:
-        school = time_of_impact.school_formula(*given)
+        school = wrong.school_formula(*given)
         assert school is not None
         assert abs(school - time_to_floor(*given)) > 1e3 * ANSWER_TOLERANCE
     assert all(height > 0.9 for height, _, _ in drawn(tasks.thrown_down))
@@ -223,7 +218,7 @@ def test_drawn_crowds_are_no_matter_of_nearness_order_or_luck() -> None:
     """In the crowds the pair that meets first is not the nearest, nor the first in the list."""
     for given in drawn(flights.crowds):
         right, values = next_event(*arrays(given)), arrays(given)
-        for model in (events.the_nearest_pair, events.the_first_pair_found, events.only_neighbours):
+        for model in (wrong.the_nearest_pair, wrong.the_first_pair_found, wrong.only_neighbours):
             assert model(*values) != right
     assert all(next_event(*arrays(g))[0] == 0.0 for g in drawn(flights.crowds_with_a_hit_now))
     parting = [next_event(*arrays(g)) is None for g in drawn(flights.crowds_that_part)]
@@ -238,7 +233,7 @@ def test_drawn_ratios_are_clear_of_the_limits() -> None:
     assert max(turns) < 0.9
     for place, ratio in enumerate(ratios):
         if place % 4 != 3:
-            assert events.digits_of_pi(ratio) != pi_collisions(ratio)
+            assert wrong.digits_of_pi(ratio) != pi_collisions(ratio)
 
 
 # What is said
@@ -265,7 +260,7 @@ def test_messages_say_why() -> None:
 def test_school_formula_loses_its_digits_to_weak_gravity() -> None:
     """A ball at 1 m that drifts down at 1 m/s: right after 1 s, by the formula up to 10 % off."""
     assert time_to_floor(1.0, -1.0, 1e-15) == pytest.approx(1, abs=ROUNDING)
-    school = time_of_impact.school_formula(1.0, -1.0, 1e-15)
+    school = wrong.school_formula(1.0, -1.0, 1e-15)
     assert school is not None
     assert abs(school - 1) > 0.05
 
@@ -274,11 +269,11 @@ def test_ten_samples_see_nothing_of_a_fast_graze() -> None:
     """Circles that meet for three hundredths of a step."""
     given = arrays(((0.0, 0.0), (0.0, 0.0), 1.0, (-55.0, 0.0), (100.0, 0.0), 0.5, 1.0))
     assert sweep_circles(*given) == pytest.approx(0.535, abs=ROUNDING)
-    assert time_of_impact.ten_samples(*given) is None
+    assert wrong.ten_samples(*given) is None
 
 
 def test_now_is_no_time_loses_the_pair_that_meets_now() -> None:
     """`if t` says of 0.0 that there is no hit."""
     places, ways = np.array([(0.0, 0.0), (2.0, 0.0)]), np.array([(1.0, 0.0), (0.0, 0.0)])
     assert next_event(places, ways, np.ones(2)) == (0.0, 0, 1)
-    assert events.now_is_no_time(places, ways, np.ones(2)) is None
+    assert wrong.now_is_no_time(places, ways, np.ones(2)) is None

@@ -14,7 +14,7 @@ import pytest
 
 from lesson_code.course.class_run import Hands, grade_class
 from lesson_code.course.class_run.journal import Journal
-from lesson_code.parallel import cluster
+from lesson_code.parallel import executors
 
 from .conftest import RIGHT, SWAPS, MakeClass, contents_of
 
@@ -32,8 +32,8 @@ STUDENTS = {f"s{n:02d}.py": (RIGHT, SWAPS)[n % 2] for n in range(40)}
 @pytest.fixture(scope="module")
 def address() -> Iterator[str]:
     """Return the address of a cluster of two workers on this machine."""
-    with cluster._local(2) as address:
-        yield address
+    with executors.local_cluster(2) as cluster:
+        yield cluster.scheduler_address
 
 
 def workers_of(address: str) -> list[int]:

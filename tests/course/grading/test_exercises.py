@@ -39,6 +39,16 @@ def test_exercise_has_at_least_three_tasks_with_several_criteria(exercise: Exerc
 
 
 @pytest.mark.parametrize("exercise", exercises(), ids=lambda exercise: exercise.name)
+def test_exercise_tasks_list_what_the_chapter_marks_for_them(exercise: Exercise) -> None:
+    """Each marked answer is in one task, under its own number, in the order it is written."""
+    for task in exercise.tasks:
+        known = [mark for mark in exercise.known_answers if mark.task == task.id]
+        assert [*task.wrong_models, *task.alternatives] == known
+    listed = [m for task in exercise.tasks for m in (*task.wrong_models, *task.alternatives)]
+    assert sorted(map(id, listed)) == sorted(map(id, exercise.known_answers))
+
+
+@pytest.mark.parametrize("exercise", exercises(), ids=lambda exercise: exercise.name)
 def test_exercise_files_stand_where_it_says(exercise: Exercise, root: Path) -> None:
     """Solution and student copy are there, and are recognised as this exercise."""
     for path in (exercise.solution(root), exercise.student_copy(root)):

@@ -15,20 +15,20 @@ import numpy as np
 import pytest
 
 from lesson_code.course.grading.in_process import call_here, kept_apart
-from lesson_code.course.isolation.outcome import Outcome
+from lesson_code.course.isolation.call_outcome import CallOutcome
 
 
-def here(function: Any, *arguments: Any, seconds: float = 3.0) -> Outcome:
+def here(function: Any, *arguments: Any, seconds: float = 3.0) -> CallOutcome:
     """Return what comes of calling a function in this process."""
     return call_here({"f": function}, "f", arguments, seconds)
 
 
 def test_call_here_returns_what_a_child_returns() -> None:
     """In a notebook an answer is made as plain as across the wall."""
-    assert here(lambda n, v: (n, v), 2, (3.0, 4.0)) == Outcome("returned", [2, [3.0, 4.0]])
+    assert here(lambda n, v: (n, v), 2, (3.0, 4.0)) == CallOutcome("returned", [2, [3.0, 4.0]])
     assert here(dict).kind == "unusable"
     assert here(lambda: 1 / 0).text == "ZeroDivisionError: division by zero"
-    assert here(None) == Outcome("missing", text="there is no function named f")
+    assert here(None) == CallOutcome("missing", text="there is no function named f")
 
 
 def test_call_here_cuts_off_an_endless_loop() -> None:
@@ -46,18 +46,18 @@ def test_call_here_cuts_off_an_endless_loop() -> None:
             pass
         yield 1.0
 
-    late = Outcome("timeout", text="it did not finish within 0.1 s")
+    late = CallOutcome("timeout", text="it did not finish within 0.1 s")
     assert here(loops, seconds=0.1) == late
     assert here(yields_for_ever, seconds=0.1) == late
 
 
 def test_call_here_works_outside_of_the_main_thread() -> None:
     """Where no timer can interrupt, the call is made all the same."""
-    outcomes: list[Outcome] = []
+    outcomes: list[CallOutcome] = []
     thread = threading.Thread(target=lambda: outcomes.append(here(lambda: 1.0)))
     thread.start()
     thread.join()
-    assert outcomes == [Outcome("returned", 1.0)]
+    assert outcomes == [CallOutcome("returned", 1.0)]
 
 
 def test_call_here_is_silent(capfd: pytest.CaptureFixture[str]) -> None:

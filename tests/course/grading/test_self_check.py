@@ -51,7 +51,6 @@ def found(copied: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[s
                 other.solution(copied).unlink(missing_ok=True)
                 other.student_copy(copied).unlink(missing_ok=True)
         monkeypatch.setattr(self_check, "exercises", lambda: (exercise,))
-        monkeypatch.setattr(self_check, "_marks_beside", lambda _: iter(()))
         return list(faults(copied))
 
     return faults_of
@@ -216,13 +215,12 @@ def test_faults_of_orphaned_files_are_found(copied: Path, found: Callable[..., l
     ]
 
 
-def test_faults_of_orphaned_marks_are_found(copied: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A wrong model or alternative that no task lists is found, be its task known or not."""
-    known, unknown = WrongModel("1.1", swapped, "Why?"), Alternative("9.9", mute)
-    marks = {EXERCISE: (known, unknown, TASK.wrong_models[0])}
-    monkeypatch.setattr(self_check, "_marks_beside", lambda exercise: marks.get(exercise, ()))
-    monkeypatch.setattr(self_check, "SEEDS", range(0))
-    assert list(faults(copied)) == [
-        "swapped: is marked for task 1.1, which does not list it",
-        "mute: is marked for task 9.9, which does not list it",
+def test_faults_of_orphaned_marks_are_found(found: Callable[..., list[str]]) -> None:
+    """A wrong model or alternative of a task that the chapter does not have is found."""
+    exercise = Exercise(EXERCISE.chapter)
+    orphans = (WrongModel("2.1", swapped, "Why?"), Alternative("9.9", mute))
+    vars(exercise)["known_answers"] = (*exercise.known_answers, *orphans)
+    assert found(exercise) == [
+        "swapped: is marked for task 2.1, which 01_one_dimension does not have",
+        "mute: is marked for task 9.9, which 01_one_dimension does not have",
     ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+
 import pytest
 
 from lesson_code.course.grading.exercises import exercises
@@ -9,8 +11,7 @@ from lesson_code.course.grading.task import (
     Alternative,
     WrongModel,
     alternative,
-    for_task,
-    marked,
+    edited,
     source_as_answer,
     wrong_model,
 )
@@ -36,13 +37,31 @@ def test_wrong_model_carries_name_misconception_and_hint() -> None:
     assert (wrong(1.0), unusual(2.0)) == (2.0, 2.0)
 
 
-def test_marked_lists_one_kind_in_the_order_of_the_module() -> None:
-    """Wrong models and alternatives of a module are told apart."""
-    module = {"a": unusual, "b": wrong, "c": 3}
-    assert marked(module, WrongModel) == (wrong,)
-    assert marked(module, Alternative) == (unusual,)
-    assert for_task((wrong,), "9.1") == (wrong,)
-    assert for_task((wrong,), "9.2") == ()
+@wrong_model("9.2", "Where is it at first?")
+@edited(unusual, {"return x": "return -x"})
+def reversed_sign() -> None:
+    """It is so, the other way round."""  # noqa: D401 - a misconception
+
+
+def test_edited_answer_is_the_right_one_with_the_edit() -> None:
+    """It computes what its source says, under its own name and with its own misconception."""
+    assert unusual(2.0) == 2.0
+    assert reversed_sign(2.0) == -2.0
+    assert reversed_sign.name == "reversed_sign"
+    assert reversed_sign.misconception == "It is so, the other way round."
+    source = inspect.getsource(reversed_sign.function)
+    assert source.startswith("def reversed_sign(x):")
+    assert "return -x" in source
+
+
+@pytest.mark.parametrize("piece", ["return y", "x"], ids=["nowhere", "twice"])
+def test_edited_piece_must_stand_once(piece: str) -> None:
+    """An edit that would change nothing, or more than is meant, is refused by name."""
+    with pytest.raises(ValueError, match=f"'{piece}' must stand once in unusual, for spoilt"):
+
+        @edited(unusual, {piece: "0.0"})
+        def spoilt() -> None:
+            """It is so."""  # noqa: D401 - a misconception
 
 
 @pytest.mark.parametrize(

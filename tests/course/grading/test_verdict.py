@@ -15,7 +15,7 @@ from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
 from lesson_code.course.grading.verdict import Verdict, judge
-from lesson_code.course.isolation.outcome import Outcome
+from lesson_code.course.isolation.call_outcome import CallOutcome
 
 ALL_TASKS = [task for exercise in exercises() for task in exercise.tasks]
 
@@ -150,9 +150,9 @@ def test_judge_stops_a_criterion_after_a_crash() -> None:
     """After a call that hangs or kills its process, the criterion makes no more calls."""
     calls: list[Arguments] = []
 
-    def crashes(_: str, arguments: Arguments) -> Outcome:
+    def crashes(_: str, arguments: Arguments) -> CallOutcome:
         calls.append(arguments)
-        return Outcome("crashed", text="it ended the process")
+        return CallOutcome("crashed", text="it ended the process")
 
     task = made_up(Criterion("small", small), Criterion("vectors", vectors))
     verdict = judge(task, crashes, 1)
@@ -168,9 +168,9 @@ def test_judge_same_seed_draws_the_same_inputs(task: Task) -> None:
     def inputs(seed: int) -> list[Arguments]:
         seen: list[Arguments] = []
 
-        def records(_: str, arguments: Arguments) -> Outcome:
+        def records(_: str, arguments: Arguments) -> CallOutcome:
             seen.append(arguments)
-            return Outcome("returned", None)
+            return CallOutcome("returned", None)
 
         judge(task, records, seed)
         return seen

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from lesson_code.course.isolation import Children, Limits, StudentProcess
-from lesson_code.course.isolation.outcome import LONGEST_TEXT, Outcome
+from lesson_code.course.isolation.call_outcome import LONGEST_TEXT, CallOutcome
 
 from .conftest import units
 
@@ -35,7 +35,7 @@ def test_call_returns_plain_values(children: Children) -> None:
     source = "def f(n, v): return n, v, type(n).__name__, type(v).__name__, v.shape"
     with StudentProcess(units(source), children) as student:
         outcome = student.call("f", (2, (3.0, 4.0)))
-    assert outcome == Outcome("returned", [2, [3.0, 4.0], "int", "ndarray", [2]])
+    assert outcome == CallOutcome("returned", [2, [3.0, 4.0], "int", "ndarray", [2]])
 
 
 def test_call_returns_every_float_to_the_last_bit(best: Children) -> None:
@@ -52,7 +52,7 @@ def test_call_returns_every_float_to_the_last_bit(best: Children) -> None:
 def test_call_of_missing_function_says_so(best: Children) -> None:
     """A function that was not handed in is missing, and no crash."""
     with StudentProcess(units("x = 1"), best) as student:
-        assert student.call("f", ()) == Outcome("missing", text="there is no function named f")
+        assert student.call("f", ()) == CallOutcome("missing", text="there is no function named f")
 
 
 def test_calls_share_one_process_until_one_fails(children: Children, quick: Limits) -> None:
@@ -174,7 +174,9 @@ def test_call_that_hangs_is_a_timeout(children: Children, quick: Limits) -> None
     source = "import time\ndef f(): time.sleep(60)\ndef g(): return 1"
     with StudentProcess(units(source), children, quick) as student:
         began = time.perf_counter()
-        assert student.call("f", ()) == Outcome("timeout", text="it did not finish within 0.5 s")
+        assert student.call("f", ()) == CallOutcome(
+            "timeout", text="it did not finish within 0.5 s"
+        )
         assert time.perf_counter() - began < 10.0
         assert student.call("g", ()).value == 1
 
@@ -197,7 +199,7 @@ def test_forged_reply_without_the_number_asked_for_is_a_crash(
         outcome = student.call("f", ())
         assert outcome.kind == "crashed"
         assert outcome.text == "it wrote where only the grader's own lines may stand"
-        assert student.call("g", ()) == Outcome("returned", 1)
+        assert student.call("g", ()) == CallOutcome("returned", 1)
 
 
 @pytest.mark.parametrize(
@@ -222,7 +224,7 @@ def test_forged_reply_of_another_form_cannot_be_read(
     source = f"{FORGE}\ndef f(): forge(number=2, **{reply})"
     with StudentProcess(units(source), best, quick) as student:
         outcome = student.call("f", ())
-    assert outcome == Outcome("crashed", text="the answer could not be read")
+    assert outcome == CallOutcome("crashed", text="the answer could not be read")
 
 
 @pytest.mark.parametrize("loaded", [5, None, {"a": 1}, "text", [1, None, {}]], ids=str)

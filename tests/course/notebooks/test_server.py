@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from lesson_code.course.notebooks import server
-from lesson_code.course.notebooks.server import HOST, Server, ServerError
+from lesson_code.course.notebooks.server import HOST, JupyterServer, ServerError
 
 NOTEBOOK = Path("notebooks") / "00 start.ipynb"
 NEEDS_JUPYTERLAB = pytest.mark.skipif(
@@ -75,7 +75,7 @@ def test_missing_jupyterlab_is_said_with_the_command_that_installs_it(
 ) -> None:
     """Whoever installed the lean package learns what to type."""
     monkeypatch.setattr(server.importlib.util, "find_spec", lambda _: None)
-    with pytest.raises(ServerError, match=r"pip install -e '\.\[jupyter\]'"):
+    with pytest.raises(ServerError, match=r'pip install -e "\.\[jupyter\]"'):
         server.start(tmp_path, NOTEBOOK)
 
 
@@ -154,7 +154,7 @@ def test_server_that_does_not_want_to_end_is_killed(monkeypatch: pytest.MonkeyPa
     with python(FORGETFUL) as process:
         assert process.stdout is not None
         process.stdout.readline()
-        Server(process, "").stop()
+        JupyterServer(process, "").stop()
         assert process.poll() not in (None, 0)
 
 
@@ -162,7 +162,7 @@ def test_stopping_a_server_that_is_gone_is_no_error() -> None:
     """JupyterLab may have been shut down from its own menu."""
     with python("") as process:
         process.wait()
-        Server(process, "").stop()
+        JupyterServer(process, "").stop()
 
 
 @pytest.mark.parametrize(

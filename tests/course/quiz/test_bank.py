@@ -10,8 +10,8 @@ from lesson_code.course.quiz.bank import (
     Option,
     chapter_numbers,
     load_bank,
-    load_chapter,
-    read_chapter,
+    load_quiz,
+    read_quiz,
 )
 
 CHOICE = """
@@ -48,7 +48,7 @@ SOUND = f'title = "Sums"\n{CHOICE}{NUMBER}'
 
 def test_sound_text_gives_its_questions_in_order() -> None:
     """A file's questions come as typed objects in the order of the file."""
-    chapter = read_chapter("07", SOUND)
+    chapter = read_quiz("07", SOUND)
     side, number = chapter.questions
     assert (chapter.number, chapter.title) == ("07", "Sums")
     assert isinstance(side, ChoiceQuestion)
@@ -68,15 +68,15 @@ def test_ids_are_unique_in_the_whole_bank() -> None:
     assert len(set(ids)) == len(ids)
 
 
-def test_load_chapter_accepts_a_number_without_its_zero() -> None:
+def test_load_quiz_accepts_a_number_without_its_zero() -> None:
     """The chapter "3" is the chapter "03"."""
-    assert load_chapter("3") == load_chapter("03")
+    assert load_quiz("3") == load_quiz("03")
 
 
-def test_load_chapter_unknown_names_the_known_ones() -> None:
+def test_load_quiz_unknown_names_the_known_ones() -> None:
     """An unknown chapter is refused with the list of chapters."""
     with pytest.raises(ValueError, match=r"chapter must be one of 00, .*, got '99'"):
-        load_chapter("99")
+        load_quiz("99")
 
 
 BROKEN = {
@@ -147,7 +147,7 @@ def test_broken_bank_is_refused_by_name(old: str, new: str, message: str) -> Non
     broken = SOUND.replace(old, new, 1)
     assert broken != SOUND
     with pytest.raises(ValueError, match=message):
-        read_chapter("07", broken)
+        read_quiz("07", broken)
 
 
 def test_choice_answer_outside_the_options_is_refused() -> None:

@@ -16,7 +16,12 @@ from lesson_code.course.quiz.bank import (
     WrongValue,
     load_bank,
 )
-from lesson_code.course.quiz.checker import Verdict, check_answer, expected_answer, right_answer
+from lesson_code.course.quiz.checker import (
+    CheckedAnswer,
+    check_answer,
+    expected_answer,
+    right_answer,
+)
 
 CHOICE = ChoiceQuestion(
     id="07-side",
@@ -40,13 +45,13 @@ RATIO = NumericQuestion("07-e", "e?", "", 0.5, 0.01, "Yes.", (), "No.")
 @pytest.mark.parametrize("answer", ["b", "B", " b ", "b)", "b."])
 def test_choice_right_letter_in_any_form(answer: str) -> None:
     """The right letter is right in either case, with spaces or a bracket."""
-    assert check_answer(CHOICE, answer) == Verdict(True, "It is.")
+    assert check_answer(CHOICE, answer) == CheckedAnswer(True, "It is.")
 
 
 @pytest.mark.parametrize(("answer", "feedback"), [("a", "Why left?"), ("C", "Why up?")])
 def test_choice_wrong_letter_gets_its_own_feedback(answer: str, feedback: str) -> None:
     """Each wrong option answers with its own feedback."""
-    assert check_answer(CHOICE, answer) == Verdict(False, feedback)
+    assert check_answer(CHOICE, answer) == CheckedAnswer(False, feedback)
 
 
 @pytest.mark.parametrize("answer", ["", " ", "d", "e", "ab", "1", 1, None, True, "b b"])
@@ -78,18 +83,18 @@ def test_choice_unreadable_says_which_letters_are_expected(answer: object) -> No
 )
 def test_number_right_in_any_form(answer: object) -> None:
     """A number is right as a number or as text, with either decimal mark, with its unit or not."""
-    assert check_answer(HEIGHT, answer) == Verdict(True, "Yes.")
+    assert check_answer(HEIGHT, answer) == CheckedAnswer(True, "Yes.")
 
 
 @pytest.mark.parametrize("answer", [0, 1, "1", "+1.", "1e0"])
 def test_number_wrong_gets_the_general_feedback(answer: object) -> None:
     """A number that no mistake is known for gets the question's general feedback."""
-    assert check_answer(HEIGHT, answer) == Verdict(False, "Think again.")
+    assert check_answer(HEIGHT, answer) == CheckedAnswer(False, "Think again.")
 
 
 def test_number_of_a_known_mistake_gets_its_feedback() -> None:
     """A recognised wrong value gets the feedback of its mistake."""
-    assert check_answer(HEIGHT, "0.8105 kg m/s") == Verdict(False, "The sign?")
+    assert check_answer(HEIGHT, "0.8105 kg m/s") == CheckedAnswer(False, "The sign?")
 
 
 @pytest.mark.parametrize(
@@ -152,7 +157,7 @@ def test_right_answer_is_accepted_for_every_question_of_the_bank() -> None:
         for question in chapter.questions:
             told = right_answer(question)
             answer = told[0] if isinstance(question, ChoiceQuestion) else told
-            assert check_answer(question, answer) == Verdict(True, question.right_feedback)
+            assert check_answer(question, answer) == CheckedAnswer(True, question.right_feedback)
 
 
 def test_every_wrong_answer_of_the_bank_gets_its_own_feedback() -> None:
@@ -164,4 +169,4 @@ def test_every_wrong_answer_of_the_bank_gets_its_own_feedback() -> None:
             else:
                 wrong = {repr(w.value): w.feedback for w in question.wrong_values}
             for answer, feedback in wrong.items():
-                assert check_answer(question, answer) == Verdict(False, feedback)
+                assert check_answer(question, answer) == CheckedAnswer(False, feedback)

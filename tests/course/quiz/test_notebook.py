@@ -13,13 +13,13 @@ import pytest
 
 from lesson_code.course.quiz import notebook
 from lesson_code.course.quiz.bank import (
-    Chapter,
     ChoiceQuestion,
     NumericQuestion,
     Option,
+    Quiz,
     chapter_numbers,
     load_bank,
-    load_chapter,
+    load_quiz,
 )
 from lesson_code.course.quiz.checker import right_answer
 from lesson_code.course.quiz.notebook import (
@@ -32,7 +32,7 @@ from lesson_code.course.quiz.notebook import (
 )
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
-TRICKY = Chapter(
+TRICKY = Quiz(
     "07",
     "Less < more & 'more'",
     (
@@ -76,7 +76,7 @@ def displayed(monkeypatch: pytest.MonkeyPatch) -> list[tuple[dict[str, Any], dic
 @pytest.mark.parametrize("number", chapter_numbers())
 def test_right_answers_count_up_to_all(number: str) -> None:
     """Right answers, clicked one by one, get their reason and count up to all."""
-    quiz = QuizForm(load_chapter(number))
+    quiz = QuizForm(load_quiz(number))
     total = len(quiz.questions)
     assert f"0 of {total} right" in quiz.count.value
     for count, form in enumerate(quiz.questions, start=1):
@@ -88,7 +88,7 @@ def test_right_answers_count_up_to_all(number: str) -> None:
 
 def test_wrong_option_gets_its_own_feedback_and_does_not_count() -> None:
     """A wrong option is answered with its feedback, naming the answer it speaks of."""
-    quiz = QuizForm(load_chapter("03"))
+    quiz = QuizForm(load_quiz("03"))
     form = quiz.questions[0]
     assert isinstance(form.question, ChoiceQuestion)
     feedback = shown(form, "a")
@@ -99,7 +99,7 @@ def test_wrong_option_gets_its_own_feedback_and_does_not_count() -> None:
 
 def test_recognised_wrong_number_gets_its_hint() -> None:
     """A number from a known mistake is answered with that mistake's feedback."""
-    quiz = QuizForm(load_chapter("03"))
+    quiz = QuizForm(load_quiz("03"))
     form = next(f for f in quiz.questions if isinstance(f.question, NumericQuestion))
     assert isinstance(form.question, NumericQuestion)
     mistake = form.question.wrong_values[0]
@@ -108,7 +108,7 @@ def test_recognised_wrong_number_gets_its_hint() -> None:
 
 def test_answer_changed_to_wrong_counts_no_longer() -> None:
     """The count follows the answer that was last checked."""
-    quiz = QuizForm(load_chapter("03"))
+    quiz = QuizForm(load_quiz("03"))
     form = quiz.questions[0]
     shown(form, right(form))
     shown(form, "a")
@@ -125,7 +125,7 @@ def test_answer_changed_to_wrong_counts_no_longer() -> None:
 )
 def test_unreadable_answer_asks_for_one(place: int, answer: str | None, expected: str) -> None:
     """A click without an answer that can be read says what is expected, and judges nothing."""
-    form = QuizForm(load_chapter("03")).questions[place]
+    form = QuizForm(load_quiz("03")).questions[place]
     feedback = shown(form, answer)
     assert expected in feedback
     assert "right" not in feedback
@@ -133,7 +133,7 @@ def test_unreadable_answer_asks_for_one(place: int, answer: str | None, expected
 
 def test_feedback_and_count_stand_in_status_regions() -> None:
     """Screen readers are told of feedback and count: both are status regions from the start."""
-    quiz = QuizForm(load_chapter("00"))
+    quiz = QuizForm(load_quiz("00"))
     for region in [quiz.count, *(form.feedback for form in quiz.questions)]:
         assert region.value.startswith('<div role="status" aria-live="polite">')
 
@@ -155,13 +155,13 @@ def test_widgets_can_be_used_from_the_keyboard() -> None:
 
 def test_nothing_is_chosen_at_first() -> None:
     """A quiz opens without an answer, and so without a hint."""
-    for form in QuizForm(load_chapter("03")).questions:
+    for form in QuizForm(load_quiz("03")).questions:
         assert form.answer.value in (None, "")
 
 
 def test_long_options_are_not_cut() -> None:
     """Radio buttons are as wide as their longest option and have no empty label before them."""
-    for form in QuizForm(load_chapter("03")).questions:
+    for form in QuizForm(load_quiz("03")).questions:
         if isinstance(form.question, ChoiceQuestion):
             assert form.answer.layout.width == "max-content"
             assert form.answer.description == ""
@@ -186,8 +186,8 @@ def test_show_quiz_displays_one_bundle(displayed: Any) -> None:
     assert options == {"raw": True}
     assert set(bundle) == {WIDGET, "text/html", "text/plain"}
     assert bundle[WIDGET]["model_id"]
-    assert bundle["text/html"] == questions_as_html(load_chapter("03"))
-    assert bundle["text/plain"] == questions_as_text(load_chapter("03"))
+    assert bundle["text/html"] == questions_as_html(load_quiz("03"))
+    assert bundle["text/plain"] == questions_as_text(load_quiz("03"))
 
 
 def test_stored_texts_are_the_same_on_every_run(displayed: Any) -> None:
@@ -197,7 +197,7 @@ def test_stored_texts_are_the_same_on_every_run(displayed: Any) -> None:
     (first, _), (second, _) = displayed
     program = (
         "import sys; from lesson_code.course.quiz.notebook import *;"
-        "sys.stdout.buffer.write(questions_as_html(load_chapter('03')).encode())"
+        "sys.stdout.buffer.write(questions_as_html(load_quiz('03')).encode())"
     )
     elsewhere = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
     for kind in ("text/html", "text/plain"):
@@ -208,7 +208,7 @@ def test_stored_texts_are_the_same_on_every_run(displayed: Any) -> None:
 @pytest.mark.parametrize("number", chapter_numbers())
 def test_stored_texts_hold_every_question_and_option(number: str) -> None:
     """A reader without a kernel sees what is asked, and how to answer."""
-    chapter = load_chapter(number)
+    chapter = load_quiz(number)
     page, text = questions_as_html(chapter), questions_as_text(chapter)
     for question in chapter.questions:
         wanted = [question.text]
@@ -224,7 +224,7 @@ def test_stored_texts_hold_every_question_and_option(number: str) -> None:
 @pytest.mark.parametrize("number", chapter_numbers())
 def test_stored_texts_give_no_answer_away(number: str) -> None:
     """No feedback, no value and no mark of the right option is stored in the notebook."""
-    chapter = load_chapter(number)
+    chapter = load_quiz(number)
     page, text = questions_as_html(chapter), questions_as_text(chapter)
     for question in chapter.questions:
         feedback = [question.right_feedback]
@@ -242,7 +242,7 @@ def test_stored_texts_do_not_depend_on_which_option_is_right() -> None:
     [question] = TRICKY.questions
     assert isinstance(question, ChoiceQuestion)
     other = ChoiceQuestion(question.id, question.text, question.options, "a")
-    rekeyed = Chapter(TRICKY.number, TRICKY.title, (other,))
+    rekeyed = Quiz(TRICKY.number, TRICKY.title, (other,))
     assert questions_as_html(rekeyed) == questions_as_html(TRICKY)
     assert questions_as_text(rekeyed) == questions_as_text(TRICKY)
 

@@ -11,10 +11,10 @@ from lesson_code.course.quiz.bank import (
     QUIZ,
     ChoiceQuestion,
     chapter_numbers,
-    load_chapter,
-    read_chapter,
+    load_quiz,
+    read_quiz,
 )
-from lesson_code.course.quiz.sealing import SECRET, seal_chapter
+from lesson_code.course.quiz.sealing import SECRET, seal_quiz
 
 CHAPTERS = chapter_numbers()
 
@@ -28,15 +28,15 @@ def written(number: str) -> str:
 @pytest.mark.parametrize("number", CHAPTERS)
 def test_sealed_chapter_is_the_same_chapter(number: str) -> None:
     """Questions, keys and feedback come back as they were."""
-    assert read_chapter(number, seal_chapter(written(number))) == load_chapter(number)
+    assert read_quiz(number, seal_quiz(written(number))) == load_quiz(number)
 
 
 @pytest.mark.parametrize("number", CHAPTERS)
 def test_sealed_chapter_shows_what_is_asked_and_no_key(number: str) -> None:
     """Questions and options can be read; which is right, values and feedback cannot."""
-    sealed = seal_chapter(written(number))
+    sealed = seal_quiz(written(number))
     table = tomllib.loads(sealed)
-    for question, entry in zip(load_chapter(number).questions, table["question"], strict=True):
+    for question, entry in zip(load_quiz(number).questions, table["question"], strict=True):
         assert entry["text"] == question.text
         assert not set(entry) & set(SECRET[entry["kind"]])
         if isinstance(question, ChoiceQuestion):
@@ -50,18 +50,18 @@ def test_sealed_chapter_shows_what_is_asked_and_no_key(number: str) -> None:
 
 def test_same_letter_has_another_hash_in_each_question() -> None:
     """So that one key that is known tells nothing of the others."""
-    entries = [e for n in CHAPTERS for e in tomllib.loads(seal_chapter(written(n)))["question"]]
+    entries = [e for n in CHAPTERS for e in tomllib.loads(seal_quiz(written(n)))["question"]]
     keys = [entry["key"] for entry in entries if entry["kind"] == "choice"]
     assert len(set(keys)) == len(keys) > len("abcde")
 
 
 def test_each_question_has_a_salt_of_its_own() -> None:
     """Two questions with the same key look different under their seals."""
-    table = tomllib.loads(seal_chapter(written("01")))
+    table = tomllib.loads(seal_quiz(written("01")))
     salts = [question["salt"] for question in table["question"]]
     assert len(set(salts)) == len(salts) > 1
 
 
 def test_sealing_twice_gives_the_same_bytes() -> None:
     """A release depends on the workbook alone."""
-    assert seal_chapter(written("03")) == seal_chapter(written("03"))
+    assert seal_quiz(written("03")) == seal_quiz(written("03"))

@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable
 import pytest
 from rich.console import Console
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_chapter
+from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_quiz
 from lesson_code.course.quiz.checker import right_answer
 from lesson_code.course.quiz.result import ChapterScore
 from lesson_code.course.quiz.terminal import run_quiz
 
-CHAPTER = load_chapter("02")
+CHAPTER = load_quiz("02")
 FIRST, SECOND = CHAPTER.questions[:2]
 WIDE = 1000
 """Columns, so that no text is wrapped and each can be searched for."""
@@ -53,7 +53,7 @@ def right(question: Question) -> str:
 
 def test_all_right_counts_every_question() -> None:
     """Right answers to two chapters give two full rows and a finished quiz."""
-    chapters = [load_chapter("01"), load_chapter("03")]
+    chapters = [load_quiz("01"), load_quiz("03")]
     out = console()
     answers = [right(question) for chapter in chapters for question in chapter.questions]
     result = run_quiz(["01", "03"], out, scripted(answers))

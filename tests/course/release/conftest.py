@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from lesson_code.course.release.bundle import Files, bundle_files
+from lesson_code.course.fresh_copies import Files
+from lesson_code.course.release.bundle import bundle_files
 
 
 @pytest.fixture(scope="session")

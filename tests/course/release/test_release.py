@@ -14,11 +14,12 @@ from typer.testing import CliRunner
 
 from lesson_code.cli import app
 from lesson_code.course import release
+from lesson_code.course.fresh_copies import Files, write_folder
 from lesson_code.course.grading.exercises import exercises
 from lesson_code.course.grading.verdict import stream_of
 from lesson_code.course.notebooks.student_copy import SOLUTION_ONLY
-from lesson_code.course.quiz.bank import load_chapter
-from lesson_code.course.release.bundle import Files, bundle_files, write_folder, write_zip
+from lesson_code.course.quiz.bank import load_quiz
+from lesson_code.course.release.bundle import bundle_files, write_zip
 from lesson_code.course.release.leaks import HIDDEN_SEEDS, leaks
 
 SECONDS = 120
@@ -92,7 +93,7 @@ PLANTED = {
     ),
     "notebooks/00_start_here.ipynb": (
         "holds what the quiz says to an answer",
-        json.dumps({"cells": [{"outputs": [load_chapter("01").questions[0].right_feedback]}]}),
+        json.dumps({"cells": [{"outputs": [load_quiz("01").questions[0].right_feedback]}]}),
     ),
 }
 
@@ -208,6 +209,6 @@ def test_two_releases_are_the_same_bytes(files: Files, root: Path, tmp_path: Pat
 def test_folder_that_holds_something_is_left_alone(files: Files, tmp_path: Path) -> None:
     """Nobody's work is overwritten."""
     (tmp_path / "mine.txt").write_text("mine")
-    with pytest.raises(ValueError, match="is there already"):
+    with pytest.raises(ValueError, match=r"must be new or empty, got .*, which holds mine\.txt"):
         write_folder(files, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]

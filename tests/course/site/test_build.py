@@ -44,7 +44,7 @@ def test_missing_tools_are_named_with_the_command_that_installs_them(
     """Whoever installed the lean package learns what to type."""
     monkeypatch.setattr(building, "NEEDS", ("sphinx_of_thebes",))
     with pytest.raises(
-        MissingToolsError, match=r"sphinx_of_thebes not .*pip install -e '\.\[site\]'"
+        MissingToolsError, match=r'sphinx_of_thebes not .*pip install -e "\.\[site\]"'
     ):
         build(tiny, tiny / "site")
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from lesson_code.course.quiz.bank import Chapter, ChoiceQuestion, NumericQuestion, load_bank
+from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Quiz, load_bank
 from lesson_code.course.site.page_quiz import key_name, quiz_html, seal, sealed_answers
 
 CHAPTERS = pytest.mark.parametrize("chapter", load_bank(), ids=lambda chapter: chapter.number)
@@ -41,7 +41,7 @@ def test_sealed_text_is_read_with_its_answer_alone() -> None:
 
 
 @CHAPTERS
-def test_page_holds_no_answer_in_the_clear(chapter: Chapter) -> None:
+def test_page_holds_no_answer_in_the_clear(chapter: Quiz) -> None:
     """No feedback but that to any other number, no value, and no word which option is right."""
     html = unescape(quiz_html(chapter))
     for question in chapter.questions:
@@ -54,7 +54,7 @@ def test_page_holds_no_answer_in_the_clear(chapter: Chapter) -> None:
 
 
 @CHAPTERS
-def test_letters_open_their_feedback(chapter: Chapter) -> None:
+def test_letters_open_their_feedback(chapter: Quiz) -> None:
     """Each option's letter opens what is said to it, and one of them is right."""
     for question in chapter.questions:
         if isinstance(question, ChoiceQuestion):
@@ -66,7 +66,7 @@ def test_letters_open_their_feedback(chapter: Chapter) -> None:
 
 
 @CHAPTERS
-def test_drawers_of_a_value_open_its_feedback(chapter: Chapter) -> None:
+def test_drawers_of_a_value_open_its_feedback(chapter: Quiz) -> None:
     """The drawers at a value and at both edges of its tolerance hold the exact value."""
     for question in chapter.questions:
         if isinstance(question, NumericQuestion):
@@ -86,7 +86,7 @@ def test_value_far_off_opens_nothing() -> None:
 
 
 @CHAPTERS
-def test_every_question_is_a_form_with_its_text_and_options(chapter: Chapter) -> None:
+def test_every_question_is_a_form_with_its_text_and_options(chapter: Quiz) -> None:
     """A legend, a button with a name of its own, a place that is read out, and all options."""
     html = quiz_html(chapter)
     places = [str(place + 1) for place in range(len(chapter.questions))]

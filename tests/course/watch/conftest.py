@@ -14,7 +14,7 @@ from rich.console import Console
 
 from lesson_code.course.grading.exercises import exercise_by_name
 from lesson_code.course.grading.grader import Grader
-from lesson_code.course.watch import Screen, Session
+from lesson_code.course.watch import Screen, WatchSession
 
 ONE, BILLIARDS = exercise_by_name("01"), exercise_by_name("billiards")
 STUB = 'raise NotImplementedError("Task 1.1: elastic_1d")'
@@ -31,7 +31,7 @@ class Desk:
     """A student's workbook, and a session that watches it."""
 
     root: Path
-    session: Session
+    session: WatchSession
     written: io.StringIO
 
     def save(self, answer: str) -> None:
@@ -74,6 +74,6 @@ def make_desk(root: Path, tmp_path: Path, grader: Grader) -> Callable[..., Desk]
         written = io.StringIO()
         console = Console(file=written, width=80, force_terminal=not plain)
         screen = Screen(console, plain=plain)
-        return Desk(tmp_path, Session(tmp_path, (ONE, BILLIARDS), grader, screen), written)
+        return Desk(tmp_path, WatchSession(tmp_path, (ONE, BILLIARDS), grader, screen), written)
 
     return make

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from lesson_code.course.fresh_copies import KEPT_EXERCISES
 from lesson_code.course.grading.exercises import Exercise, exercises
-from lesson_code.course.watch.reset import FRESH, put_back
+from lesson_code.course.watch.reset import put_back
 
 
 @pytest.mark.parametrize("exercise", exercises(), ids=lambda exercise: exercise.name)
@@ -27,7 +28,7 @@ def test_exercise_put_back_is_what_was_given_out(
 def test_every_reset_keeps_a_backup_of_its_own(tmp_path: Path) -> None:
     """No earlier one is overwritten; the fresh copy of a student's workbook needs no solution."""
     exercise = exercises()[-1]
-    fresh = tmp_path / FRESH / exercise.student_copy(tmp_path).name
+    fresh = tmp_path / KEPT_EXERCISES / exercise.file_name
     path = exercise.student_copy(tmp_path)
     for folder in (fresh.parent, path.parent):
         folder.mkdir(parents=True)

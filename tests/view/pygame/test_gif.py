@@ -124,18 +124,6 @@ def test_film_that_is_full_takes_no_more(tmp_path: Path, monkeypatch: pytest.Mon
     assert sum(durations(path)) == 4 * MILLISECONDS
 
 
-def test_film_is_written_while_it_is_seen(tmp_path: Path) -> None:
-    """Pictures go into the file as they come: with half of them, half of the file is there."""
-    path, stream = tmp_path / "film.gif", np.random.default_rng(2)
-    with Gif(path, SIZE) as one:
-        for k in range(100):
-            noise = stream.integers(0, 255, (*SIZE, 3), dtype=np.uint8)
-            one.see(pygame.surfarray.make_surface(noise), PICTURE)
-            if k == 50:
-                half = path.stat().st_size
-    assert half > 0.4 * path.stat().st_size
-
-
 def test_film_of_a_run_that_failed_can_be_seen(tmp_path: Path) -> None:
     """Whatever ends the run, the file is finished."""
     path = tmp_path / "film.gif"

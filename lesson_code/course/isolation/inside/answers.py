@@ -105,15 +105,6 @@ def arguments_from(values: Iterable[Any]) -> list[Any]:
     ]
 
 
-class LessonCodeBlocked:
-    """Refuses to import lesson_code: graded code has to stand on its own."""
-
-    def find_spec(self, name: str, *_: Any) -> None:
-        """Raise for lesson_code, and leave every other module to the next finder."""
-        if name.partition(".")[0] == "lesson_code":
-            raise ImportError("lesson_code cannot be imported while an answer is graded")
-
-
 def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[str]:
     """Run the kept statements of all units; yield what went wrong.
 

@@ -118,7 +118,7 @@ def _if_argument(number: int, test: int, value: int) -> list[Instruction]:
     ]
 
 
-class _Program(ctypes.Structure):
+class _Filter(ctypes.Structure):
     """A filter as the kernel takes it."""
 
     _fields_ = [("length", ctypes.c_ushort), ("lines", ctypes.c_char_p)]
@@ -139,6 +139,6 @@ def restrict() -> None:
     """Restrict this process, and all it may start, to the calls allowed; there is no way back."""
     packed = _packed(system.MACHINE)
     packed = packed.replace(struct.pack("I", ANY_PROCESS), struct.pack("I", os.getpid()))
-    handed = _Program(len(packed) // struct.calcsize("HBBI"), packed)
+    handed = _Filter(len(packed) // struct.calcsize("HBBI"), packed)
     system.prctl(system.PR_SET_NO_NEW_PRIVS, 1)
     system.prctl(system.PR_SET_SECCOMP, 2, ctypes.byref(handed))

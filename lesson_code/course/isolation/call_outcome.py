@@ -17,7 +17,7 @@ LONGEST_TEXT = 500
 
 
 @dataclass(frozen=True)
-class Outcome:
+class CallOutcome:
     """What came of a call: a plain value, or the reason why there is none."""
 
     kind: Kind
@@ -25,15 +25,15 @@ class Outcome:
     text: str = ""
 
 
-def outcome_of(reply: dict[str, Any]) -> Outcome:
+def call_outcome(reply: dict[str, Any]) -> CallOutcome:
     """Return what a reply says, if it says it in the form agreed on."""
     kind, text = reply.get("kind"), reply.get("text", "")
     try:
         if kind in KINDS_FROM_CHILD and isinstance(text, str):
-            return Outcome(kind, answers.plain(reply.get("value")), one_line(text))
+            return CallOutcome(kind, answers.plain(reply.get("value")), one_line(text))
     except (ValueError, OverflowError):
         pass
-    return Outcome("crashed", text="the answer could not be read")
+    return CallOutcome("crashed", text="the answer could not be read")
 
 
 def one_line(text: str) -> str:

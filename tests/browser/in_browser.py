@@ -1,4 +1,4 @@
-"""Chromium, driven by Playwright: for the pictures of the README, and for tests in a browser."""
+"""Chromium and JupyterLab, driven by Playwright."""
 
 from __future__ import annotations
 

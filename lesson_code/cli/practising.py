@@ -1,4 +1,4 @@
-"""``workbook watch``: exercises checked each time they are saved."""
+"""``workbook watch`` and ``workbook quiz``: exercises checked as they are saved, and questions."""
 
 from __future__ import annotations
 
@@ -9,15 +9,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from lesson_code.cli.shared import clear_errors, console
+from lesson_code.cli.shared import (
+    STUDENTS,
+    AsJson,
+    clear_errors,
+    console,
+    errors,
+    print_json,
+)
 
 if TYPE_CHECKING:
-    from lesson_code.course.watch import Session
+    from lesson_code.course.watch import WatchSession
 
-watching = typer.Typer()
+practising = typer.Typer()
 
 
-@watching.command()
+@practising.command(rich_help_panel=STUDENTS)
 def watch(
     exercise: Annotated[
         str | None, typer.Argument(help="Its number, such as 03; all by default.")
@@ -36,7 +43,7 @@ def watch(
     from lesson_code.course.grading.exercises import exercise_by_name, exercises
     from lesson_code.course.grading.grader import Grader
     from lesson_code.course.notebooks.root import find_root
-    from lesson_code.course.watch import Screen, Session
+    from lesson_code.course.watch import Screen, WatchSession
 
     with clear_errors():
         if reset and exercise is None:
@@ -44,7 +51,7 @@ def watch(
         chosen = exercises() if exercise is None else (exercise_by_name(exercise),)
         screen = Screen(console, plain=plain or not console.is_terminal)
         with Grader() as grader:
-            session = Session(find_root(), chosen, grader, screen)
+            session = WatchSession(find_root(), chosen, grader, screen)
             if reset:
                 session.reset()
                 return
@@ -55,7 +62,7 @@ def watch(
                 _watch(session)
 
 
-def _watch(session: Session) -> None:
+def _watch(session: WatchSession) -> None:
     """Watch until standard input says to stop, or Ctrl-C does."""
     from lesson_code.course.watch import listen
 
@@ -65,3 +72,20 @@ def _watch(session: Session) -> None:
         session.run(lines)
     except KeyboardInterrupt:
         session.screen.say("Stopped.")
+
+
+@practising.command(rich_help_panel=STUDENTS)
+def quiz(
+    chapters: Annotated[
+        list[str] | None, typer.Argument(help="Their numbers; all by default.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Take the quiz here in the terminal."""
+    from lesson_code.course.quiz.bank import chapter_numbers
+    from lesson_code.course.quiz.terminal import run_quiz
+
+    with clear_errors():
+        result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
+        if as_json:
+            print_json(result.as_dict() | {"command": "quiz"})

@@ -1,0 +1,55 @@
+"""The quiz of chapter 03: each number, worked out without the bank, and what is right."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction as F  # noqa: N817 - written many times below
+
+
+def squared(*components: F) -> F:
+    """Return the square of a vector's length."""
+    return sum((c * c for c in components), F(0))
+
+
+def mirrored_y(normal_part_times: int) -> F:
+    """Return the y component of (3, -4) after its part along (0.6, 0.8) is removed so often."""
+    nx, ny = F(3, 5), F(4, 5)
+    return -4 - normal_part_times * (3 * nx - 4 * ny) * ny
+
+
+E = F(4, 5)
+
+ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
+    "03-reflect": (
+        mirrored_y(2),
+        [
+            mirrored_y(1),
+            F(4),
+            -mirrored_y(2),
+            mirrored_y(-2),
+            3 - 2 * (3 * F(3, 5) - 4 * F(4, 5)) * F(3, 5),
+            -4 - 2 * (-4 * F(4, 5)) * F(4, 5),
+        ],
+    ),
+    "03-bounce": (
+        math.sqrt(squared(F(3), 5 * E)),
+        [
+            math.sqrt(squared(3 * E, 5 * E)),
+            math.sqrt(squared(F(3), F(5))),
+            5 * E,
+            3 + 5 * E,
+            math.sqrt(3**2 + 5**2 * E),
+        ],
+    ),
+}
+"""For each numeric question the answer, and the wrong values in the order of the bank.
+
+Each wrong value is computed by the mistake that its feedback speaks of.
+"""
+
+RIGHT_OPTIONS = {
+    "03-normal-part": "The normal component of I: a vector",
+    "03-gate": "v·N < 0",
+    "03-either-normal": "N stands twice",
+}
+"""What the right options of some questions say, as the lesson does."""
