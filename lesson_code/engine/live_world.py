@@ -35,7 +35,11 @@ WORTH_COMPILING = 100
 
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
-ANY_SCENE = {**EVERY_EFFECT._asdict(), "continuous": True, "impulse_record": True}
+ON_DEMAND = {"broad_phase", "callbacks"}
+"""Effects that a world has not always: many bodies call for a grid, and callbacks hear of a step
+after it."""
+
+ANY_SCENE = {n: used for n, used in EVERY_EFFECT._asdict().items() if n not in ON_DEMAND}
 """The effects that a world reckons with: whatever joins it, its machine code stays the same."""
 
 

@@ -54,16 +54,14 @@ def pipeline_for(
 
     A step is split at the impacts of fast bodies only once the first one is met.
     """
-    used = names_used(choices)
+    effects = flags_of(choices)
     return Pipeline(
         make_part=solver.make_part,
-        broad_phase=BROAD_PHASES["uniform_grid" if "broad_phase" in used else "all_pairs"],
+        broad_phase=BROAD_PHASES["uniform_grid" if effects.broad_phase else "all_pairs"],
         solver=solver.stages_for(options),
-        listener=TouchListener(scene.callbacks) if "callbacks" in used else None,
-        effects=flags_of(choices),
-        is_continuous="continuous" in used,
+        listener=TouchListener(scene.callbacks) if effects.callbacks else None,
+        effects=effects,
         splits_steps=False,
-        keeps_impulses="impulse_record" in used,
     )
 
 

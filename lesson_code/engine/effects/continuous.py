@@ -111,11 +111,11 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     """
     state = world.state
     state.dt = state.left
-    if pipeline.is_continuous and not pipeline.splits_steps:
+    if pipeline.effects.continuous and not pipeline.splits_steps:
         state.has_fast = has_fast_body(world, state.left, pipeline.effects)
         if state.has_fast:
             return False
-    elif pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
+    elif pipeline.effects.continuous and mark_fast(world, state.left, pipeline.effects):
         state.dt = time_to_impact(world, pipeline, state.left)
         if state.pairs_wanted > 0:
             return False
