@@ -1,4 +1,4 @@
-"""The commands of whoever grades: ``workbook grade``, of a file or of a class, and ``merge``."""
+"""The instructor's commands: ``workbook grade``, ``merge`` and ``release``."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Isolation = Annotated[
 ]
 
 CLASS_ISOLATION = "full"
-"""What a class asks for unless it is told otherwise: nobody has read what is handed in."""
+"""The least isolation for a class unless told otherwise: its submissions are unread code."""
 
 grading = typer.Typer()
 

@@ -52,7 +52,7 @@ class WrongModel(KnownAnswer):
 
     @property
     def misconception(self) -> str:
-        """What somebody believes who computes it so, in a sentence."""
+        """What a student who computes it this way believes, in a sentence."""
         return inspect.getdoc(self.function) or ""
 
 
@@ -134,9 +134,9 @@ def _plain_definition(source: str, name: str, docstring: str | None = None) -> s
 class Criterion:
     """One thing that an answer must get right, with points of its own.
 
-    `cases` draws the arguments of some calls from a random stream. `part` picks what is looked
-    at, out of the answer, where that is less than all of it; or it brings answers that are
-    equally right, such as axes in any order, to one form.
+    `cases` draws the arguments of some calls from a random stream. `part` picks the part of an
+    answer that the criterion looks at, or brings answers that are equally right, such as axes in
+    any order, to one form.
     """
 
     name: str

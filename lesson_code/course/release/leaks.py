@@ -30,7 +30,7 @@ from lesson_code.course.release.bundle import (
 )
 
 NOT_FOR_STUDENTS = ("solutions", "tests", "source", "golden")
-"""Folders of which nothing goes out."""
+"""Folders that stay with the instructor."""
 
 HIDDEN_SEEDS = (7, 2_718, 9_999)
 """Seeds with which values are drawn that a copy must not hold."""
