@@ -24,7 +24,7 @@ from lesson_code.view.pygame.program import Effects, Game, Program, Readings
 from lesson_code.view.pygame.window import BACKGROUND, FADED_INK, ORANGE, SKY, blend
 
 PARTS = 10
-"""Of a step: so many does a player's function make at once; 600 in a second."""
+"""Parts of a step, which a player's function makes at once; 600 in a second."""
 
 LENGTH, BALLS, PULL = 2.4, 5, 0.6
 """m; balls; rad."""
@@ -44,7 +44,7 @@ class OwnWorld(Game):
     seed : int
         Nothing is drawn by lot here.
     move : callable
-        Returns the state after so many parts of a step.
+        Returns the state after a number of parts of a step.
     """
 
     ours: Callable[..., Any]
@@ -63,7 +63,7 @@ class OwnWorld(Game):
         raise NotImplementedError
 
     def step(self) -> None:
-        """Let time pass."""
+        """Make one step."""
         first, second = self.moved(*self.state)
         self.state = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
         self.time += TIME_STEP

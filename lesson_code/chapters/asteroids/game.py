@@ -1,6 +1,6 @@
 """The asteroid field: varying masses, pieces that fly apart, a ship with thrust and recoil.
 
-The ledger is the point of it: the momentum of everything there is, and the momentum that the
+What matters is the ledger: the momentum of everything there is, and the momentum that the
 engine's exhaust and spent shots have carried away, always add up to the same.
 """
 
@@ -110,7 +110,7 @@ class Asteroids(Game):
         return [n for n in self.world.numbers if n != self.ship and n not in self.shots]
 
     def _add_rock(self, place: XY, radius: float, velocity: XY) -> int:
-        """Let an asteroid join."""
+        """Add an asteroid."""
         return self.world.add(
             Body(
                 Circle(radius),
@@ -131,13 +131,13 @@ class Asteroids(Game):
         return self.world.body(number).mass or 0.0
 
     def press(self, key: str) -> None:
-        """Shoot, or begin anew."""
+        """Shoot, or start again."""
         super().press(key)
         if key == "space":
             self.shoot()
 
     def step(self) -> None:
-        """Let time pass: ship, impacts, bursts, edges."""
+        """Make one step: ship, impacts, bursts, edges."""
         self._steer()
         self.world.step()
         for rock in sorted(self.struck):
@@ -160,7 +160,7 @@ class Asteroids(Game):
         )
 
     def _steer(self) -> None:
-        """Turn the ship, and let its engine push it; the exhaust takes the opposite away."""
+        """Turn the ship and push it; the exhaust carries the opposite momentum away."""
         way = ("left" in self.held) - ("right" in self.held)
         self.world.throw(self.ship, self.world.velocity(self.ship), TURN * way)
         if "up" in self.held:
@@ -217,7 +217,7 @@ class Asteroids(Game):
                 self.hits_taken += 1
 
     def _burst(self, rock: int) -> None:
-        """Let an asteroid burst into pieces of unequal mass, which keep mass and momentum."""
+        """Split an asteroid into pieces of unequal mass, which keep mass and momentum."""
         self.score += 1
         if self.radius(rock) < SMALLEST_SPLIT or len(self.rocks) + PIECES > MOST_ROCKS:
             return

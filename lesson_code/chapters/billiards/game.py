@@ -108,7 +108,7 @@ class Billiards(Game):
         self.launch(*self._first)
 
     def launch(self, position: Vector, velocity: Vector) -> None:
-        """Start a shot: counts, time and trail begin anew."""
+        """Start a shot: counts, time and trail start again."""
         self.position, self.velocity = np.array(position), np.array(velocity)
         self.bounces = dict.fromkeys(CUSHIONS, 0)
         self.time = self.left_over = 0.0
@@ -145,7 +145,7 @@ class Billiards(Game):
             self.launch(self.position, launch_velocity(self.position, place))
 
     def step(self) -> None:
-        """Let one time step pass; it stands still while the player aims."""
+        """Make one step; time stands still while the player aims."""
         if self.aim is not None:
             return
         elapsed = min(self.left_over, MOST_LEFT_OVER) + TIME_STEP

@@ -120,7 +120,7 @@ class Breakout(Game):
         return "All levels done: R plays again" if self.lives else "Game over: R plays again"
 
     def press(self, key: str) -> None:
-        """Serve, or begin anew."""
+        """Serve, or start again."""
         super().press(key)
         if key == "space":
             self.serve()
@@ -130,11 +130,11 @@ class Breakout(Game):
         self.serve()
 
     def drag(self, place: XY) -> None:
-        """Let the paddle follow the mouse."""
+        """Move the paddle towards the mouse."""
         self.target = place[0]
 
     def serve(self) -> None:
-        """Let the ball go, a little to one side."""
+        """Launch the ball, a little to one side."""
         if self.serves and not self.is_over:
             self.serves = False
             self.world.throw(
@@ -142,7 +142,7 @@ class Breakout(Game):
             )
 
     def step(self) -> None:
-        """Let time pass: paddle, ball, and what became of it."""
+        """Make one step: paddle, ball, and what it has hit."""
         if self.is_over:
             return
         self._steer()

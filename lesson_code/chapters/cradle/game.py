@@ -106,7 +106,7 @@ class Cradle(Game):
         self.held_ball = None
 
     def step(self) -> None:
-        """Let time pass; a ball that is held keeps everything still."""
+        """Make one step; a ball that is held keeps everything still."""
         if self.held_ball is not None:
             return
         for _ in range(SUBSTEPS):

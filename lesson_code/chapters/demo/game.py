@@ -60,7 +60,7 @@ class Demo(Game):
     """Seven bodies in a box, and as many more as are clicked in."""
 
     def reset(self) -> None:
-        """Begin anew with the seven bodies, and nothing else."""
+        """Start again with the seven bodies, and nothing else."""
         self.random.seed(self.seed)
         self.restitution = RESTITUTION
         self.shows_velocities = False
@@ -80,7 +80,7 @@ class Demo(Game):
         return self.world.numbers[len(self.walls) :]
 
     def _add(self, shape: Shape, position: XY, velocity: XY) -> None:
-        """Let a body join."""
+        """Add a body."""
         self.world.add(
             Body(
                 shape,

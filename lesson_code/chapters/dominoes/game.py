@@ -117,7 +117,7 @@ class Dominoes(Game):
         return self.world.body(number).mass or 0.0
 
     def step(self) -> None:
-        """Let time pass, and note who has fallen."""
+        """Make one step, and note which dominoes have fallen."""
         self.world.step()
         for number in self.dominoes:
             if number not in self.order and self.has_fallen(number):

@@ -150,13 +150,13 @@ class Pool(Game):
         return back[0] * size, back[1] * size
 
     def strike(self, impulse: XY) -> None:
-        """Let the cue strike the cue ball."""
+        """Strike the cue ball."""
         velocity, spin = self._strike(impulse, self.offset * RADIUS, MASS, RADIUS)
         self.world.throw(self.cue, velocity, spin)
         self.strokes += 1
 
     def step(self) -> None:
-        """Let time pass: impacts, cloth, pockets."""
+        """Make one step: impacts, cloth, pockets."""
         self.world.step()
         for ball in self.balls:
             velocity, spin = self.world.velocity(ball), self.world.spin(ball)

@@ -107,7 +107,7 @@ class Simulator(Game):
             self._add(place, radius, (speed * math.cos(angle), speed * math.sin(angle)))
 
     def _add(self, place: XY, radius: float, velocity: XY = (0.0, 0.0)) -> int:
-        """Let a ball join."""
+        """Add a ball."""
         return self.world.add(
             Body(
                 Circle(radius),
@@ -119,7 +119,7 @@ class Simulator(Game):
         )
 
     def press(self, key: str) -> None:
-        """Change mode, gravity or what is shown; add balls; begin anew."""
+        """Change mode, gravity or what is shown; add balls; start again."""
         super().press(key)
         if key in MODES:
             self.mode = key
@@ -197,7 +197,7 @@ class Simulator(Game):
         return LAUNCH_RATE * (place[0] - x), LAUNCH_RATE * (place[1] - y)
 
     def step(self) -> None:
-        """Let time pass; a ball that is held stands still."""
+        """Make one step; a ball that is held stands still."""
         if self.aim is not None:
             self.world.throw(self.aim[0], (0.0, 0.0), 0.0)
         self.world.step()

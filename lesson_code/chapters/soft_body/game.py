@@ -76,7 +76,7 @@ class SoftBody(Game):
     """Some soft bodies between a floor, a step and a slope."""
 
     def reset(self) -> None:
-        """Let the bodies fall anew."""
+        """Put the bodies back to where they fall from."""
         self.rings: list[list[int]] = []  # the numbers of their masses
         self._springs = np.empty((0, 2), dtype=int)  # of all bodies, one after the other
         self._lengths, self._areas = np.empty(0), np.empty(0)
@@ -96,7 +96,7 @@ class SoftBody(Game):
             self.drop(place)
 
     def drop(self, place: XY) -> None:
-        """Let a soft body join, round and at rest."""
+        """Add a soft body, round and at rest."""
         turns = [2 * math.pi * k / MASSES for k in range(MASSES)]
         points = np.array([(math.cos(t), math.sin(t)) for t in turns]) * RADIUS + place
         beads = [
@@ -110,7 +110,7 @@ class SoftBody(Game):
         self.rings.append(beads)
 
     def press(self, key: str) -> None:
-        """Begin anew, add a body, or kick them all."""
+        """Start again, add a body, or kick them all."""
         super().press(key)
         if key == "b" and len(self.rings) < MOST_BODIES and self._has_room_above():
             self.drop((WIDTH / 2, HEIGHT - 1.0))
@@ -138,11 +138,11 @@ class SoftBody(Game):
             self.grip = self.grip[0], place
 
     def let_go(self, place: XY) -> None:
-        """Let go."""
+        """Release what is held."""
         self.grip = None
 
     def step(self) -> None:
-        """Let time pass: springs, pressure and the mouse between the engine's short steps."""
+        """Make one step: springs, pressure and the mouse between the engine's short steps."""
         for _ in range(SUBSTEPS):
             self.world.push_all(self.forces() * self.world.dt)
             self.world.step()

@@ -100,7 +100,7 @@ class ChoiceQuestion:
 
 @dataclass(frozen=True, slots=True)
 class WrongValue:
-    """A wrong number that gives away the mistake behind it, and what is said to it."""
+    """A wrong number that gives away the mistake behind it, and the feedback to it."""
 
     value: float
     feedback: str
