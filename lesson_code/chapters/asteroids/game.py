@@ -22,8 +22,8 @@ from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Flashes, Sparks
 from lesson_code.view.pygame.picture import Camera, Picture
 from lesson_code.view.pygame.program import (
-    Effects,
     Game,
+    ImpactEffects,
     Input,
     Program,
     Readings,
@@ -263,7 +263,7 @@ def rock_colour(mass: float) -> Colour:
     return blend(SKY, VERMILION, min(mass / 25.0, 1.0))
 
 
-def draw(game: Asteroids, picture: Picture, effects: Effects) -> None:
+def draw(game: Asteroids, picture: Picture, effects: ImpactEffects) -> None:
     """Draw asteroids with their masses, shots and ship."""
     for rock in game.rocks:
         x, y = game.world.position(rock)
@@ -316,7 +316,7 @@ PROGRAM = Program(
         (110, Input("press", "space")),
         (130, Input("press", "up")),
     ),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.2), Sparks(least_impulse=1.0), sounds=Sounds("stone", 0.6, 20.0)
     ),
 )

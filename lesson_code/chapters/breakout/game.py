@@ -20,7 +20,7 @@ from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Sparks, Trails
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings, room
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import GREEN, INK, ORANGE, PURPLE, SKY, YELLOW
 
@@ -233,7 +233,7 @@ def steady(velocity: XY, speed: float) -> XY:
     return speed * vx, speed * vy
 
 
-def draw(game: Breakout, picture: Picture, effects: Effects) -> None:
+def draw(game: Breakout, picture: Picture, effects: ImpactEffects) -> None:
     """Draw bricks, paddle and ball."""
     for number, hits in game.bricks.items():
         x, y = game.world.position(number)
@@ -282,5 +282,7 @@ PROGRAM = Program(
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=((10, Input("press", "space")),),
-    effects=lambda: Effects(sparks=Sparks(), trails=Trails(), sounds=Sounds("stone", 0.1, 8.0)),
+    effects=lambda: ImpactEffects(
+        sparks=Sparks(), trails=Trails(), sounds=Sounds("stone", 0.1, 8.0)
+    ),
 )

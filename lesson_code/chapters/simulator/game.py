@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import deque
 
+from lesson_code.chapters.simulator.plan_page import draw_plan
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_plan import FORCED, live_plan
@@ -17,10 +18,9 @@ from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import COLOURS, Picture
-from lesson_code.view.pygame.plan_page import draw_plan
 from lesson_code.view.pygame.program import (
-    Effects,
     Game,
+    ImpactEffects,
     Input,
     Program,
     Readings,
@@ -210,7 +210,7 @@ def _is_inside(place: XY, radius: float) -> bool:
     return radius < place[0] < WIDTH - radius and radius < place[1] < HEIGHT - radius
 
 
-def draw(game: Simulator, picture: Picture, effects: Effects) -> None:
+def draw(game: Simulator, picture: Picture, effects: ImpactEffects) -> None:
     """Draw balls, and what is asked for of arrows and contacts."""
     picture.grid(1.0)
     if len(game.world) > 100:
@@ -285,7 +285,7 @@ PROGRAM = Program(
         ("I   F", "impulses   plan of effects"),
     ),
     tour=((0, Input("press", "i")),),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.05), sounds=Sounds("ivory", 0.2, full_impulse=8.0)
     ),
 )

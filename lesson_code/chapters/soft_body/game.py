@@ -17,7 +17,7 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings, room
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -171,7 +171,7 @@ class SoftBody(Game):
         return ring_area(self.points()) / self._areas
 
 
-def draw(game: SoftBody, picture: Picture, effects: Effects) -> None:
+def draw(game: SoftBody, picture: Picture, effects: ImpactEffects) -> None:
     """Draw ledges, skins, springs and masses."""
     for number in game.walls:
         picture.body(game.world.body(number), game.world.position(number), 0.0, WALL)
@@ -211,7 +211,7 @@ PROGRAM = Program(
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=((150, Input("press", "space")),),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         sparks=Sparks(0.8, least_impulse=0.6), sounds=Sounds("rubber", 0.3, 1.0)
     ),
 )
