@@ -7,28 +7,24 @@ others come and go; the engine's tables are made anew only then.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cached_property
-from operator import attrgetter
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import as_arrays, as_numbers, compiled_function, link
-from lesson_code.engine.core.broad_phase import uniform_grid
+from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
-from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.mixing import Combination
-from lesson_code.engine.core.pipeline import Pipeline
+from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS
-from lesson_code.engine.core.rows import ImpulseRow
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
-from lesson_code.engine.core.step import advance, rigid_part
-from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
-from lesson_code.engine.solvers.sequential import SOLVER
-from lesson_code.engine.stepper import STATE_FIELDS
-from lesson_code.engine.touch_teller import TouchTeller
+from lesson_code.engine.core.touches import TouchListener, touches_in
+from lesson_code.engine.effects.choice import choose_effects, names_used
+from lesson_code.engine.effects.flags import EVERY_EFFECT
+from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.stepper import EngineStepper, source_of
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
 TIME_STEP = 1 / 60
@@ -37,13 +33,10 @@ TIME_STEP = 1 / 60
 WORTH_COMPILING = 100
 """Bodies: plain Python moves fewer of them in half a frame."""
 
-IMPULSE = attrgetter(*(field.name for field in fields(ImpulseRow)))
-"""All fields of a row of impulses; many times faster than :func:`dataclasses.astuple`."""
-
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
-ANY_SCENE = Pipeline(rigid_part, uniform_grid, SOLVER.stages_for({}))
-"""The stages with every effect: whatever joins the world, its machine code stays the same."""
+ANY_SCENE = {**EVERY_EFFECT._asdict(), "continuous": True, "impulse_record": True}
+"""The effects that a world reckons with: whatever joins it, its machine code stays the same."""
 
 
 class LiveWorld:
@@ -71,8 +64,6 @@ class LiveWorld:
     ----------
     steps : int
         How many steps have been made.
-    pipeline : Pipeline
-        The stages in plain Python; machine code always has the grid.
     impulses : ndarray, shape (K, 10)
         Of the last step: time, body a, body b, point x and y, normal x and y (a to b), normal
         and tangent impulse on b in N s, penetration in m. Bodies by their places in `numbers`.
@@ -100,13 +91,13 @@ class LiveWorld:
     ) -> None:
         self.gravity, self.damping, self.dt = gravity, damping, dt
         self.combine, self._iterations = combine, iterations
-        self._teller = TouchTeller(callbacks, combine)
+        self._listener = TouchListener(callbacks) if callbacks.wanted else None
         self.steps = 0
         self.compiled = False
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
         self._next = len(self._bodies)
-        self._tables: Any = None
-        self._build()
+        self._at_work: EngineStepper | None = None
+        self.impulses = NO_IMPULSES
 
     def __len__(self) -> int:
         """Return how many bodies there are."""
@@ -159,54 +150,55 @@ class LiveWorld:
     def clear(self) -> None:
         """Take everything out of the world."""
         self._bodies = {}
-        self._tables = None
+        self._at_work = None
 
     # Where they are, and how they move
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        return np.column_stack([self._column(name) for name in STATE_FIELDS])
+        return self._engine.states()
 
     def position(self, number: int) -> XY:
         """Return where a body is, m."""
-        return self._get("x", number), self._get("y", number)
+        row = self._row(number)
+        return float(row.x), float(row.y)
 
     def velocity(self, number: int) -> XY:
         """Return how a body moves, m/s."""
-        return self._get("vx", number), self._get("vy", number)
+        row = self._row(number)
+        return float(row.vx), float(row.vy)
 
     def angle(self, number: int) -> float:
         """Return how far a body has turned, rad."""
-        return self._get("angle", number)
+        return float(self._row(number).angle)
 
     def spin(self, number: int) -> float:
         """Return how fast a body turns, rad/s."""
-        return self._get("w", number)
+        return float(self._row(number).w)
 
     def move(self, number: int, position: XY) -> None:
         """Put a body somewhere else, m."""
-        self._set("x", number, position[0])
-        self._set("y", number, position[1])
+        row = self._row(number)
+        row.x, row.y = position
 
     def throw(self, number: int, velocity: XY, spin: float | None = None) -> None:
         """Give a body a velocity, m/s, and perhaps a spin, rad/s."""
-        self._set("vx", number, velocity[0])
-        self._set("vy", number, velocity[1])
+        row = self._row(number)
+        row.vx, row.vy = velocity
         if spin is not None:
-            self._set("w", number, spin)
+            row.w = spin
 
     def push(self, number: int, impulse: XY, arm: XY = (0.0, 0.0)) -> None:
         """Give a body an impulse, N s, at a point `arm` from its centre, m."""
-        (vx, vy), (jx, jy) = self.velocity(number), impulse
-        inv_m, inv_i = self._get("inv_m", number), self._get("inv_i", number)
-        turning = (arm[0] * jy - arm[1] * jx) * inv_i
-        self.throw(number, (vx + jx * inv_m, vy + jy * inv_m), self.spin(number) + turning)
+        row, (jx, jy) = self._row(number), impulse
+        row.vx += jx * row.inv_m
+        row.vy += jy * row.inv_m
+        row.w += (arm[0] * jy - arm[1] * jx) * row.inv_i
 
     def push_all(self, impulses: NDArray[np.float64]) -> None:
         """Give every body an impulse at its centre, N s, shape (N, 2)."""
-        inv_m = self._column("inv_m")
-        self._write("vx", self._column("vx") + impulses[:, 0] * inv_m)
-        self._write("vy", self._column("vy") + impulses[:, 1] * inv_m)
+        for number, (jx, jy) in zip(self._bodies, impulses.tolist(), strict=True):
+            self.push(number, (jx, jy))
 
     def coat(self, *, restitution: float) -> None:
         """Give every body another restitution."""
@@ -219,7 +211,7 @@ class LiveWorld:
     def pull(self, gravity: XY) -> None:
         """Let another gravity act, m/s^2."""
         self.gravity = gravity
-        state = self._ready().state
+        state = self._engine.world.state
         state.gravity_x, state.gravity_y = gravity
 
     # Time
@@ -234,39 +226,58 @@ class LiveWorld:
         ValueError
             The bodies overlap in so many pairs that no memory would hold them.
         """
-        self._ready().state.steps_left = 1
-        self.impulses = NO_IMPULSES
-        while not self._run():
-            self._clear_the_way()
+        engine = self._engine
+        try:
+            engine.advance(1)
+        except FloatingPointError:
+            number = self.numbers[engine.world.state.lost_body]
+            raise FloatingPointError(
+                f"body {number} has left the range of floating point"
+            ) from None
         self.steps += 1
-        self._take_impulses()
-        self._teller.tell(self.time, self.impulses, self._bodies)
-
-    def _clear_the_way(self) -> None:
-        """Do away with what has stopped a step: a table that is full."""
-        state = self._tables.state
-        if state.lost_body >= 0:
-            number = self.numbers[state.lost_body]
-            raise FloatingPointError(f"body {number} has left the range of floating point")
-        self._take_impulses()
-        self._tables = make_room(self._tables)
+        self.impulses = engine.take_events()
+        if self._listener is not None:
+            touches = touches_in(engine.world, self.impulses, self.numbers, self.time)
+            self._listener.tell(touches, self.time, self.numbers)
 
     def compile(self) -> None:
         """Go on in machine code, with the same results to the last bit; it takes a while."""
         self._write_back()
         self.compiled = True
-        self._ready().state.steps_left = 0
-        self._run()
-
-    @property
-    def broad_phase(self) -> str:
-        """The name of the way in which candidate pairs are found."""
-        return "uniform_grid" if self.compiled else broad_phase_for(Scene(self._bodies.values()))
+        self._engine.advance(0)
 
     @cached_property
     def source(self) -> str:
         """The program that is compiled."""
-        return link(advance, pipeline=ANY_SCENE)
+        return source_of(self._engine_for((), has_grid=True).pipeline)
+
+    def plan(self) -> Plan:
+        """Return what the bodies call for as they are now, and what the world reckons with.
+
+        The rules are those of every run; its end is not known. Callbacks are no part of the scene:
+        they are told after a step.
+
+        Examples
+        --------
+        >>> from lesson_code import Body, Circle
+        >>> discs = [Body(Circle(1), mass=1.0, position=(0, 3 * k)) for k in (0, 1)]
+        >>> plan = LiveWorld(discs).plan()
+        >>> [(name, plan.effect(name).verdict) for name in ("collisions", "friction", "sleeping")]
+        [('collisions', 'used'), ('friction', 'forced'), ('sleeping', 'left out')]
+        """
+        scene = Scene(self.bodies(), self.gravity, self.damping)
+        run = dict.fromkeys(names_used(self._engine.effects), True)
+        return replace(
+            self._engine.plan("as in every program"),
+            code_reason="many bodies" if self.compiled else self._why_plain(),
+            effects=choose_effects(Question(scene, dt=self.dt, combine=self.combine), run),
+        )
+
+    def _why_plain(self) -> str:
+        """Return why it is not in machine code."""
+        if len(self) < WORTH_COMPILING:
+            return f"fewer than {WORTH_COMPILING} bodies"
+        return why_no_compiler() or "machine code is still to be made"
 
     # What can be told of it
 
@@ -299,79 +310,46 @@ class LiveWorld:
 
     def _matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """Return states, masses and inertias of the bodies that can be pushed."""
-        inv_m, inv_i = self._column("inv_m"), self._column("inv_i")
+        columns = [self._engine.column(name) for name in ("inv_m", "inv_i")]
+        inv_m, inv_i = np.array(columns, dtype=float)
         free = inv_m > 0
         with np.errstate(divide="ignore"):
             inertia = np.where(inv_i[free] > 0, 1 / inv_i[free], 0.0)
         return self.states()[free], 1 / inv_m[free], inertia
 
-    def _build(self) -> None:
-        """Make the engine's tables of the bodies as they are."""
-        scene = Scene(self._bodies.values(), self.gravity, self.damping)
-        self._tables = world_of(scene, self.dt, self._iterations, self.combine)
-        self._index = {number: place for place, number in enumerate(self._bodies)}
-        self.pipeline = ANY_SCENE._replace(broad_phase=BROAD_PHASES[broad_phase_for(scene)])
-        self.impulses = NO_IMPULSES
-        if self.compiled:
-            self._program = compiled_function(self.source, "advance")
-            self._tables = as_arrays(self._tables, self.source)
+    @property
+    def _engine(self) -> EngineStepper:
+        """The engine at work on the bodies; made anew if some have come or gone."""
+        if self._at_work is None:
+            self._at_work = self._engine_for(self._bodies.values(), has_grid=self.compiled)
+            self._place = {number: place for place, number in enumerate(self._bodies)}
+            self.impulses = NO_IMPULSES
+        return self._at_work
 
-    def _ready(self) -> Any:
-        """Return the tables, made anew if bodies have come or gone."""
-        if self._tables is None:
-            self._build()
-        return self._tables
+    def _engine_for(self, bodies: Iterable[Body], *, has_grid: bool) -> EngineStepper:
+        """Return the engine at the start of a scene; in machine code it always has the grid."""
+        return EngineStepper(
+            Scene(bodies, self.gravity, self.damping),
+            solver="sequential",
+            dt=self.dt,
+            iterations=self._iterations,
+            substeps=1,
+            combine=self.combine,
+            compiled=self.compiled,
+            effects=ANY_SCENE | ({"broad_phase": True} if has_grid else {}),
+            splits_steps=True,
+        )
 
-    def _run(self) -> bool:
-        """Make the steps that are left; return whether all are made."""
-        if self.compiled:
-            return bool(self._program(self._ready()))
-        return advance(self._ready(), self.pipeline)
+    def _row(self, number: int) -> Any:
+        """Return a body's row in the tables of the engine."""
+        engine = self._engine
+        return engine.row(self._place[number])
 
     def _write_back(self) -> None:
         """Note down where all bodies are, before the tables are given up."""
-        if self._tables is not None:
+        if self._at_work is not None:
             self._bodies = dict(zip(self._bodies, self.bodies(), strict=True))
-            self._tables = None
-
-    def _column(self, name: str) -> NDArray[np.float64]:
-        """Return one field of all bodies, shape (N,)."""
-        rows = self._ready().bodies
-        if self.compiled:
-            return np.array(rows[name], dtype=float)
-        return np.array([getattr(row, name) for row in rows], dtype=float)
-
-    def _write(self, name: str, values: NDArray[np.float64]) -> None:
-        """Change one field of all bodies."""
-        rows = self._ready().bodies
-        if self.compiled:
-            rows[name] = values
-        else:
-            for row, value in zip(rows, values.tolist(), strict=True):
-                setattr(row, name, value)
-
-    def _get(self, name: str, number: int) -> float:
-        """Return one field of one body."""
-        row = self._ready().bodies[self._index[number]]
-        return float(row[name] if self.compiled else getattr(row, name))
-
-    def _set(self, name: str, number: int, value: float) -> None:
-        """Change one field of one body."""
-        rows, place = self._ready().bodies, self._index[number]
-        if self.compiled:
-            rows[name][place] = value
-        else:
-            setattr(rows[place], name, value)
-
-    def _take_impulses(self) -> None:
-        """Take the impulses out of their table; a step may fill it more than once."""
-        tables = self._tables
-        count = tables.state.impulse_count
-        if count:
-            rows = tables.impulses[:count]
-            told = as_numbers(rows) if self.compiled else np.array([IMPULSE(row) for row in rows])
-            self.impulses = np.concatenate([self.impulses, told])
-        tables.state.impulse_count = 0
+            self._at_work = None
 
 
 def _stands_where_it_was_put(body: Body, state: list[float]) -> bool:

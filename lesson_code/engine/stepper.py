@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from operator import attrgetter
 from types import MappingProxyType
 from typing import Any
 
@@ -42,6 +43,9 @@ from lesson_code.engine.solvers import our_solvers
 
 STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]
 """The fields of a body's row that are its state."""
+
+state_of = attrgetter(*STATE_FIELDS)
+"""Returns the state that a row holds."""
 
 
 def pipeline_for(
@@ -95,12 +99,13 @@ def choose_code(
 
 def run_in_steps(asked: Request, solver: Solver) -> Run:
     """Let the engine step a scene by a solver's stages."""
+    iterations, substeps = solver.counts(asked)
     stepper = EngineStepper(
         asked.scene,
         solver=solver.name,
         dt=asked.dt,
-        iterations=asked.iterations or solver.iterations,
-        substeps=asked.substeps or solver.substeps,
+        iterations=iterations,
+        substeps=substeps,
         combine=asked.combine,
         compiled=asked.compiled,
         effects=asked.effects,
@@ -138,6 +143,9 @@ class EngineStepper:
         Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effects.choice`.
     duration : float
         s, how long the run will be; ``math.inf``: nobody knows yet.
+    splits_steps : bool
+        Whether steps can be split at the impacts of fast bodies from the start; else they are once
+        the first such body is met.
 
     Attributes
     ----------
@@ -171,6 +179,7 @@ class EngineStepper:
         compiled: bool | None = False,
         effects: Mapping[str, bool] | None = None,
         duration: float = math.inf,
+        splits_steps: bool = False,
     ) -> None:
         self.dt = dt
         self._solver = our_solvers()[solver]
@@ -180,7 +189,8 @@ class EngineStepper:
         self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
         self._changes: list[str] = []
         self.effects = choose_effects(self._question, self._asked)
-        self.pipeline = pipeline_for(scene, self._solver, self.effects, self._options)
+        stages = pipeline_for(scene, self._solver, self.effects, self._options)
+        self.pipeline = stages._replace(splits_steps=splits_steps)
         self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
         self.world.state.substeps = substeps
         self._rows = self.world
@@ -264,10 +274,18 @@ class EngineStepper:
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        columns = [self._column(name) for name in STATE_FIELDS]
-        return np.array(columns, dtype=float).T.reshape(-1, STATE_NUMBERS)
+        if self._compiled:
+            columns = [self.column(name) for name in STATE_FIELDS]
+            return np.array(columns, dtype=float).T.reshape(-1, STATE_NUMBERS)
+        rows = [state_of(row) for row in self.world.bodies]
+        return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
 
-    def _column(self, name: str) -> Any:
+    def row(self, number: int) -> Any:
+        """Return a body's row, or its record, which has the same fields and can be changed."""
+        bodies: Any = self.world.bodies
+        return bodies.view(np.recarray)[number] if self._compiled else bodies[number]
+
+    def column(self, name: str) -> Any:
         """Return a field of all bodies; what a program does not name it has not changed."""
         bodies: Any = self.world.bodies
         if self._compiled and name in bodies.dtype.names:
@@ -278,6 +296,12 @@ class EngineStepper:
         """Return the impulses of all steps so far, shape (K, 10)."""
         self._take_impulses()
         return np.concatenate([np.empty((0, EVENT_NUMBERS)), *self._events])
+
+    def take_events(self) -> NDArray[np.float64]:
+        """Return the impulses since they were last taken, shape (K, 10), and forget them."""
+        events = self.events()
+        self._events.clear()
+        return events
 
     def _run(self) -> bool:
         """Make the steps that are left; return whether all are made."""

@@ -12,7 +12,6 @@ from collections import deque
 from lesson_code.chapters.simulator.plan_page import draw_plan
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Material
-from lesson_code.engine.live_plan import FORCED, live_plan
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
@@ -54,6 +53,13 @@ HISTORY = 240
 FALL = (0.0, -9.81)
 CLOSE_UP = 12
 """Balls at most whose velocity arrows do not hide one another; with more they are left out."""
+
+FORCED = (
+    "Forced: the scene does not call for it, and this world reckons with it all the same, so that "
+    "its program stays as it is when bodies join. That changes no digit of the result. "
+    "Flashes and sounds are no callbacks of the scene: they are told after each step."
+)
+"""What the page of the plan has to say beside the table."""
 
 
 class Simulator(Game):
@@ -142,7 +148,7 @@ class Simulator(Game):
 
     def _made_plan(self) -> tuple[float, Plan]:
         """Return the time, s, and the plan for the scene as it is now."""
-        return self.world.time, live_plan(self.world)
+        return self.world.time, self.world.plan()
 
     def _pour(self, count: int) -> None:
         """Add small balls where there is room; where there is none, none is added."""

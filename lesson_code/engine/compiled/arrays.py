@@ -69,7 +69,8 @@ def as_numbers(table: Any) -> NDArray[np.float64]:
     """
     if isinstance(table, np.ndarray):
         return np.stack([table[name] for name in table.dtype.names or ()], axis=-1, dtype=float)
-    return np.array([dataclasses.astuple(row) for row in table], dtype=float)
+    names = [field.name for field in dataclasses.fields(table[0])] if table else []
+    return np.array([[getattr(row, name) for name in names] for row in table], dtype=float)
 
 
 def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:

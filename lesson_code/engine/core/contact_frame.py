@@ -13,6 +13,12 @@ without friction nothing turns, and the impact is *central*: only velocities and
 from __future__ import annotations
 
 from lesson_code.engine.core.contact_motion import XY, normal_of, tangent_of
+from lesson_code.engine.core.impulse_pair import (
+    exchange,
+    exchange_and_turn,
+    exchange_pushes,
+    exchange_pushes_and_turn,
+)
 from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.formulas import contact
 from lesson_code.formulas.arithmetic import cross
@@ -88,45 +94,31 @@ def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
 
 def apply_impulses(c: ContactRow, a: BodyRow, b: BodyRow, jn: float, jt: float) -> None:
     """Change the velocities of both bodies by impulses along normal and tangent, N s."""
-    jx, jy = jn * c.nx - jt * c.ny, jn * c.ny + jt * c.nx
-    a.vx -= jx * a.inv_m
-    a.vy -= jy * a.inv_m
-    a.w -= (jn * c.ra_x_n + jt * c.ra_x_t) * a.inv_i
-    b.vx += jx * b.inv_m
-    b.vy += jy * b.inv_m
-    b.w += (jn * c.rb_x_n + jt * c.rb_x_t) * b.inv_i
+    wa = -(jn * c.ra_x_n + jt * c.ra_x_t) * a.inv_i
+    wb = (jn * c.rb_x_n + jt * c.rb_x_t) * b.inv_i
+    exchange_and_turn(a, b, jn * c.nx - jt * c.ny, jn * c.ny + jt * c.nx, wa, wb)
 
 
 def apply_normal_impulse(c: ContactRow, a: BodyRow, b: BodyRow, jn: float) -> None:
     """Change them by an impulse along the normal, N s."""
-    apply_central_impulse(c, a, b, jn)
-    a.w -= jn * c.ra_x_n * a.inv_i
-    b.w += jn * c.rb_x_n * b.inv_i
+    wa, wb = -jn * c.ra_x_n * a.inv_i, jn * c.rb_x_n * b.inv_i
+    exchange_and_turn(a, b, jn * c.nx, jn * c.ny, wa, wb)
 
 
 def apply_central_impulse(c: ContactRow, a: BodyRow, b: BodyRow, jn: float) -> None:
     """Change the velocities of bodies that do not turn by an impulse along the normal, N s."""
-    jx, jy = jn * c.nx, jn * c.ny
-    a.vx -= jx * a.inv_m
-    a.vy -= jy * a.inv_m
-    b.vx += jx * b.inv_m
-    b.vy += jy * b.inv_m
+    exchange(a, b, jn * c.nx, jn * c.ny)
 
 
 def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
     """Change the velocities of the position correction by an impulse along the normal, N s."""
-    apply_central_push(c, a, b, j)
-    a.push_w -= j * c.ra_x_n * a.inv_i
-    b.push_w += j * c.rb_x_n * b.inv_i
+    wa, wb = -j * c.ra_x_n * a.inv_i, j * c.rb_x_n * b.inv_i
+    exchange_pushes_and_turn(a, b, j * c.nx, j * c.ny, wa, wb)
 
 
 def apply_central_push(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
     """Change them where the bodies do not turn."""
-    jx, jy = j * c.nx, j * c.ny
-    a.push_vx -= jx * a.inv_m
-    a.push_vy -= jy * a.inv_m
-    b.push_vx += jx * b.inv_m
-    b.push_vy += jy * b.inv_m
+    exchange_pushes(a, b, j * c.nx, j * c.ny)
 
 
 def bring_to_total(c: ContactRow, a: BodyRow, b: BodyRow, total: float) -> None:

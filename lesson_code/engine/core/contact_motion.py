@@ -9,26 +9,15 @@ Every impact is made of these. Along a unit direction u, with lever arms r_a and
 
 from __future__ import annotations
 
-from typing import Protocol, TypeAlias
+from typing import TypeAlias
 
+from lesson_code.engine.core.impulse_pair import MovingBody, exchange_and_turn
 from lesson_code.engine.core.rows import ContactRow
 from lesson_code.formulas import contact, rigid_body
 from lesson_code.formulas.arithmetic import cross, dot
 from lesson_code.formulas.validation import equation
 
 XY: TypeAlias = tuple[float, float]
-
-
-class MovingBody(Protocol):
-    """The fields of a body that an impact reads and writes; a row may have more than these."""
-
-    x: float
-    y: float
-    vx: float
-    vy: float
-    w: float
-    inv_m: float
-    inv_i: float
 
 
 contact_velocity = equation(rigid_body.contact_velocity)
@@ -68,9 +57,6 @@ def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
 def apply_impulse(c: ContactRow, a: MovingBody, b: MovingBody, u: XY, j: float) -> None:
     """Change the velocities of both bodies by an impulse j along u, N s."""
     jx, jy = j * u[0], j * u[1]
-    a.vx -= jx * a.inv_m
-    a.vy -= jy * a.inv_m
-    a.w -= cross((c.ax, c.ay), (jx, jy)) * a.inv_i
-    b.vx += jx * b.inv_m
-    b.vy += jy * b.inv_m
-    b.w += cross((c.bx, c.by), (jx, jy)) * b.inv_i
+    wa = -cross((c.ax, c.ay), (jx, jy)) * a.inv_i
+    wb = cross((c.bx, c.by), (jx, jy)) * b.inv_i
+    exchange_and_turn(a, b, jx, jy, wa, wb)

@@ -41,23 +41,39 @@ class Island(NamedTuple):
     friction: Floats  # mu, shape (m,)
 
 
+def find_islands(world: World) -> None:
+    """Let every body that is awake know the first body of its island."""
+    bodies = world.bodies
+    for i in range(len(bodies)):
+        if not bodies[i].is_asleep:
+            bodies[i].island, bodies[i].is_restless = i, False
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        if bodies[c.a].inv_m > 0.0 and bodies[c.b].inv_m > 0.0:
+            first, second = first_of_island(bodies, c.a), first_of_island(bodies, c.b)
+            bodies[max(first, second)].island = min(first, second)
+
+
+def first_of_island(bodies: list[BodyRow], i: int) -> int:
+    """Return the first body of an island; the way to it is made shorter for the next time."""
+    while bodies[i].island != i:
+        bodies[i].island = bodies[bodies[i].island].island
+        i = bodies[i].island
+    return i
+
+
 def islands_of(world: World) -> list[list[ContactRow]]:
     """Return the contacts of each island, in the order of the contact table.
 
     A contact between two bodies that nothing can push is in none.
     """
+    find_islands(world)
     bodies = world.bodies
-    contacts = world.contacts[: world.state.contact_count]
-    leader = list(range(len(bodies)))
-    for c in contacts:
-        if bodies[c.a].inv_m > 0.0 and bodies[c.b].inv_m > 0.0:
-            first, second = _leader_of(leader, c.a), _leader_of(leader, c.b)
-            leader[max(first, second)] = min(first, second)
     islands: dict[int, list[ContactRow]] = {}
-    for c in contacts:
+    for c in world.contacts[: world.state.contact_count]:
         if bodies[c.a].inv_m > 0.0 or bodies[c.b].inv_m > 0.0:
             pushed = c.a if bodies[c.a].inv_m > 0.0 else c.b
-            islands.setdefault(_leader_of(leader, pushed), []).append(c)
+            islands.setdefault(first_of_island(bodies, pushed), []).append(c)
     return list(islands.values())
 
 
@@ -115,14 +131,6 @@ def _changes(island: Island, x: Floats) -> list[list[float]]:
     np.add.at(received, island.of_b, island.on_b * x[:, np.newaxis])
     changes: list[list[float]] = (island.inverse_masses * received).tolist()
     return changes
-
-
-def _leader_of(leader: list[int], body: int) -> int:
-    """Return the first body of an island; the way to it is made shorter for the next time."""
-    while leader[body] != body:
-        leader[body] = leader[leader[body]]
-        body = leader[body]
-    return body
 
 
 def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> tuple[Floats, Floats]:

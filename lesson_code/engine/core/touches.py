@@ -1,13 +1,21 @@
-"""Post-processing: tells a scene's callbacks of its contacts, pair by pair."""
+"""Post-processing: tells callbacks of contacts, pair by pair, in the order of the contacts.
+
+A scene's callbacks are told within the step. That machine code cannot do; so a live world tells its
+own after the step, from the impulses that were written down in it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable, Mapping, Sequence
 from itertools import groupby
-from typing import TypeAlias
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
+from lesson_code.engine.core.mixing import combined
 from lesson_code.engine.core.rows import ContactRow, World
 from lesson_code.formulas.validation import non_negative, one_number, one_vector
 
@@ -67,6 +75,18 @@ class TouchListener:
         for touch in self._parted:
             self._call(self._callbacks.separate, touch)
 
+    def tell(self, touches: Mapping[Pair, Touch], time: float, present: Container[int]) -> None:
+        """Tell of a step that is over; of a pair that has parted only if both are still present."""
+        before, self._touching = self._touching, dict(touches)
+        for pair, touch in touches.items():
+            if pair not in before:
+                self._call(self._callbacks.begin, touch)
+            self._call(self._callbacks.post_solve, touch)
+        for pair, touch in before.items():
+            if pair not in touches and pair[0] in present and pair[1] in present:
+                touch.time = time
+                self._call(self._callbacks.separate, touch)
+
     def _call(self, callback: Callback | None, touch: Touch) -> None:
         """Call a callback, if there is one, and see whether it has changed gravity."""
         if callback is not None:
@@ -74,6 +94,44 @@ class TouchListener:
         if touch.gravity is not None:
             x, y = one_vector("gravity", touch.gravity)
             self._gravity, touch.gravity = (float(x), float(y)), None
+
+
+def touches_in(
+    world: World, impulses: NDArray[np.float64], numbers: Sequence[int], time: float
+) -> dict[Pair, Touch]:
+    """Return the touches of a step from its impulses, shape (K, 10), pair by pair.
+
+    The bodies have numbers of their own, in the order of their places.
+    """
+    pairs: dict[Pair, list[list[float]]] = {}
+    for row in impulses.tolist():
+        pairs.setdefault((int(row[1]), int(row[2])), []).append(row)
+    return {
+        (numbers[a], numbers[b]): Touch(
+            time=time,
+            body_a=numbers[a],
+            body_b=numbers[b],
+            normal=(rows[0][5], rows[0][6]),
+            points=tuple((row[3], row[4]) for row in rows),
+            penetration=max(row[9] for row in rows),
+            restitution=_of_pair(world, "restitution", a, b),
+            friction=_of_pair(world, "friction", a, b),
+            normal_impulse=sum(row[7] for row in rows),
+            tangent_impulse=sum(row[8] for row in rows),
+        )
+        for (a, b), rows in pairs.items()
+    }
+
+
+def _of_pair(world: World, name: str, a: int, b: int) -> float:
+    """Return a pair's coefficient from those of its bodies."""
+    one, other = (_field(world.bodies[k], name) for k in (a, b))
+    return combined(getattr(world.state, f"{name}_rule"), one, other)
+
+
+def _field(row: Any, name: str) -> float:
+    """Return a field of a row, or of the record that it is compiled as."""
+    return float(row[name] if isinstance(row, np.void) else getattr(row, name))
 
 
 def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:

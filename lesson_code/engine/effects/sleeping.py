@@ -17,6 +17,7 @@ import math
 from lesson_code.engine.core.constants import QUIET_TIME, STEPS_A_LOOK, STILL
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.internal_edges import pushed_body
+from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.rows import BodyRow, ContactRow, MemoryRow, RestingRow, World
 
 
@@ -74,27 +75,6 @@ def is_still(body: BodyRow, most: float) -> bool:
     """Return whether no point of a body is faster than so much, m/s, and none is pushed."""
     is_pushed = body.push_vx != 0.0 or body.push_vy != 0.0 or body.push_w != 0.0
     return abs(body.vx) + abs(body.vy) + abs(body.w) * body.reach <= most and not is_pushed
-
-
-def find_islands(world: World) -> None:
-    """Let every body that is awake know the first body of its island."""
-    bodies = world.bodies
-    for i in range(len(bodies)):
-        if not bodies[i].is_asleep:
-            bodies[i].island, bodies[i].is_restless = i, False
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        if bodies[c.a].inv_m > 0.0 and bodies[c.b].inv_m > 0.0:
-            first, second = first_of_island(bodies, c.a), first_of_island(bodies, c.b)
-            bodies[max(first, second)].island = min(first, second)
-
-
-def first_of_island(bodies: list[BodyRow], i: int) -> int:
-    """Return the first body of an island; the way to it is made shorter for the next time."""
-    while bodies[i].island != i:
-        bodies[i].island = bodies[bodies[i].island].island
-        i = bodies[i].island
-    return i
 
 
 def disturb(world: World) -> None:

@@ -16,7 +16,8 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.core.contact_motion import MovingBody, normal_of, tangent_of
+from lesson_code.engine.core.contact_motion import normal_of, tangent_of
+from lesson_code.engine.core.impulse_pair import MovingBody, exchange, exchange_and_turn
 from lesson_code.engine.core.mixing import combined
 from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
@@ -220,23 +221,16 @@ def rubbing_impulse(
 
 def apply_impulse(c: ContactRow, a: MovingBody, b: MovingBody, jn: float) -> None:
     """Change the velocities of both bodies by an impulse along the normal, N s."""
-    jx, jy = jn * c.nx, jn * c.ny
-    a.vx -= jx * a.inv_m
-    a.vy -= jy * a.inv_m
-    b.vx += jx * b.inv_m
-    b.vy += jy * b.inv_m
+    exchange(a, b, jn * c.nx, jn * c.ny)
 
 
 def rub(c: ContactRow, a: MovingBody, b: MovingBody, jt: float, effects: Effects) -> None:
     """Change them, and the turning, by an impulse along the tangent (-ny, nx), N s."""
-    jx, jy = -jt * c.ny, jt * c.nx
-    a.vx -= jx * a.inv_m
-    a.vy -= jy * a.inv_m
-    b.vx += jx * b.inv_m
-    b.vy += jy * b.inv_m
     if effects.rotation:
-        a.w -= jt * c.ra_x_t * a.inv_i
-        b.w += jt * c.rb_x_t * b.inv_i
+        wa, wb = -jt * c.ra_x_t * a.inv_i, jt * c.rb_x_t * b.inv_i
+        exchange_and_turn(a, b, -jt * c.ny, jt * c.nx, wa, wb)
+    else:
+        exchange(a, b, -jt * c.ny, jt * c.nx)
     c.tangent_impulse = jt
 
 

@@ -27,6 +27,7 @@ from lesson_code.engine.core.contact_frame import (
     missing_velocity,
     velocity_at,
 )
+from lesson_code.engine.core.impulse_pair import exchange_and_turn, exchange_pushes_and_turn
 from lesson_code.engine.core.rows import BodyRow, ContactRow
 
 Two: TypeAlias = tuple[float, float]
@@ -107,35 +108,19 @@ def apply_at_two(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jn: Two, 
     wa, wb = spins_by_normals(c, d, a, b, jn)
     wa -= (jt[0] * c.ra_x_t + jt[1] * d.ra_x_t) * a.inv_i
     wb += (jt[0] * c.rb_x_t + jt[1] * d.rb_x_t) * b.inv_i
-    set_off(a, b, j, (wa, wb))
+    exchange_and_turn(a, b, j[0], j[1], wa, wb)
 
 
 def apply_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jn: Two) -> None:
     """Change them by impulses along the normal, N s."""
-    j = (jn[0] + jn[1]) * c.nx, (jn[0] + jn[1]) * c.ny
-    set_off(a, b, j, spins_by_normals(c, d, a, b, jn))
-
-
-def set_off(a: BodyRow, b: BodyRow, j: Two, spins: Two) -> None:
-    """Give an impulse to b and its opposite to a, N s, and to both what they turn by it, rad/s."""
-    a.vx -= j[0] * a.inv_m
-    a.vy -= j[1] * a.inv_m
-    a.w += spins[0]
-    b.vx += j[0] * b.inv_m
-    b.vy += j[1] * b.inv_m
-    b.w += spins[1]
+    wa, wb = spins_by_normals(c, d, a, b, jn)
+    exchange_and_turn(a, b, (jn[0] + jn[1]) * c.nx, (jn[0] + jn[1]) * c.ny, wa, wb)
 
 
 def apply_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, j: Two) -> None:
     """Change the velocities of the position correction likewise."""
-    jx, jy = (j[0] + j[1]) * c.nx, (j[0] + j[1]) * c.ny
     wa, wb = spins_by_normals(c, d, a, b, j)
-    a.push_vx -= jx * a.inv_m
-    a.push_vy -= jy * a.inv_m
-    a.push_w += wa
-    b.push_vx += jx * b.inv_m
-    b.push_vy += jy * b.inv_m
-    b.push_w += wb
+    exchange_pushes_and_turn(a, b, (j[0] + j[1]) * c.nx, (j[0] + j[1]) * c.ny, wa, wb)
 
 
 def block_impulses(c: ContactRow, d: ContactRow, missing: Two, before: Two) -> Two:

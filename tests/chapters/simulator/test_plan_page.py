@@ -7,12 +7,11 @@ from typing import Any
 
 import pytest
 
-from lesson_code.chapters.simulator.game import Simulator
+from lesson_code.chapters.simulator.game import FORCED, Simulator
 from lesson_code.chapters.simulator.plan_page import draw_plan
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.effects.choice import EffectChoice
 from lesson_code.engine.effects.rules import RULES
-from lesson_code.engine.live_plan import FORCED
 from lesson_code.view.pygame.picture import FIELD_SIZE
 from lesson_code.view.pygame.window import Window, open_window, pygame
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine import live_plan as live_plan_module
+from lesson_code.engine import live_world
 from lesson_code.engine.effects.choice import choose_effects
 from lesson_code.engine.effects.rules import Question
-from lesson_code.engine.live_plan import effects_run, live_plan
 from lesson_code.engine.live_world import LiveWorld
 
 ALWAYS = {
@@ -45,7 +44,7 @@ def test_plan_tells_what_the_scene_calls_for(name: str) -> None:
     """Reason for reason as the engine's rules have it, and no more is left out than may be."""
     scene = SCENES[name]
     expected = choose_effects(Question(scene))
-    plan = live_plan(world_of(scene))
+    plan = world_of(scene).plan()
     told = [(c.name, c.called_for, c.reason) for c in plan.effects]
     assert told == [(c.name, c.called_for, c.reason) for c in expected]
 
@@ -54,36 +53,29 @@ def test_plan_tells_what_the_scene_calls_for(name: str) -> None:
 def test_plan_tells_what_runs(name: str) -> None:
     """Everything but sleep and callbacks; a grid where there are many bodies."""
     world = world_of(SCENES[name])
-    assert set(live_plan(world).used) == ALWAYS | ({"broad_phase"} if name == "many" else set())
+    assert set(world.plan().used) == ALWAYS | ({"broad_phase"} if name == "many" else set())
 
 
 def test_plan_in_machine_code_tells_of_the_grid() -> None:
     """Compiled, a world has the grid however small it is."""
     world = world_of(SCENES["gas"])
     world.compile()
-    assert live_plan(world).effect("broad_phase").verdict == "forced"
-    assert live_plan(world).code == "compiled"
+    assert world.plan().effect("broad_phase").verdict == "forced"
+    assert world.plan().code == "compiled"
 
 
 def test_plan_tells_why_a_world_is_in_plain_python(monkeypatch: pytest.MonkeyPatch) -> None:
     """Few bodies are; many are where nothing can compile them."""
-    assert live_plan(world_of(SCENES["many"])).code_reason == "fewer than 100 bodies"
+    assert world_of(SCENES["many"]).plan().code_reason == "fewer than 100 bodies"
     crowd = [Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(120)]
-    monkeypatch.setattr(live_plan_module, "why_no_compiler", lambda: "Numba is not installed")
-    plan = live_plan(LiveWorld(crowd))
+    monkeypatch.setattr(live_world, "why_no_compiler", lambda: "Numba is not installed")
+    plan = LiveWorld(crowd).plan()
     assert (plan.code, plan.code_reason) == ("plain Python", "Numba is not installed")
 
 
 def test_plan_is_of_the_bodies_as_they_are_now() -> None:
     """A ball at rest that is thrown hard can move by more than half of its width in a step."""
     world = world_of(SCENES["gas"])
-    assert live_plan(world).effect("continuous").verdict == "forced"
+    assert world.plan().effect("continuous").verdict == "forced"
     world.throw(0, (50.0, 0.0))
-    assert live_plan(world).effect("continuous").verdict == "used"
-
-
-def test_effects_run_are_those_of_the_stages() -> None:
-    """A stage that is taken out of the pipeline is named no more."""
-    world = world_of(SCENES["floor"])
-    world.pipeline = world.pipeline._replace(is_continuous=False, keeps_impulses=False)
-    assert set(effects_run(world)) == ALWAYS - {"continuous", "impulse_record"}
+    assert world.plan().effect("continuous").verdict == "used"
