@@ -32,7 +32,7 @@ def with_equations(lines: list[str]) -> list[str]:
     An equation is a paragraph before the first section that does not end as a sentence does.
 
     >>> with_equations(["Add.", "", "s = |a| + |b|", "", "In m."])
-    ['Add.', '', '::', '', '    s = |a| + |b|', '', 'In m.']
+    ['Add.', '', '.. code-block:: text', '', '    s = |a| + |b|', '', 'In m.']
     """
     sections = (number - 1 for number, line in enumerate(lines) if SECTION.match(line))
     end = next(sections, len(lines))
@@ -45,4 +45,4 @@ def _paragraph(text: str) -> str:
     """Return a paragraph, as code if it is no sentence."""
     if not text.strip() or text.rstrip().endswith(ENDS) or text.startswith((" ", ">>>")):
         return text
-    return "::\n\n" + "\n".join(f"    {line}" for line in text.split("\n"))
+    return ".. code-block:: text\n\n" + "\n".join(f"    {line}" for line in text.split("\n"))
