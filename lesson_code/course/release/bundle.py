@@ -70,8 +70,7 @@ def write_zip(files: Files, path: Path) -> None:
 def _as_they_are(root: Path) -> Iterator[Path]:
     """Yield the paths of the files that a copy takes unchanged."""
     yield from map(Path, TOP_FILES)
-    for folder, pattern in (("notebooks", "*.ipynb"), ("notebooks/pictures", "*")):
-        yield from (path.relative_to(root) for path in (root / folder).glob(pattern))
+    yield from (path.relative_to(root) for path in (root / "notebooks").glob("*.ipynb"))
     for exercise in exercises():
         yield exercise.student_copy(root).relative_to(root)
     for path in (root / "lesson_code").rglob("*"):
