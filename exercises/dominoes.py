@@ -106,7 +106,7 @@ def chain(angles, rates, height, spacing, dt, steps):
 
 
 if __name__ == "__main__":
-    from lesson_code.chapters.own_worlds import DOMINOES
+    from lesson_code.chapters.dominoes.own_world import DOMINOES
     from lesson_code.view.pygame.frame import play
 
     play(DOMINOES, settings={"move": chain})

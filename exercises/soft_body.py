@@ -145,7 +145,7 @@ def drop(positions, velocities, length, area, steps):
 
 
 if __name__ == "__main__":
-    from lesson_code.chapters.own_worlds import SOFT_BODY
+    from lesson_code.chapters.soft_body.own_world import SOFT_BODY
     from lesson_code.view.pygame.frame import play
 
     play(SOFT_BODY, settings={"move": drop})

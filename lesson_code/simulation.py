@@ -10,7 +10,7 @@ from lesson_code.engine.core.mixing import Combination, combination
 from lesson_code.engine.core.recording import Sample, step_times
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.solver import Request
+from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers, solvers_in
 from lesson_code.engine.solvers.choice import SolverChoice, solvers_for
@@ -142,7 +142,7 @@ def simulate(
         sample=sample,
     )
     if solver != "auto":
-        return _run(asked, SolverChoice(solver, asked.reason))
+        return _run(SOLVERS[solver], asked)
     if sample is None:
         asked = replace(asked, sample=step_times(duration, asked.dt))
     question = Question(scene, "auto", asked.dt, duration, asked.combine)
@@ -156,7 +156,7 @@ def _first_that_can(choices: Iterable[SolverChoice], asked: Request) -> Run:
     refused = ""
     for name, reason in choices:
         try:
-            return _run(asked, SolverChoice(name, reason + refused))
+            return _run(SOLVERS[name], replace(asked, reason=reason + refused))
         except RuntimeError:
             if not SOLVERS[name].gives_up:
                 raise
@@ -164,10 +164,8 @@ def _first_that_can(choices: Iterable[SolverChoice], asked: Request) -> Run:
     raise AssertionError("the last choice, sequential, suits every scene")  # pragma: no cover
 
 
-def _run(asked: Request, choice: SolverChoice) -> Run:
+def _run(solver: Solver, asked: Request) -> Run:
     """Return a run by one solver."""
-    solver = SOLVERS[choice.solver]
-    asked = solver.with_counts(replace(asked, reason=choice.reason))
     return solver.run_scene(asked) if solver.run_scene else run_in_steps(asked, solver)
 
 

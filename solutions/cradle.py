@@ -129,7 +129,7 @@ def cradle(angles, rates, length, dt, steps):
 
 
 if __name__ == "__main__":
-    from lesson_code.chapters.own_worlds import CRADLE
+    from lesson_code.chapters.cradle.own_world import CRADLE
     from lesson_code.view.pygame.frame import play
 
     play(CRADLE, settings={"move": cradle})

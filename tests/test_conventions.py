@@ -1,4 +1,4 @@
-"""The conventions printed in the README, each asserted once."""
+"""The conventions of the handbook, each asserted once."""
 
 import math
 

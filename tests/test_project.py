@@ -16,7 +16,9 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 TOP_LEVEL = {
     ".ci",
+    ".editorconfig",
     ".gitignore",
+    ".pre-commit-config.yaml",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "LICENSE",
@@ -24,6 +26,7 @@ TOP_LEVEL = {
     "exercises",
     "lesson_code",
     "notebooks",
+    "noxfile.py",
     "pyproject.toml",
     "requirements.lock",
     "solutions",
@@ -83,22 +86,20 @@ def test_readme_two_commands_are_what_ci_runs() -> None:
     assert "README.md" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
 
 
-def test_readme_links_lead_to_files() -> None:
-    """Every local link of the README and of CONTRIBUTING leads to a file that is there."""
-    for name in ("README.md", "CONTRIBUTING.md"):
-        text = (ROOT / name).read_text(encoding="utf-8")
-        for target in re.findall(r"\]\(([^)#]+)\)", text):
-            if not target.startswith("http"):
-                assert (ROOT / target).exists(), f"{name}: {target}"
+def test_readme_commands_for_windows_are_those_of_other_systems() -> None:
+    """One in each line, in double quotes, so that cmd and PowerShell take them."""
+    [line] = re.findall(r"^python3 -m venv .*workbook open$", README, flags=re.MULTILINE)
+    windows = line.replace("python3", "py").replace(".venv/bin/", ".venv\\Scripts\\")
+    assert "\n".join(windows.split(" && ")) in README
+    assert "'.[" not in README
 
 
-def test_readme_points_are_those_of_the_exercises() -> None:
-    """Tasks and points in the README's table are those that the grader gives."""
-    from lesson_code.course.grading.exercises import exercises
-
-    for exercise in exercises():
-        promised = f"{len(exercise.tasks)} tasks, {exercise.points} points"
-        assert f"{promised}](exercises/{exercise.name}{exercise.suffix})" in README
+def test_readme_lists_every_notebook_and_exercise() -> None:
+    """Each stands in the students' part."""
+    for folder in ("notebooks", "exercises"):
+        for path in (ROOT / folder).iterdir():
+            if path.suffix in (".ipynb", ".py"):
+                assert f"]({folder}/{path.name})" in README
 
 
 def test_every_dependency_has_a_lower_bound() -> None:

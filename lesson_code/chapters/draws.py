@@ -86,7 +86,7 @@ def unequal_radii(stream: Random) -> tuple[float, float]:
 
 
 def at_distance(start: Vector, distance: float, direction: Vector) -> Vector:
-    """Return the point so far from `start` in a unit direction, m, to two decimals."""
+    """Return the point `distance` from `start` in a unit direction, m, to two decimals."""
     return round(start[0] + distance * direction[0], 2), round(
         start[1] + distance * direction[1], 2
     )

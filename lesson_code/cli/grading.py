@@ -1,4 +1,4 @@
-"""``workbook grade``, of a file or of a class; ``merge`` and ``release``."""
+"""The instructor's commands: ``workbook grade``, ``merge`` and ``release``."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Isolation = Annotated[
 ]
 
 CLASS_ISOLATION = "full"
-"""What a class asks for unless it is told otherwise: nobody has read what is handed in."""
+"""The least isolation for a class unless told otherwise: its submissions are unread code."""
 
 grading = typer.Typer()
 

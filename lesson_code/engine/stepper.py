@@ -96,12 +96,13 @@ def choose_code(
 
 def run_in_steps(asked: Request, solver: Solver) -> Run:
     """Let the engine step a scene by a solver's stages."""
+    iterations, substeps = solver.counts(asked)
     stepper = EngineStepper(
         asked.scene,
         solver=solver.name,
         dt=asked.dt,
-        iterations=asked.iterations or solver.iterations,
-        substeps=asked.substeps or solver.substeps,
+        iterations=iterations,
+        substeps=substeps,
         combine=asked.combine,
         compiled=asked.compiled,
         effects=asked.effects,

@@ -18,7 +18,7 @@ class CheckFailedError(AssertionError):
 def check(claim: str, measured: Any, expected: Any, tolerance: float = 0.0) -> None:
     """Compare a measurement with an answer from elsewhere, and print one line.
 
-    The claim holds when |measured - expected| <= tolerance for every number in them.
+    The claim holds when ``|measured - expected| <= tolerance`` for every number in them.
 
     Parameters
     ----------

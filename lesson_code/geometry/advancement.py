@@ -52,7 +52,7 @@ NEXT_FLOAT = 1.0 + 2.3e-16
 """Times a float: the next one above it. A time that is too large to be added to still goes on."""
 
 
-class MovingBody(Protocol):
+class SweptBody(Protocol):
     """The fields of a body that a sweep reads; a row may have more than these."""
 
     x: float
@@ -82,7 +82,7 @@ class Moving:
 
 
 def advance_to_impact(
-    corners: Sequence[Corner], a: MovingBody, b: MovingBody, duration: float, tolerance: float
+    corners: Sequence[Corner], a: SweptBody, b: SweptBody, duration: float, tolerance: float
 ) -> float:
     """Return when two bodies that may turn first touch, s; inf if not within the duration.
 
@@ -94,7 +94,7 @@ def advance_to_impact(
     ----------
     corners : sequence of Corner
         Table with both outlines. Only their places at angle 0 are read; nothing is changed.
-    a, b : MovingBody
+    a, b : SweptBody
         Both rows; they are not changed.
     duration : float
         s, >= 0.
@@ -128,7 +128,7 @@ def advance_to_impact(
 
 
 def advance(
-    corners: Sequence[Corner], a: MovingBody, b: MovingBody, duration: float, tolerance: float
+    corners: Sequence[Corner], a: SweptBody, b: SweptBody, duration: float, tolerance: float
 ) -> tuple[float, bool]:
     """Return the time of :func:`advance_to_impact`, and whether the search came to its end."""
     motion = motion_of(corners, a, b)
@@ -157,7 +157,7 @@ def shortest_way_out(motion: Motion, depth: float) -> float:
     return depth / speed if speed > 0.0 else math.inf
 
 
-def moment_at(a: MovingBody, b: MovingBody, t: float) -> Moment:
+def moment_at(a: SweptBody, b: SweptBody, t: float) -> Moment:
     """Return where two bodies are after a time."""
     angle_a, angle_b = a.angle + a.w * t, b.angle + b.w * t
     return Moment(

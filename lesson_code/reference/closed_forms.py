@@ -29,7 +29,6 @@ from lesson_code.formulas.validation import (
     one_vector,
     positive,
     unit_interval,
-    vector,
 )
 
 
@@ -293,44 +292,6 @@ def ball_in_box(
         np.array([float(place + r) for place, _ in folded]),
         np.array([float(speed) for _, speed in folded]),
     )
-
-
-def mirror_by_angles(velocity: Vector, wall_angle: Number) -> Any:
-    """Return the mirror image of a velocity at a wall, through angles instead of a normal.
-
-    angle' = 2 * wall angle - angle,   speed' = speed
-
-    Parameters
-    ----------
-    velocity : array_like, shape (..., 2)
-        Velocity before, m/s.
-    wall_angle : float or array_like
-        Direction along the wall, rad, counter-clockwise from the x axis.
-
-    Returns
-    -------
-    ndarray, shape (..., 2)
-        Velocity after, m/s.
-
-    Raises
-    ------
-    ValueError
-        A component or an angle is not finite, or a shape is not (..., 2).
-
-    References
-    ----------
-    Euclid, Catoptrics, proposition 1: equal angles on both sides of the mirror.
-
-    Examples
-    --------
-    >>> mirror_by_angles(velocity=(3, -4), wall_angle=0.0).round(12)
-    array([3., 4.])
-    """
-    v = vector("velocity", velocity)
-    speed = np.hypot(v[..., 0], v[..., 1])
-    angle = np.arctan2(v[..., 1], v[..., 0])
-    mirrored = 2 * np.asarray(finite("wall_angle", wall_angle), dtype=float) - angle
-    return np.stack((speed * np.cos(mirrored), speed * np.sin(mirrored)), axis=-1)
 
 
 def _fall_time(height: float, gravity: float) -> float:

@@ -36,10 +36,10 @@ SMALLEST_SIDE = 3.0
 """Diameters: a single body does not fill the view."""
 
 FLATTEST = 3.0
-"""A view is at most so many times wider than high."""
+"""A view is at most this many times wider than high."""
 
 SLIMMEST = 0.7
-"""A view is at least so many times as wide as it is high."""
+"""A view is at least this many times as wide as it is high."""
 
 BODY_COLORS = (
     palette.BLUE,

@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code.chapters import own_worlds
+from lesson_code.chapters.cradle.own_world import CRADLE
+from lesson_code.chapters.dominoes.own_world import DOMINOES
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.chapters.soft_body.own_world import SOFT_BODY
 from lesson_code.view.pygame.frame import SHARED_KEYS, Painter, Session, play
 from lesson_code.view.pygame.panel import (
     KEY_COLUMN,
@@ -23,12 +25,12 @@ from lesson_code.view.pygame.panel import (
     READING_SIZE,
 )
 from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
-from lesson_code.view.pygame.program import Effects, Program
+from lesson_code.view.pygame.program import ImpactEffects, Program
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.window import Window, pygame
 
 PROGRAMS = [load(name) for name in program_summaries()]
-OWN_WORLDS = [own_worlds.CRADLE, own_worlds.DOMINOES, own_worlds.SOFT_BODY]
+OWN_WORLDS = [CRADLE, DOMINOES, SOFT_BODY]
 
 EVERY = pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
 AND_OWN = pytest.mark.parametrize(
@@ -53,7 +55,7 @@ def test_program_same_seed_gives_the_same_world_with_and_without_a_window(
 @EVERY
 def test_program_without_effects_has_the_same_world(program: Program) -> None:
     """Flashes, sparks, trails and sound may be left out."""
-    bare = replace(program, effects=Effects)
+    bare = replace(program, effects=ImpactEffects)
     games = [play(p, frames=80, headless=True, tour=True).game for p in (program, bare)]
     assert (games[0].snapshot() == games[1].snapshot()).all()
 

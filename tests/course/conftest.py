@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -9,6 +11,7 @@ from typing import Any, TypeAlias
 
 import pytest
 
+from lesson_code.course.grading.task import KnownAnswer
 from lesson_code.course.isolation import Limits
 from lesson_code.course.notebooks.root import find_root
 
@@ -58,3 +61,15 @@ def _notebook(sources: tuple[str, ...], exercise: str | None) -> dict[str, Any]:
         "nbformat": 4,
         "nbformat_minor": 5,
     }
+
+
+def source_as_answer(model: KnownAnswer, function_name: str) -> str:
+    """Return the model's source as a student would hand it in: undecorated, renamed, untyped."""
+    tree = ast.parse(inspect.getsource(model.function))
+    definition = tree.body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    definition.name, definition.decorator_list = function_name, []
+    definition.returns = None
+    for argument in definition.args.args:
+        argument.annotation = None
+    return ast.unparse(tree)

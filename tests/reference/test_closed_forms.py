@@ -15,7 +15,6 @@ from lesson_code.reference.closed_forms import (
     bounce_heights,
     bounce_times,
     bouncing_ball,
-    mirror_by_angles,
     rest_time,
     two_body_exact,
 )
@@ -126,13 +125,6 @@ def test_ball_in_box_moving_into_the_wall_it_touches_turns_at_once() -> None:
     np.testing.assert_array_equal((p, v), [(0.5, 1), (1, 0)])
 
 
-def test_mirror_floor_and_slope_hand_worked() -> None:
-    """A floor turns (3, -4) into (3, 4); a 45 degree wall swaps the components."""
-    v = np.array([(3.0, -4.0), (3.0, -4.0)])
-    mirrored = mirror_by_angles(v, np.array([0, math.pi / 4]))
-    np.testing.assert_allclose(mirrored, [(3, 4), (-4, 3)], atol=ROUNDING)
-
-
 BALL: dict[str, Any] = {"height": 1, "restitution": 0.5, "gravity": 10}
 BOX: dict[str, Any] = {
     "position": (1, 1),
@@ -163,12 +155,6 @@ PAIR: dict[str, Any] = {"m1": 1, "v1": 1, "m2": 1, "v2": 0, "restitution": 1}
         (ball_in_box, BOX | {"position": (1, 1.75)}, "position must be at least one radius inside"),
         (ball_in_box, BOX | {"velocity": (1, math.nan)}, "velocity must be finite, got nan"),
         (ball_in_box, BOX | {"time": -1}, "time must be >= 0 and finite, got -1"),
-        (mirror_by_angles, {"velocity": (1, 2, 3), "wall_angle": 0}, "velocity must have shape"),
-        (
-            mirror_by_angles,
-            {"velocity": (1, 2), "wall_angle": math.inf},
-            "wall_angle must be finite, got inf",
-        ),
     ],
 )
 def test_closed_form_bad_input_is_refused_by_name(

@@ -18,7 +18,6 @@ from lesson_code.reference.closed_forms import (
     bounce_heights,
     bounce_times,
     bouncing_ball,
-    mirror_by_angles,
     rest_time,
 )
 
@@ -186,11 +185,17 @@ def test_ball_in_box_impact_instants_equal_event_by_event(
 
 
 def test_mirror_random_walls_equals_reflect() -> None:
-    """Equal angles and R = I - 2 (I . N) N are one law: 10,000 random walls and velocities."""
+    """Equal angles and R = I - 2 (I . N) N are one law: 10,000 random walls and velocities.
+
+    Euclid, Catoptrics, proposition 1: equal angles on both sides of the mirror.
+    """
     rng = np.random.default_rng(SEED)
-    angle = rng.uniform(-math.pi, math.pi, 10_000)
-    normal = np.stack((-np.sin(angle), np.cos(angle)), axis=-1)
+    wall = rng.uniform(-math.pi, math.pi, 10_000)
+    normal = np.stack((-np.sin(wall), np.cos(wall)), axis=-1)
     velocity = rng.uniform(-100, 100, (10_000, 2))
-    difference = reflect(velocity, normal) - mirror_by_angles(velocity, angle)
     speed = np.hypot(*velocity.T)
+    angle = 2 * wall - np.arctan2(*velocity.T[::-1])
+    difference = reflect(velocity, normal) - np.stack(
+        (speed * np.cos(angle), speed * np.sin(angle)), axis=-1
+    )
     assert np.max(np.hypot(*difference.T) / speed) < MIRROR_ERROR

@@ -13,9 +13,10 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.mixing import combination
-from lesson_code.reference import chipmunk_replica
-from lesson_code.reference.chipmunk_replica import ChipmunkReplica
 from lesson_code.reference.pymunk_reference import PymunkStepper
+
+from . import chipmunk_replica
+from .chipmunk_replica import ChipmunkReplica
 
 DT = 1 / 60
 HALF_WIDTH = 5.0

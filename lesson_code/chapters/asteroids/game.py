@@ -1,6 +1,6 @@
 """The asteroid field: varying masses, pieces that fly apart, a ship with thrust and recoil.
 
-The ledger is the point of it: the momentum of everything there is, and the momentum that the
+What matters is the ledger: the momentum of everything there is, and the momentum that the
 engine's exhaust and spent shots have carried away, always add up to the same.
 """
 
@@ -22,8 +22,8 @@ from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Flashes, Sparks
 from lesson_code.view.pygame.picture import Camera, Picture
 from lesson_code.view.pygame.program import (
-    Effects,
     Game,
+    ImpactEffects,
     Input,
     Program,
     Readings,
@@ -110,7 +110,7 @@ class Asteroids(Game):
         return [n for n in self.world.numbers if n != self.ship and n not in self.shots]
 
     def _add_rock(self, place: XY, radius: float, velocity: XY) -> int:
-        """Let an asteroid join."""
+        """Add an asteroid."""
         return self.world.add(
             Body(
                 Circle(radius),
@@ -131,13 +131,13 @@ class Asteroids(Game):
         return self.world.body(number).mass or 0.0
 
     def press(self, key: str) -> None:
-        """Shoot, or begin anew."""
+        """Shoot, or start again."""
         super().press(key)
         if key == "space":
             self.shoot()
 
     def step(self) -> None:
-        """Let time pass: ship, impacts, bursts, edges."""
+        """Make one step: ship, impacts, bursts, edges."""
         self._steer()
         self.world.step()
         for rock in sorted(self.struck):
@@ -160,7 +160,7 @@ class Asteroids(Game):
         )
 
     def _steer(self) -> None:
-        """Turn the ship, and let its engine push it; the exhaust takes the opposite away."""
+        """Turn the ship and push it; the exhaust carries the opposite momentum away."""
         way = ("left" in self.held) - ("right" in self.held)
         self.world.throw(self.ship, self.world.velocity(self.ship), TURN * way)
         if "up" in self.held:
@@ -217,7 +217,7 @@ class Asteroids(Game):
                 self.hits_taken += 1
 
     def _burst(self, rock: int) -> None:
-        """Let an asteroid burst into pieces of unequal mass, which keep mass and momentum."""
+        """Split an asteroid into pieces of unequal mass, which keep mass and momentum."""
         self.score += 1
         if self.radius(rock) < SMALLEST_SPLIT or len(self.rocks) + PIECES > MOST_ROCKS:
             return
@@ -263,7 +263,7 @@ def rock_colour(mass: float) -> Colour:
     return blend(SKY, VERMILION, min(mass / 25.0, 1.0))
 
 
-def draw(game: Asteroids, picture: Picture, effects: Effects) -> None:
+def draw(game: Asteroids, picture: Picture, effects: ImpactEffects) -> None:
     """Draw asteroids with their masses, shots and ship."""
     for rock in game.rocks:
         x, y = game.world.position(rock)
@@ -316,7 +316,7 @@ PROGRAM = Program(
         (110, Input("press", "space")),
         (130, Input("press", "up")),
     ),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.2), Sparks(least_impulse=1.0), sounds=Sounds("stone", 0.6, 20.0)
     ),
 )

@@ -28,7 +28,7 @@ from lesson_code.engine.core.scene import XY
 from lesson_code.formulas.validation import Vector, non_negative, one_vector
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import INK, ORANGE, PURPLE, SKY, Colour
 
@@ -108,7 +108,7 @@ class Billiards(Game):
         self.launch(*self._first)
 
     def launch(self, position: Vector, velocity: Vector) -> None:
-        """Start a shot: counts, time and trail begin anew."""
+        """Start a shot: counts, time and trail start again."""
         self.position, self.velocity = np.array(position), np.array(velocity)
         self.bounces = dict.fromkeys(CUSHIONS, 0)
         self.time = self.left_over = 0.0
@@ -145,7 +145,7 @@ class Billiards(Game):
             self.launch(self.position, launch_velocity(self.position, place))
 
     def step(self) -> None:
-        """Let one time step pass; it stands still while the player aims."""
+        """Make one step; time stands still while the player aims."""
         if self.aim is not None:
             return
         elapsed = min(self.left_over, MOST_LEFT_OVER) + TIME_STEP
@@ -230,7 +230,7 @@ def _checked_answer(answer: Any) -> tuple[Any, Any, list[str], float]:
     )
 
 
-def draw(game: Billiards, picture: Picture, effects: Effects) -> None:
+def draw(game: Billiards, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the table, the way of the ball, what is asked for of arrows, and the ball."""
     _draw_table(picture, effects)
     picture.trail(list(game.trail), INK, CLOTH)
@@ -242,7 +242,7 @@ def draw(game: Billiards, picture: Picture, effects: Effects) -> None:
         picture.arrow(ball, as_place(velocity_shown(game) * ARROW_SECONDS), ORANGE)
 
 
-def _draw_table(picture: Picture, effects: Effects) -> None:
+def _draw_table(picture: Picture, effects: ImpactEffects) -> None:
     """Draw wood, cloth, cushions and bumper; what is hit lights up."""
     picture.polygon(_frame(RAIL), WOOD)
     picture.polygon(_frame(0.0), CLOTH)
@@ -320,5 +320,5 @@ PROGRAM = Program(
         (45, Input("up", place=(170.0, 10.0))),
         (75, Input("press", "n")),
     ),
-    effects=lambda: Effects(Flashes(), sounds=Sounds("wood", 0.1, 700.0)),
+    effects=lambda: ImpactEffects(Flashes(), sounds=Sounds("wood", 0.1, 700.0)),
 )

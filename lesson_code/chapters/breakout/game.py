@@ -20,7 +20,7 @@ from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Sparks, Trails
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings, room
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import GREEN, INK, ORANGE, PURPLE, SKY, YELLOW
 
@@ -120,7 +120,7 @@ class Breakout(Game):
         return "All levels done: R plays again" if self.lives else "Game over: R plays again"
 
     def press(self, key: str) -> None:
-        """Serve, or begin anew."""
+        """Serve, or start again."""
         super().press(key)
         if key == "space":
             self.serve()
@@ -130,11 +130,11 @@ class Breakout(Game):
         self.serve()
 
     def drag(self, place: XY) -> None:
-        """Let the paddle follow the mouse."""
+        """Move the paddle towards the mouse."""
         self.target = place[0]
 
     def serve(self) -> None:
-        """Let the ball go, a little to one side."""
+        """Launch the ball, a little to one side."""
         if self.serves and not self.is_over:
             self.serves = False
             self.world.throw(
@@ -142,7 +142,7 @@ class Breakout(Game):
             )
 
     def step(self) -> None:
-        """Let time pass: paddle, ball, and what became of it."""
+        """Make one step: paddle, ball, and what it has hit."""
         if self.is_over:
             return
         self._steer()
@@ -233,7 +233,7 @@ def steady(velocity: XY, speed: float) -> XY:
     return speed * vx, speed * vy
 
 
-def draw(game: Breakout, picture: Picture, effects: Effects) -> None:
+def draw(game: Breakout, picture: Picture, effects: ImpactEffects) -> None:
     """Draw bricks, paddle and ball."""
     for number, hits in game.bricks.items():
         x, y = game.world.position(number)
@@ -282,5 +282,7 @@ PROGRAM = Program(
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=((10, Input("press", "space")),),
-    effects=lambda: Effects(sparks=Sparks(), trails=Trails(), sounds=Sounds("stone", 0.1, 8.0)),
+    effects=lambda: ImpactEffects(
+        sparks=Sparks(), trails=Trails(), sounds=Sounds("stone", 0.1, 8.0)
+    ),
 )

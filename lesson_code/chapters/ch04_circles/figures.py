@@ -119,7 +119,7 @@ def hit(
     before, after : sequence of two vectors
         The velocities of both discs, m/s.
     seconds : float
-        Length of an arrow: the way made in so much time, s.
+        Length of an arrow: the way made in this time, s.
     """
     n = np.asarray(normal, dtype=float)
     centres = (-radii[0] * n, radii[1] * n)
@@ -185,7 +185,7 @@ def _free_direction(taken: Sequence[Any]) -> Any:
 def _name(
     ax: Axes, place: Point, text: str, color: str, beside: tuple[float, float] = (0.0, 0.0)
 ) -> None:
-    """Write a name at a place, or so many points beside it."""
+    """Write a name at a place, or some points beside it."""
     ax.annotate(
         text,
         (float(place[0]), float(place[1])),

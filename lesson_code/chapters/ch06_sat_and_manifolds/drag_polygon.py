@@ -78,7 +78,7 @@ class DraggedPolygon(anywidget.AnyWidget):
 
     @traitlets.observe("x", "y", "angle")
     def _moved(self, _: Any) -> None:
-        """Draw the picture anew."""
+        """Draw the picture again."""
         self._draw()
 
     def _draw(self) -> None:
@@ -137,7 +137,7 @@ def drag_polygon(
 def _explorable(
     vertices_a: Vertices, vertices_b: Vertices, alt: str, sliders: dict[str, Slider]
 ) -> Explorable:
-    """Return the same for whoever draws it ahead of its reader."""
+    """Return the explorable, to be drawn ahead of its reader."""
 
     def at(x: float, y: float, angle: float) -> tuple[Any, Any]:
         """Return the corners of A and those of B where it then is."""

@@ -150,7 +150,7 @@ def ways_out(ax: Axes, drawn: Scene) -> Axes:
 
 
 def _ghost(ax: Axes, centre: Any, radius: float) -> None:
-    """Draw the dashed outline of a circle, and let the view reach round it."""
+    """Draw the dashed outline of a circle, and extend the view to hold it."""
     ax.add_patch(CirclePatch(tuple(centre), radius, fill=False, linestyle="--"))
     reach = radius + 0.1
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()

@@ -19,7 +19,7 @@ Circle: TypeAlias = tuple[complex, complex, float]
 """Position, m, and velocity, m/s, as complex numbers, and radius, m."""
 
 SAMPLES = 10
-"""Whoever looks so often in a step sees nothing of the fast grazes."""
+"""Samples in a step; between two of them a fast graze begins and ends."""
 
 FAR = 60.0
 """m between two groups of a crowd: at their speeds they cannot meet before the first pair does."""
@@ -164,5 +164,5 @@ def _turn(stream: Random) -> complex:
 
 
 def _seen(vector: complex, decimals: int = 2) -> Vector:
-    """Return a complex number as a vector with so many decimals."""
+    """Return a complex number as a vector, rounded."""
     return round(vector.real, decimals), round(vector.imag, decimals)

@@ -86,7 +86,7 @@ def starting_at_a_wall(stream: Random) -> Iterator[Arguments]:
 
 
 def _in_a_room(stream: Random, hits: int) -> Arguments:
-    """Return p, v, room, restitution and a step in which the ball hits so many walls."""
+    """Return p, v, room, restitution and a step in which the ball hits `count` walls."""
     room = (round(stream.uniform(3.0, 4.0), 2), round(stream.uniform(2.0, 2.8), 2))
     p = tuple(round(size * stream.uniform(0.3, 0.7), 2) for size in room)
     v = tuple(stream.choice((-1, 1)) * draws.speed(stream) for _ in range(2))
@@ -97,7 +97,7 @@ def _in_a_room(stream: Random, hits: int) -> Arguments:
 
 
 def _impact_times(p: Any, v: Any, room: Any, e: float, count: int) -> list[float]:
-    """Return when the first so many impacts are, s: each axis is a geometric series of its own."""
+    """Return the times of the first impacts, s: each axis is a geometric series of its own."""
     times = []
     for x, speed, size in zip(p, v, room, strict=True):
         first = (size - x if speed > 0 else x) / abs(speed)

@@ -164,7 +164,7 @@ def _splits(stream: Random, sweeps: float, best: int) -> tuple[tuple[float, floa
     more = [
         (6.0, sweeps / 2, round(least / 5, 6)),  # three times the work
         (2.0, sweeps / 4, round(least / 2, 6)),  # half of it
-        (sweeps - 4.0, 4.0, round(least / 3, 6)),  # so many in sum
+        (sweeps - 4.0, 4.0, round(least / 3, 6)),  # their sum is right
     ]
     rows += more
     stream.shuffle(rows)
@@ -275,7 +275,7 @@ MOST_ORDER = 20
 
 
 def sweeps_of_the_rows(arguments: Arguments, _answer: Any) -> str:
-    """Say which rows have so many sweeps."""
+    """Say which rows have the sweeps that are asked for."""
     table, sweeps = arguments
     equal = [row for row in table if row[0] * row[1] == sweeps]
     rows = "; ".join(f"{n:g} x {k:g}: {written(float(e))} m" for n, k, e in equal)

@@ -183,7 +183,7 @@ def _tower_forces(masses: Any, gravity: float) -> Any:
 
 
 def _sweeps_needed(light: float, heavy: float, left: float) -> int:
-    """Return after how many sweeps so small a part of the approach is left."""
+    """Return how many sweeps leave no more than a given part of the approach."""
     return math.ceil(-math.log(left) / math.log1p(light / heavy))
 
 

@@ -15,7 +15,7 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import FADED_INK, INK, ORANGE, SKY
 
@@ -106,7 +106,7 @@ class Cradle(Game):
         self.held_ball = None
 
     def step(self) -> None:
-        """Let time pass; a ball that is held keeps everything still."""
+        """Make one step; a ball that is held keeps everything still."""
         if self.held_ball is not None:
             return
         for _ in range(SUBSTEPS):
@@ -134,7 +134,7 @@ class Cradle(Game):
         return self.world.kinetic_energy() - MASS * FALL[1] * heights
 
 
-def draw(game: Cradle, picture: Picture, effects: Effects) -> None:
+def draw(game: Cradle, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the beam, the strings and the balls."""
     left, right = game.pivots[0][0] - 1.0, game.pivots[-1][0] + 1.0
     picture.capsule((left, PIVOT_HEIGHT), (right, PIVOT_HEIGHT), 0.08, WALL)
@@ -168,12 +168,12 @@ PROGRAM = Program(
     readings=readings,
     keys=(
         ("drag", "pull balls out"),
-        ("1 ... 9", "pull out so many"),
+        ("1 ... 9", "balls to pull out"),
         ("up  down", "more balls, fewer"),
         ("E", "restitution 1 or 0.9"),
         ("R", "reset"),
     ),
     camera=Camera(left=-5.4, bottom=-0.6, scale=74.0),  # nine balls swing within it
     tour=((0, Input("press", "2")),),
-    effects=lambda: Effects(Flashes(least_impulse=0.3), sounds=Sounds("steel", 0.3, 3.0)),
+    effects=lambda: ImpactEffects(Flashes(least_impulse=0.3), sounds=Sounds("steel", 0.3, 3.0)),
 )

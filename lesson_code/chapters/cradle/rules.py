@@ -62,7 +62,7 @@ def swing_step(angle: float, rate: float, length: float, dt: float) -> tuple[flo
 def cradle(
     angles: Sequence[float], rates: Sequence[float], length: float, dt: float, steps: int
 ) -> tuple[list[float], list[float]]:
-    """Return angles and rates of a cradle of equal, elastic balls after so many steps.
+    """Return angles and rates of a cradle of equal, elastic balls after some steps.
 
     The balls hang side by side and just touch at rest, so that two neighbours touch as soon as
     the left one's angle is the larger, or both are equal. In each step every ball swings, then

@@ -14,8 +14,8 @@ from lesson_code.geometry.shapes import Circle, Polygon, Shape
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.picture import COLOURS, FLASH, Picture
 from lesson_code.view.pygame.program import (
-    Effects,
     Game,
+    ImpactEffects,
     Input,
     Program,
     Readings,
@@ -60,7 +60,7 @@ class Demo(Game):
     """Seven bodies in a box, and as many more as are clicked in."""
 
     def reset(self) -> None:
-        """Begin anew with the seven bodies, and nothing else."""
+        """Start again with the seven bodies, and nothing else."""
         self.random.seed(self.seed)
         self.restitution = RESTITUTION
         self.shows_velocities = False
@@ -80,7 +80,7 @@ class Demo(Game):
         return self.world.numbers[len(self.walls) :]
 
     def _add(self, shape: Shape, position: XY, velocity: XY) -> None:
-        """Let a body join."""
+        """Add a body."""
         self.world.add(
             Body(
                 shape,
@@ -141,7 +141,7 @@ class Demo(Game):
         )
 
 
-def draw(game: Demo, picture: Picture, effects: Effects) -> None:
+def draw(game: Demo, picture: Picture, effects: ImpactEffects) -> None:
     """Draw grid, bodies (white while they touch) and, if asked for, their velocities."""
     picture.grid(GRID_SPACING)
     touching = game.world.touching()
@@ -181,5 +181,7 @@ PROGRAM = Program(
         ("C   R", "clear   reset"),
     ),
     tour=((0, Input("press", "v")), (60, Input("press", "space"))),
-    effects=lambda: Effects(sparks=Sparks(least_impulse=2.0), sounds=Sounds("wood", 0.3, 15.0)),
+    effects=lambda: ImpactEffects(
+        sparks=Sparks(least_impulse=2.0), sounds=Sounds("wood", 0.3, 15.0)
+    ),
 )

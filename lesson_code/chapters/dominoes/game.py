@@ -14,7 +14,7 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Polygon
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import BACKGROUND, GREEN, INK, ORANGE, SKY, blend
 
@@ -117,7 +117,7 @@ class Dominoes(Game):
         return self.world.body(number).mass or 0.0
 
     def step(self) -> None:
-        """Let time pass, and note who has fallen."""
+        """Make one step, and note which dominoes have fallen."""
         self.world.step()
         for number in self.dominoes:
             if number not in self.order and self.has_fallen(number):
@@ -129,7 +129,7 @@ class Dominoes(Game):
         return abs(self.world.angle(number)) > tipping_angle(*size)
 
 
-def draw(game: Dominoes, picture: Picture, effects: Effects) -> None:
+def draw(game: Dominoes, picture: Picture, effects: ImpactEffects) -> None:
     """Draw floor, shelf and dominoes; those that have fallen are dark."""
     for number in game.supports:
         picture.body(game.world.body(number), game.world.position(number), 0.0, WALL)
@@ -167,5 +167,7 @@ PROGRAM = Program(
     keys=(("SPACE", "push the first one"), ("click", "push any one"), ("R", "stand all up")),
     camera=Camera(left=0.0, bottom=-1.2, scale=100.0),
     tour=((10, Input("press", "space")),),
-    effects=lambda: Effects(sparks=Sparks(0.8, least_impulse=0.4), sounds=Sounds("wood", 0.2, 1.0)),
+    effects=lambda: ImpactEffects(
+        sparks=Sparks(0.8, least_impulse=0.4), sounds=Sounds("wood", 0.2, 1.0)
+    ),
 )

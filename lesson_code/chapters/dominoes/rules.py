@@ -39,7 +39,7 @@ def chain(
     dt: float,
     steps: int,
 ) -> tuple[list[float], list[float]]:
-    """Return angles and rates of a row of thin dominoes after so many steps.
+    """Return angles and rates of a row of thin dominoes after some steps.
 
     Each turns about its foot: rate' = rate + 3 g / (2 height) sin(angle) dt, then
     angle' = angle + rate' dt. Then, from the first to the last but one: a domino that leans by

@@ -20,7 +20,7 @@ from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Flashes, Trails
 from lesson_code.view.pygame.picture import COLOURS, Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import INK, ORANGE, SKY, Colour, blend
 
@@ -150,13 +150,13 @@ class Pool(Game):
         return back[0] * size, back[1] * size
 
     def strike(self, impulse: XY) -> None:
-        """Let the cue strike the cue ball."""
+        """Strike the cue ball."""
         velocity, spin = self._strike(impulse, self.offset * RADIUS, MASS, RADIUS)
         self.world.throw(self.cue, velocity, spin)
         self.strokes += 1
 
     def step(self) -> None:
-        """Let time pass: impacts, cloth, pockets."""
+        """Make one step: impacts, cloth, pockets."""
         self.world.step()
         for ball in self.balls:
             velocity, spin = self.world.velocity(ball), self.world.spin(ball)
@@ -229,7 +229,7 @@ def ball_colour(number: int) -> Colour:
     return INK if number == 0 or number > 15 else COLOURS[(number - 1) % 8]
 
 
-def draw(game: Pool, picture: Picture, effects: Effects) -> None:
+def draw(game: Pool, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the table, the balls and the cue."""
     _draw_table(picture)
     if effects.trails is not None:
@@ -320,7 +320,7 @@ PROGRAM = Program(
         (0, Input("down", place=(0.0, HEAD[1]))),
         (40, Input("up", place=(0.0, HEAD[1]))),
     ),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.02), trails=Trails(), sounds=Sounds("ivory", 0.06, 0.6)
     ),
 )

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import deque
 
+from lesson_code.chapters.simulator.plan_page import draw_plan
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
@@ -16,10 +17,9 @@ from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import COLOURS, Picture
-from lesson_code.view.pygame.plan_page import draw_plan
 from lesson_code.view.pygame.program import (
-    Effects,
     Game,
+    ImpactEffects,
     Input,
     Program,
     Readings,
@@ -113,7 +113,7 @@ class Simulator(Game):
             self._add(place, radius, (speed * math.cos(angle), speed * math.sin(angle)))
 
     def _add(self, place: XY, radius: float, velocity: XY = (0.0, 0.0)) -> int:
-        """Let a ball join."""
+        """Add a ball."""
         return self.world.add(
             Body(
                 Circle(radius),
@@ -125,7 +125,7 @@ class Simulator(Game):
         )
 
     def press(self, key: str) -> None:
-        """Change mode, gravity or what is shown; add balls; begin anew."""
+        """Change mode, gravity or what is shown; add balls; start again."""
         super().press(key)
         if key in MODES:
             self.mode = key
@@ -203,7 +203,7 @@ class Simulator(Game):
         return LAUNCH_RATE * (place[0] - x), LAUNCH_RATE * (place[1] - y)
 
     def step(self) -> None:
-        """Let time pass; a ball that is held stands still."""
+        """Make one step; a ball that is held stands still."""
         if self.aim is not None:
             self.world.throw(self.aim[0], (0.0, 0.0), 0.0)
         self.world.step()
@@ -216,7 +216,7 @@ def _is_inside(place: XY, radius: float) -> bool:
     return radius < place[0] < WIDTH - radius and radius < place[1] < HEIGHT - radius
 
 
-def draw(game: Simulator, picture: Picture, effects: Effects) -> None:
+def draw(game: Simulator, picture: Picture, effects: ImpactEffects) -> None:
     """Draw balls, and what is asked for of arrows and contacts."""
     picture.grid(1.0)
     if len(game.world) > 100:
@@ -291,7 +291,7 @@ PROGRAM = Program(
         ("I   F", "impulses   plan of effects"),
     ),
     tour=((0, Input("press", "i")),),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.05), sounds=Sounds("ivory", 0.2, full_impulse=8.0)
     ),
 )

@@ -17,7 +17,7 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Program, Readings, room
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -76,7 +76,7 @@ class SoftBody(Game):
     """Some soft bodies between a floor, a step and a slope."""
 
     def reset(self) -> None:
-        """Let the bodies fall anew."""
+        """Put the bodies back to where they fall from."""
         self.rings: list[list[int]] = []  # the numbers of their masses
         self._springs = np.empty((0, 2), dtype=int)  # of all bodies, one after the other
         self._lengths, self._areas = np.empty(0), np.empty(0)
@@ -96,7 +96,7 @@ class SoftBody(Game):
             self.drop(place)
 
     def drop(self, place: XY) -> None:
-        """Let a soft body join, round and at rest."""
+        """Add a soft body, round and at rest."""
         turns = [2 * math.pi * k / MASSES for k in range(MASSES)]
         points = np.array([(math.cos(t), math.sin(t)) for t in turns]) * RADIUS + place
         beads = [
@@ -110,7 +110,7 @@ class SoftBody(Game):
         self.rings.append(beads)
 
     def press(self, key: str) -> None:
-        """Begin anew, add a body, or kick them all."""
+        """Start again, add a body, or kick them all."""
         super().press(key)
         if key == "b" and len(self.rings) < MOST_BODIES and self._has_room_above():
             self.drop((WIDTH / 2, HEIGHT - 1.0))
@@ -138,11 +138,11 @@ class SoftBody(Game):
             self.grip = self.grip[0], place
 
     def let_go(self, place: XY) -> None:
-        """Let go."""
+        """Release what is held."""
         self.grip = None
 
     def step(self) -> None:
-        """Let time pass: springs, pressure and the mouse between the engine's short steps."""
+        """Make one step: springs, pressure and the mouse between the engine's short steps."""
         for _ in range(SUBSTEPS):
             self.world.push_all(self.forces() * self.world.dt)
             self.world.step()
@@ -171,7 +171,7 @@ class SoftBody(Game):
         return ring_area(self.points()) / self._areas
 
 
-def draw(game: SoftBody, picture: Picture, effects: Effects) -> None:
+def draw(game: SoftBody, picture: Picture, effects: ImpactEffects) -> None:
     """Draw ledges, skins, springs and masses."""
     for number in game.walls:
         picture.body(game.world.body(number), game.world.position(number), 0.0, WALL)
@@ -211,7 +211,7 @@ PROGRAM = Program(
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=((150, Input("press", "space")),),
-    effects=lambda: Effects(
+    effects=lambda: ImpactEffects(
         sparks=Sparks(0.8, least_impulse=0.6), sounds=Sounds("rubber", 0.3, 1.0)
     ),
 )

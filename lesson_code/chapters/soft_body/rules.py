@@ -154,7 +154,7 @@ BLOB = Blob()
 
 
 def drop(positions: Vector, velocities: Vector, length: float, area: float, steps: int) -> Any:
-    """Return positions and velocities of a ring above a floor after so many steps.
+    """Return positions and velocities of a ring above a floor after some steps.
 
     In each step: forces F of springs and pressure at the positions as they are; then
     v' = v + (F / m - air v + g) dt, x' = x + v' dt. A mass below the floor is put onto it; its vy

@@ -1,4 +1,4 @@
-"""A whole class graded: who handed in what, side by side, with nobody lost.
+"""A whole class graded: each submission matched to its student, graded in parallel, and none lost.
 
 collect -> grade each file (journal) -> gradebook -> CSV, JSON, Gradescope, pages
 """

@@ -149,7 +149,7 @@ def _hand_in(folder: Path, student: Enrolled, entries: list[Path], *, on_roster:
 def _files_in(folder: Path, entry: Path, problems: list[str]) -> Iterator[Path]:
     """Yield the files of an entry that may be graded; note what cannot be."""
     if entry.is_symlink() or not entry.is_dir():
-        yield entry  # whoever reads it says what is wrong with it
+        yield entry  # the reader says what is wrong with it
         return
 
     def unreadable(error: OSError) -> None:

@@ -109,7 +109,7 @@ class Gradebook:
 
     @cached_property
     def isolation(self) -> list[Any]:
-        """What stood between the files and the machine, each thing that was said of it once."""
+        """The kinds of isolation the files were graded in, each described once."""
         said: list[Any] = []
         for student in self.students:
             for report in student.reports.values():

@@ -27,7 +27,7 @@ class Journal:
     Parameters
     ----------
     path : Path
-        Where it stands; made anew if it is not there.
+        Its place; created if it is not there.
     head : dict
         What the run is. None under a name of `drawn` agrees with whatever was drawn before.
     drawn : dict
@@ -111,7 +111,7 @@ def _lock(file: BufferedRandom, path: Path) -> None:
     """Keep other runs from writing the same journal, for as long as the file is open."""
     try:
         import fcntl
-    except ImportError:  # Windows has none: there nobody is kept from it
+    except ImportError:  # Windows has no fcntl: there a second run is not kept out
         return
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,4 +1,4 @@
-"""The marks of a class as pages: one for each student, and one for whoever teaches the class.
+"""The marks of a class as pages: one for each student, and one for the instructor.
 
 A page is one file without scripts or anything from elsewhere. It can be read by eye, by ear and on
 paper: headings in order, tables with captions, and words beside every colour.

@@ -1,7 +1,7 @@
 """The roster: who belongs to the class, read from a CSV file.
 
 Its first line names the columns. `id` is needed: what a student's folder or file is called, or
-begins with. `name`, `email` and `due` (for whoever has more time) may be there; other columns are
+begins with. `name`, `email` and `due` (for students with more time) may be there; other columns are
 left alone.
 """
 

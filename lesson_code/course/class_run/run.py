@@ -31,7 +31,7 @@ VERSION = 1
 
 @dataclass(frozen=True)
 class Hands:
-    """Who does the work: so many processes of this machine, or the workers of a dask cluster."""
+    """Who does the work: processes of this machine, or the workers of a dask cluster."""
 
     workers: int | None = None
     cluster: str | None = None

@@ -1,4 +1,4 @@
-"""Marks: tasks, what is expected, what was answered, and what is said to it."""
+"""Marks: what a task asks and expects, what was answered, and what the student is told."""
 
 from lesson_code.course.grading.check_task import check_task
 

@@ -16,7 +16,7 @@ LARGEST_SEED = 10_000
 
 
 def check_task(task_id: str, function: Callable[..., Any], *, seed: int | None = None) -> None:
-    """Print the marks for an answer: one line, and more only if there is something to mend.
+    """Print the marks for an answer: one line, and more only where something is wrong.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ def of_form(got: Any, expected: Any) -> str:
 
 
 def _of_form_inside(got: Any, expected: Any) -> str:
-    """Return the same of the first of some values whose form differs."""
+    """Return such a sentence about the first of some values whose form differs, or nothing."""
     if not isinstance(expected, list):
         return ""
     for mine, right in zip(got, expected, strict=True):

@@ -111,12 +111,12 @@ def task_by_id(task_id: str) -> Task:
 
 
 def exercise_by_name(name: str) -> Exercise:
-    """Return an exercise by its name, or by the beginning of it (its number, say).
+    """Return an exercise by its name, or by the beginning of its name, such as its number.
 
     Raises
     ------
     ValueError
-        No exercise, or more than one, is called so.
+        No exercise has such a name, or more than one has.
     """
     found = [exercise for exercise in exercises() if exercise.name.startswith(name)]
     if len(found) != 1 or not name:

@@ -35,7 +35,7 @@ HIDDEN = {
     "raised": "It stopped with an error.",
     "unusable": "It returned something that is no number, vector or tuple.",
 }
-"""What is said of an outcome where the inputs stay hidden: nothing that the answer could choose."""
+"""The message for each kind of outcome while inputs stay hidden: no word of it is the student's."""
 
 
 def message(
@@ -78,7 +78,7 @@ def message(
 
 
 def hidden_message(outcome: CallOutcome) -> tuple[str, str]:
-    """Return what to say where inputs, values and the words of errors stay unsaid; and why."""
+    """Return a message without inputs, values and the words of errors, and its reason in short."""
     if outcome.kind == "not written":
         return NOT_WRITTEN, NOT_WRITTEN
     if outcome.kind == "missing":

@@ -25,12 +25,12 @@ class Grader:
     ----------
     isolation : str, optional
         The least isolation that will do: "full", "limits" or "none". The best that the system
-        allows is used in any case; what that is stands in `isolation` and in every report.
+        allows is used in any case; `isolation` and every report say which that is.
     limits : Limits, optional
         What a submission may use.
     hide_inputs : bool
-        Let no message name an input, a value or an error's words, so that the inputs can be used
-        again.
+        Keep inputs, values and the words of errors out of every message, so that the inputs can
+        be used again.
     rung : str, optional
         The only rung of the ladder to use, by name; to measure them one by one.
 

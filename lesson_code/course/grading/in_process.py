@@ -73,10 +73,10 @@ class TimeLimitError(BaseException):
 
 @contextlib.contextmanager
 def time_limit(seconds: float) -> Iterator[None]:
-    """Raise TimeLimitError in the code below, once it has run for so long.
+    """Raise TimeLimitError in the code below, once it has run for some seconds.
 
-    Only the main thread of a process on a system with timers can be interrupted so; elsewhere
-    there is no limit.
+    Only the main thread of a process on a system with timers can be interrupted in this way;
+    elsewhere there is no limit.
     """
     if (
         not hasattr(signal, "setitimer")

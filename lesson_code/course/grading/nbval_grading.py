@@ -54,7 +54,7 @@ class TaskOutcome:
 def merge(submission: Submission, exercise: Exercise, root: Path) -> dict[str, Any]:
     """Return the solution notebook with a student's code in place of all its own.
 
-    Of the solution's cells only texts and checks remain: an answer may not lean on its imports.
+    Of the solution's cells only texts and checks remain: an answer must not depend on its imports.
 
     Raises
     ------

@@ -1,12 +1,12 @@
 """Practice checks: what a student's copy holds in place of the course's own checks.
 
 The grader's checks draw new inputs from a seed and work out what is expected. A student's copy
-holds neither the formulas nor the drawing: of each task it holds some draws, made once, with what
+holds neither the formulas nor the drawing. For each task it holds some draws, made once, with what
 the right formula and each wrong model make of them. A check cell picks one of them. The hints, and
 what says why an answer is wrong, are the same in both.
 
 The answers are sealed against a glance and a search, and against nothing else: a check cell shows
-them to whoever answers wrongly. Nobody is graded with them.
+them to everyone who answers wrongly. They are never used to grade.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ def practice_tasks(path: Path) -> tuple[Task, ...]:
 
 
 def practice_draws(task: Task, criterion: Criterion) -> list[list[list[Any]]]:
-    """Return some draws of a criterion, as no grader's seed has them.
+    """Return some draws of a criterion that no grader's seed makes.
 
-    A draw is a list of calls, and a call its arguments, the right answer and those of the wrong
+    A draw is a list of calls; a call is its arguments, the right answer and those of the wrong
     models.
     """
     formulas: list[Function] = [task.expected, *task.wrong_models]
@@ -154,7 +154,7 @@ def _picked(draws: list[list[Arguments]]) -> Callable[[Random], list[Arguments]]
 
 
 def _looked_up(made: dict[str, list[Any]], place: int, name: str = "", doc: str = "") -> Function:
-    """Return a function that knows what was made of each call, and nothing else."""
+    """Return a function that looks its answers up among those that were stored."""
 
     def answer(*arguments: Any) -> Any:
         value = made[_key(arguments)][place]

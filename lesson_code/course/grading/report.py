@@ -57,7 +57,7 @@ class Report:
 
 
 def print_report(report: Report, console: Console) -> None:
-    """Print a report as a table, followed by what there is to mend."""
+    """Print a report as a table, followed by what is wrong in each task."""
     console.print(Text(f"{report.submission.path}: {report.exercise.title}", style="bold"))
     table = Table("task", "function", "points", "what is right", "what is not")
     for verdict in report.verdicts:

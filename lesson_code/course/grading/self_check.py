@@ -1,4 +1,4 @@
-"""The exercises put to the test: can the checks tell wrong from right.
+"""The exercises put to the test: whether the checks tell right from wrong.
 
 Every stub fails every task; every solution and every alternative gets full marks; every wrong
 model loses points and is recognised by its own hint; no hint is empty; nothing is orphaned; and
@@ -34,7 +34,7 @@ def faults(root: Path, told: Callable[[str], None] = lambda _: None) -> Iterator
     root : Path
         The workbook's folder.
     told : callable
-        Is told what is being checked.
+        Receives progress messages.
     """
     for exercise in exercises():
         told(f"{exercise.name}: student copy")
@@ -71,7 +71,7 @@ def answers_in(path: Path, exercise: Exercise) -> Iterator[tuple[ast.FunctionDef
 
 
 def _leaks(exercise: Exercise, root: Path) -> Iterator[str]:
-    """Yield which formulas of the solution stand in a student copy, be it in a comment."""
+    """Yield which formulas of the solution stand in a student copy, even in a comment."""
     path = exercise.student_copy(root)
     copy = squeezed(_all_text(path))
     for answer, source in answers_in(exercise.solution(root), exercise):

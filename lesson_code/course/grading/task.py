@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import inspect
 import linecache
-import textwrap
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from random import Random
@@ -52,7 +51,7 @@ class WrongModel(KnownAnswer):
 
     @property
     def misconception(self) -> str:
-        """What somebody believes who computes it so, in a sentence."""
+        """What a student who computes it this way believes, in a sentence."""
         return inspect.getdoc(self.function) or ""
 
 
@@ -95,10 +94,19 @@ def edited(right: KnownAnswer, edits: Mapping[str, str]) -> Callable[[Function],
             if source.count(old) != 1:
                 raise ValueError(f"{old!r} must stand once in {right.name}, for {named.__name__}")
             source = source.replace(old, new)
-        source = _plain_definition(source, named.__name__, inspect.getdoc(named) or "")
-        return _defined(source, named, vars(inspect.getmodule(right.function)))
+        return _defined(_renamed(source, named), named, right.function.__globals__)
 
     return write
+
+
+def _renamed(source: str, named: Function) -> str:
+    """Return a function's source with another name and docstring, and without decorators."""
+    tree = ast.parse(source)
+    definition = tree.body[0]
+    assert isinstance(definition, ast.FunctionDef)  # noqa: S101 - only functions are marked
+    definition.name, definition.decorator_list = named.__name__, []
+    definition.body[0] = ast.Expr(ast.Constant(inspect.getdoc(named)))
+    return ast.unparse(tree)
 
 
 def _defined(source: str, named: Function, names: dict[str, Any]) -> Function:
@@ -110,33 +118,13 @@ def _defined(source: str, named: Function, names: dict[str, Any]) -> Function:
     return made[named.__name__]
 
 
-def source_as_answer(model: KnownAnswer, function_name: str) -> str:
-    """Return the model's source as a student would hand it in: undecorated, renamed, untyped."""
-    return _plain_definition(inspect.getsource(model.function), function_name)
-
-
-def _plain_definition(source: str, name: str, docstring: str | None = None) -> str:
-    """Return a function's source without decorators and types, under another name."""
-    tree = ast.parse(textwrap.dedent(source))
-    definition = tree.body[0]
-    assert isinstance(definition, ast.FunctionDef)  # noqa: S101 - only functions are marked
-    definition.decorator_list = []
-    definition.name = name
-    definition.returns = None
-    for argument in definition.args.args:
-        argument.annotation = None
-    if docstring is not None:
-        definition.body[0] = ast.Expr(ast.Constant(docstring))
-    return ast.unparse(tree)
-
-
 @dataclass(frozen=True)
 class Criterion:
     """One thing that an answer must get right, with points of its own.
 
-    `cases` draws the arguments of some calls from a random stream. `part` picks what is looked
-    at, out of the answer, where that is less than all of it; or it brings answers that are
-    equally right, such as axes in any order, to one form.
+    `cases` draws the arguments of some calls from a random stream. `part` picks the part of an
+    answer that the criterion looks at, or brings answers that are equally right, such as axes in
+    any order, to one form.
     """
 
     name: str

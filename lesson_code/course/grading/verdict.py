@@ -122,7 +122,7 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
     seed : int
         Draws the inputs; the same seed draws the same ones again.
     hide_inputs : bool
-        Let no message name an input, a value or an error's words.
+        Keep inputs, values and the words of errors out of every message.
     """
     tried = [(criterion, _try(task, criterion, call, seed)) for criterion in task.criteria]
     return Verdict(

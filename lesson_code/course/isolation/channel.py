@@ -48,7 +48,7 @@ class SocketChannel:
         return self._line(deadline)
 
     def _line(self, deadline: float) -> bytes | None:
-        """Return the next line, or what has come of it when it is too long."""
+        """Return the next line, or the beginning of one that is too long."""
         while (end := self._kept.find(b"\n") + 1) == 0:
             if len(self._kept) > self._most:
                 return bytes(self._kept)
@@ -95,7 +95,7 @@ class PipeChannel:
             return None
 
     def _exchange(self, line: bytes, lines: Queue[bytes]) -> None:
-        """Write one line to the child and read one, at most so many bytes."""
+        """Write one line to the child and read one, of at most `most` bytes."""
         with contextlib.suppress(OSError, ValueError):
             self._requests.write(line)
             self._requests.flush()
@@ -108,7 +108,7 @@ class PipeChannel:
         """Close our ends, once the child has ended.
 
         A process that has left the child's group may outlive it and keep its pipe open. Who
-        waits for a line of it then goes on waiting, and closing would wait as well.
+        waits for a line from it goes on waiting, and closing would wait as well.
         """
         if self._reader is not None:
             self._reader.join(timeout=1.0)

@@ -34,7 +34,7 @@ from lesson_code.course.isolation.warm_server import WarmServer
 
 
 class Children(Protocol):
-    """Whoever makes the processes that submissions run in, one at a time."""
+    """Makes the processes that submissions run in, one at a time."""
 
     def open(self) -> None:
         """Make ready."""

@@ -1,7 +1,7 @@
 """The parent's side of the wall: asks a child, and believes nothing but plain values.
 
 What is expected never crosses the wall. No result, a result of another form, a crash or silence is
-an :class:`CallOutcome` that says so, and earns nothing.
+a :class:`CallOutcome` that says so, and earns nothing.
 """
 
 from __future__ import annotations

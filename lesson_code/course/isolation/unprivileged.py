@@ -1,4 +1,4 @@
-"""A user for the child to become when the grader runs as root: one that nobody else is."""
+"""A user for the child to become when the grader runs as root: one that no other process has."""
 
 from __future__ import annotations
 

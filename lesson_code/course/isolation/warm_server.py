@@ -44,7 +44,7 @@ class WarmServer:
     limits : Limits
         What a submission may use.
     drop_user : bool
-        Let children become a user that nobody else is; only root can.
+        Whether children become a user that no other process has; only root can do that.
     wrapper : tuple of str
         A command that starts the server's own.
     folder : str, optional

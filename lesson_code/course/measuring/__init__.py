@@ -1,1 +1,1 @@
-"""What is said of the grader, measured: what each rung of isolation stops, and how fast it is."""
+"""The grader measured: what each rung of isolation stops, and how fast it is."""

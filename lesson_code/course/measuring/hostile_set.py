@@ -136,7 +136,7 @@ def run_hostile_set(
     only : iterable of str
         Names of rungs; all by default.
     told : callable
-        Hears what is being done, and what share of all is done.
+        Receives progress messages, and the share of the work that is done.
 
     Raises
     ------

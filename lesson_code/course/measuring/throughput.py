@@ -1,6 +1,6 @@
 """How many submissions a second are graded, by rung of isolation, and beside nbgrader.
 
-The rungs take turns, batch by batch, so that what else runs on the machine meets all alike. The
+The rungs take turns, batch by batch, so that other work on the machine slows all of them. The
 processor's time for a submission is measured too, with that of all children: it is what a busy
 machine changes least.
 """
@@ -132,7 +132,7 @@ def measure_grading(
     batches : int
         How often each takes its turn.
     told : callable
-        Hears what is being done, and what share of all is done.
+        Receives progress messages, and the share of the work that is done.
     """
     path = exercise_by_name(EXERCISE).solution(root)
     count = workers or usable_cores()
@@ -164,7 +164,7 @@ def _take_turns(
     batches: int,
     told: Callable[[str, float], None],
 ) -> None:
-    """Let each grade a batch, as often as there are batches; a first one only warms up."""
+    """Have each way of grading do its batches in turn; a first batch only warms up."""
     for batch in range(batches + 1):
         for at, (rate, turn) in enumerate(turns):
             told(rate.name, (batch + at / len(turns)) / (batches + 1))
@@ -193,7 +193,7 @@ _kept: dict[str, Grader] = {}
 
 
 def _grade_batch(rung: str, path: Path, count: int) -> float:
-    """Return the processor's time for grading a submission so often; run by a worker."""
+    """Return the processor's time, s, for grading a submission `count` times; run by a worker."""
     if rung not in _kept:
         _kept[rung] = Grader(rung=rung).__enter__()
         Finalize(None, _kept[rung].__exit__, (None, None, None), exitpriority=1)

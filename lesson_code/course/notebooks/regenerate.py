@@ -1,4 +1,4 @@
-"""Everything derived from the sources, made anew or compared with what is committed."""
+"""Everything derived from the sources, made again or compared with what is committed."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Derived:
         return text_of(notebook)
 
     def write(self) -> None:
-        """Make the file anew, with the same line ends on every machine."""
+        """Write the file, with the same line ends on every machine."""
         self.path.write_text(self.text(run=True), encoding="utf-8", newline="\n")
 
 

@@ -1,4 +1,4 @@
-"""One bank of questions, one checker; the notebook, the terminal and the grader use both.
+"""One bank of questions and one checker, used by the notebook and the terminal.
 
 The notebook's quiz stands in :mod:`lesson_code.course.quiz.notebook` and the terminal's in
 :mod:`lesson_code.course.quiz.terminal`, so that neither loads what only the other needs.

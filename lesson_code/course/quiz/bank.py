@@ -100,7 +100,7 @@ class ChoiceQuestion:
 
 @dataclass(frozen=True, slots=True)
 class WrongValue:
-    """A wrong number that gives away the mistake behind it, and what is said to it."""
+    """A wrong number that gives away the mistake behind it, and the feedback to it."""
 
     value: float
     feedback: str
@@ -200,8 +200,8 @@ class Quiz:
 def chapter_numbers() -> tuple[str, ...]:
     """Return the numbers of the chapters that have a quiz, in order.
 
-    >>> chapter_numbers()
-    ('00', '01', '02', '03', '04', '05', '06', '07', '08', '09', '10', '11')
+    >>> chapter_numbers()[:3]
+    ('00', '01', '02')
     """
     return tuple(chapter.number for chapter in chapters_with(QUIZ))
 

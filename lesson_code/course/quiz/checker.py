@@ -1,7 +1,7 @@
-"""The one judge of answers: the notebook, the terminal and the grader all ask here.
+"""The one judge of quiz answers, for the notebook and the terminal.
 
 An answer that cannot be read is not a wrong answer. It raises a ValueError that says what is
-expected, so that whoever asked can ask again.
+expected, so that the caller can ask again.
 """
 
 from __future__ import annotations

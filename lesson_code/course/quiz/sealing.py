@@ -1,6 +1,6 @@
 """The question bank of a student's copy: questions to read, keys salted and hashed.
 
-A choice question keeps the hash of its right letter, and what is said to each letter sealed with
+A choice question keeps the hash of its right letter, and the feedback to each letter sealed with
 that letter. A number cannot be found again from a hash, since answers near it are right too: it is
 sealed with the salt alone. All this keeps a key from a glance and from a search. It is no secret
 from a determined reader, who has this program and can try every letter: the instructor's copy

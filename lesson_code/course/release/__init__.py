@@ -13,12 +13,12 @@ __all__ = ["LeakError", "Release", "release"]
 
 
 class LeakError(ValueError):
-    """Something of the instructor's stands in what was to go out; the message says what."""
+    """A student's copy would hold something of the instructor's; the message says what."""
 
 
 @dataclass(frozen=True)
 class Release:
-    """Where a student's copy stands, as a folder and as a zip, and of how many files."""
+    """A student's copy: its folder, its zip, and how many files it has."""
 
     folder: Path
     archive: Path

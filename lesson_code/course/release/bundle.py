@@ -58,7 +58,7 @@ def bundle_files(root: Path) -> Files:
 
 
 def write_zip(files: Files, path: Path) -> None:
-    """Write a copy as a zip, in which all stands in one folder of the same name."""
+    """Write a copy as a zip that holds one folder of the same name."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
             entry = zipfile.ZipInfo(f"{path.stem}/{name}", EARLIEST)
@@ -70,8 +70,7 @@ def write_zip(files: Files, path: Path) -> None:
 def _as_they_are(root: Path) -> Iterator[Path]:
     """Yield the paths of the files that a copy takes unchanged."""
     yield from map(Path, TOP_FILES)
-    for folder, pattern in (("notebooks", "*.ipynb"), ("notebooks/pictures", "*")):
-        yield from (path.relative_to(root) for path in (root / folder).glob(pattern))
+    yield from (path.relative_to(root) for path in (root / "notebooks").glob("*.ipynb"))
     for exercise in exercises():
         yield exercise.student_copy(root).relative_to(root)
     for path in (root / "lesson_code").rglob("*"):
@@ -147,7 +146,7 @@ TASKS = practice_tasks(Path(__file__).with_suffix(".json"))
 
 
 def _said_of(task: Task) -> Names:
-    """Return what says why an answer to a task is wrong, and what brings answers to one form."""
+    """Return the functions that explain a wrong answer to a task, or bring answers to one form."""
     functions = [task.explain, *(criterion.part for criterion in task.criteria)]
     places = [reference(function).split(":") for function in functions if function]
     return {module: {name for m, name in places if m == module} for module, _ in places}

@@ -26,7 +26,7 @@ from lesson_code.course.quiz.sealing import SECRET
 from lesson_code.course.release.bundle import holds_answers, holds_checks, is_quiz
 
 NOT_FOR_STUDENTS = ("solutions", "tests", "source", "golden")
-"""Folders of which nothing goes out."""
+"""Folders that stay with the instructor."""
 
 HIDDEN_SEEDS = (7, 2_718, 9_999)
 """Seeds with which values are drawn that a copy must not hold."""

@@ -1,7 +1,7 @@
-"""What of a module a student's copy needs: some names, and whatever these use.
+"""The part of a module that a student's copy needs: some names, and all that these use.
 
-A module of tasks holds what says why an answer is wrong beside the answer itself. Only the former
-goes into a student's copy.
+A module of tasks holds the explanation of a wrong answer beside the right answer. Only the
+explanation goes into a student's copy.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def used_names(source: str, modules: Collection[str]) -> Names:
 
 
 def all_needed(sources: Mapping[str, str], wanted: Names) -> Names:
-    """Return what is needed of each module: what is wanted, and what that uses of the others."""
+    """Return the names needed from each module: those wanted, and those that they use elsewhere."""
     needed: Names = {module: set() for module in wanted}
     waiting = [(module, name) for module, names in wanted.items() for name in sorted(names)]
     while waiting:

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.course.notebooks.root import how_to_install
+from lesson_code.course.site.api_pages import MODULES, write_api_pages
 from lesson_code.course.site.finishing import finish
-from lesson_code.course.site.front_pages import TITLE, exercise_page, front_page
+from lesson_code.course.site.front_pages import PAGES, TITLE, exercise_page, front_page
 from lesson_code.course.site.mathml import write_font
 from lesson_code.course.site.moving import MovingFigure, figures_of
 from lesson_code.course.site.notebook_page import NotebookPage
@@ -34,7 +35,18 @@ SETTINGS: dict[str, Any] = {
     "html_title": TITLE,
     "author": "",
     "copyright": "",
-    "extensions": ["myst_nb", "lesson_code.course.site.mathml"],
+    "extensions": [
+        "myst_nb",
+        "sphinx.ext.autodoc",
+        "sphinx.ext.napoleon",
+        "lesson_code.course.site.docstrings",
+        "lesson_code.course.site.mathml",
+    ],
+    "autodoc_typehints": "none",  # the docstrings say what may be given
+    "autodoc_default_options": {"members": True},
+    "napoleon_google_docstring": False,
+    "napoleon_use_ivar": True,
+    "napoleon_use_rtype": False,
     "exclude_patterns": ["downloads"],
     "nb_execution_mode": "off",
     "myst_enable_extensions": ["dollarmath"],
@@ -107,7 +119,7 @@ def build(
         _write_sources(root, Path(folder), notebooks, figures)
         _run_sphinx(Path(folder), site)
     finish(site)
-    return len(notebooks) + 2
+    return len(notebooks) + len(PAGES) + len(MODULES) + 2
 
 
 def missing_tools() -> list[str]:
@@ -151,8 +163,9 @@ def _write_sources(
     """Write what Sphinx reads."""
     import nbformat
 
-    with as_file(files("lesson_code.course.site").joinpath("assets")) as assets:
-        shutil.copytree(assets, folder / "_static")
+    with as_file(files("lesson_code.course.site")) as ours:
+        shutil.copytree(ours / "assets", folder / "_static")
+        shutil.copytree(ours / "pages", folder / "pages")
     write_font(folder / "_static" / "math.woff")
     downloads = folder / "downloads" / "exercises"
     shutil.copytree(root / "exercises", downloads, ignore=shutil.ignore_patterns(".*", "_*"))
@@ -166,7 +179,8 @@ def _write_sources(
         page = NotebookPage(name, folder, moving.get(name, ())).page_of(notebook)
         text = nbformat.writes(page)  # type: ignore[no-untyped-call]
         (folder / "notebooks" / f"{name}.ipynb").write_text(text, encoding="utf-8")
-    (folder / "index.md").write_text(front_page(read), encoding="utf-8")
+    reference = write_api_pages(folder)
+    (folder / "index.md").write_text(front_page(read, reference), encoding="utf-8")
     (folder / "exercises.md").write_text(exercise_page(root), encoding="utf-8")
 
 

@@ -7,9 +7,10 @@ from pathlib import Path
 NAMES = {
     '<aside class="sidebar-drawer">': '<aside class="sidebar-drawer" aria-label="All pages">',
     '<aside class="toc-drawer">': '<aside class="toc-drawer" aria-label="This page">',
+    '<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">',
     '<div id="search-results"></div>': '<h1>Search</h1>\n<div id="search-results"></div>',
 }
-"""Two landmarks of a kind need names that tell them apart, and every page needs a title."""
+"""Two landmarks of a kind need names that tell them apart, headings a level, and pages a title."""
 
 
 def finish(site: Path) -> None:

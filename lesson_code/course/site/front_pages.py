@@ -35,7 +35,33 @@ After each of them you will be able to do what stands below it.
 {documents}
 exercises
 ```
+
+```{{toctree}}
+:hidden:
+:caption: Handbook
+
+{pages}
+```
+
+```{{toctree}}
+:hidden:
+:caption: Reference
+
+{reference}
+```
 """
+
+PAGES = (
+    "students",
+    "programs",
+    "instructors",
+    "python",
+    "conventions",
+    "glossary",
+    "house",
+    "lesson",
+)
+"""The handbook, in its order: files in the folder ``pages``."""
 
 EXERCISE_PAGE = """# Exercises
 
@@ -53,17 +79,25 @@ ABLE = re.compile(r"\*\*After this notebook you will be able to\*\*\s+(.*?)\n\n\
 """The list of what a notebook teaches, in its first cell."""
 
 
-def front_page(notebooks: Sequence[tuple[str, Any]]) -> str:
+def front_page(notebooks: Sequence[tuple[str, Any]], reference: Sequence[str] = ()) -> str:
     """Return the front page: what this is, and each chapter with what it teaches.
 
     Parameters
     ----------
     notebooks : sequence of (str, notebook)
         The name of each chapter's file without its suffix, and the notebook.
+    reference : sequence of str
+        The names of the pages about the public names.
     """
     contents = "\n\n".join(_entry(name, notebook) for name, notebook in notebooks)
     documents = "\n".join(f"notebooks/{name}" for name, _ in notebooks)
-    return FRONT.format(title=TITLE, contents=contents, documents=documents)
+    return FRONT.format(
+        title=TITLE,
+        contents=contents,
+        documents=documents,
+        pages="\n".join(f"pages/{name}" for name in PAGES),
+        reference="\n".join(reference),
+    )
 
 
 def exercise_page(root: Path) -> str:

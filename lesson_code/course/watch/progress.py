@@ -29,7 +29,7 @@ class TaskState:
 class Progress:
     """The points of each task of the course, in a file beside the exercises.
 
-    A file that cannot be read is begun anew: everything in it can be worked out again.
+    A file that cannot be read is replaced: everything in it can be worked out again.
 
     Parameters
     ----------

@@ -158,7 +158,7 @@ class WatchSession:
         self.show()
 
     def solution(self) -> None:
-        """Show the solution of each task of the exercise that is right; of others, never."""
+        """Show the solution of each task that is right, and of no other."""
         right = [task for task in self.current.tasks if self.progress.is_right(task)]
         if not right:
             self.screen.say("A solution is shown once your own answer is right.")

@@ -1,4 +1,4 @@
-"""The solution of a task, for whoever has solved it."""
+"""The solution of a task, for a student who has solved it."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ runs a scene by itself: the exact one has no steps, and other engines have steps
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from lesson_code.engine.core.mixing import Combination
@@ -115,7 +115,7 @@ class Solver:
         values = tuple(options.get(name, first) for name, (first, *_) in self.options.items())
         return self.variants.get(values, self.stages)
 
-    def with_counts(self, request: Request) -> Request:
-        """Return a request with the numbers of sweeps and sub-steps that this solver makes."""
-        sweeps = 1 if self.has_one_sweep else request.iterations or self.iterations
-        return replace(request, iterations=sweeps, substeps=request.substeps or self.substeps)
+    def counts(self, asked: Request) -> tuple[int, int]:
+        """Return how many sweeps and sub-steps it makes in a step."""
+        sweeps = 1 if self.has_one_sweep else asked.iterations or self.iterations
+        return sweeps, asked.substeps or self.substeps

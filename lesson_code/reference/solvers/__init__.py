@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from lesson_code.engine.core.solver import Request
+from lesson_code.engine.core.solver import Request, Solver
 
 
-def settings_of(asked: Request, name: str) -> dict[str, Any]:
+def settings_of(asked: Request, solver: Solver) -> dict[str, Any]:
     """Return what an engine is told of a run, or refuse what is ours alone.
 
     It has one program for all scenes, and that is compiled.
     """
     for option in ("compiled", "effects"):
         if (value := getattr(asked, option)) is not None:
-            raise ValueError(f"{option} must be None for {name}, got {value!r}")
-    return {key: getattr(asked, key) for key in ("dt", "iterations", "substeps", "combine")}
+            raise ValueError(f"{option} must be None for {solver.name}, got {value!r}")
+    counts = zip(("iterations", "substeps"), solver.counts(asked), strict=True)
+    return {"dt": asked.dt, "combine": asked.combine, **dict(counts)}

@@ -10,7 +10,7 @@ from lesson_code.reference.solvers import settings_of
 
 def run_scene(asked: Request) -> Run:
     """Let Box2D step a scene."""
-    settings = settings_of(asked, "box2d")
+    settings = settings_of(asked, SOLVER)
     from lesson_code.reference.box2d_reference import Box2DStepper
 
     stepper = Box2DStepper(asked.scene, **settings)

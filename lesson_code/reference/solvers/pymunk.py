@@ -10,7 +10,7 @@ from lesson_code.reference.solvers import settings_of
 
 def run_scene(asked: Request) -> Run:
     """Let pymunk step a scene."""
-    settings = settings_of(asked, "pymunk")
+    settings = settings_of(asked, SOLVER)
     from lesson_code.reference.pymunk_reference import PymunkStepper
 
     stepper = PymunkStepper(asked.scene, **settings)

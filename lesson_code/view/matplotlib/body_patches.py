@@ -34,7 +34,7 @@ LARGEST_NAME, SMALLEST_NAME = 11.0, 5.0
 """Points: a name is as large as its body allows, and left out where it could not be read."""
 
 FEW_NAMES, NAME_OF_FEW = 12, 8.0
-"""So many names may be larger than their bodies: at least so many points."""
+"""Up to 12 names may be larger than their bodies: at least this many points."""
 
 LETTER = 0.7
 """Width of a letter, of the font's size."""

@@ -25,7 +25,7 @@ from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.view.pygame.gif import MOST_SECONDS, Gif
 from lesson_code.view.pygame.panel import PROGRAM_SIZE, Panel
 from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
-from lesson_code.view.pygame.program import Effects, Game, Input, Keys, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Keys, Program, Readings
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.window import YELLOW, open_window, pygame
 
@@ -47,7 +47,7 @@ SHARED_KEYS: Keys = (
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Played:
     """How a run ended.
 
     Attributes
@@ -236,7 +236,7 @@ def play(
     replay: str | Path | None = None,
     tour: bool = False,
     settings: Mapping[str, Any] = MappingProxyType({}),
-) -> Outcome:
+) -> Played:
     """Play a program until its window is closed.
 
     Parameters
@@ -246,7 +246,7 @@ def play(
     seed : int
         Everything that is drawn by lot follows from it.
     frames : int, optional
-        Stop after so many frames, each exactly one step, so that runs repeat bit for bit.
+        Stop after this many frames, each exactly one step, so that runs repeat bit for bit.
     headless : bool
         Draw into memory, without screen, sound and waiting.
     screenshot : path, optional
@@ -306,7 +306,7 @@ def _new_game(program: Program, recording: Recording, settings: Mapping[str, Any
 
 
 @contextmanager
-def _loudspeaker(effects: Effects, headless: bool) -> Iterator[None]:
+def _loudspeaker(effects: ImpactEffects, headless: bool) -> Iterator[None]:
     """Hold the audio device, if anything is to be heard."""
     if effects.sounds is None or headless:
         yield
@@ -320,7 +320,7 @@ def _loudspeaker(effects: Effects, headless: bool) -> Iterator[None]:
 
 def _run(
     session: Session, painter: Painter, film: Gif | None, frames: int | None, *, waits: bool
-) -> Outcome:
+) -> Played:
     """Turn events and time into steps and pictures until somebody or something ends it."""
     seconds: list[tuple[float, float]] = []
     _compile_if_large(session.game.world, painter)
@@ -338,7 +338,7 @@ def _run(
         painter.draw()
         seconds.append((between - start, time.process_time() - between))
         painter.show_to(film, elapsed)
-    return Outcome(session.game, session.steps, np.reshape(seconds, (-1, 2)), film)
+    return Played(session.game, session.steps, np.reshape(seconds, (-1, 2)), film)
 
 
 def _compile_if_large(world: LiveWorld, painter: Painter) -> None:

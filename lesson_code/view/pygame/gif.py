@@ -7,7 +7,7 @@ from pathlib import Path
 from types import TracebackType
 
 from PIL import Image
-from PIL.Image import Quantize, Resampling
+from PIL.Image import Resampling
 
 from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.view.pygame.window import pygame
@@ -107,4 +107,4 @@ def _reduced(surface: pygame.Surface, size: tuple[int, int]) -> Image.Image:
     """Return what a surface shows, in the size and the colours of the film."""
     pixels = pygame.image.tostring(surface, "RGB")
     image = Image.frombytes("RGB", surface.get_size(), pixels)
-    return image.resize(size, Resampling.HAMMING).quantize(COLOURS, Quantize.FASTOCTREE)
+    return image.resize(size, Resampling.HAMMING).quantize(COLOURS)  # the octree loses faint lines

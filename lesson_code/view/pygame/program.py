@@ -138,7 +138,7 @@ class Game:
 
 
 @dataclass(frozen=True)
-class Effects:
+class ImpactEffects:
     """The effects that a program is shown with; any of them may be left out."""
 
     flashes: Flashes | None = None
@@ -199,7 +199,7 @@ class Program:
     readings: Callable[..., Readings]
     keys: Keys
     camera: Camera = Camera(0.0, 0.0, 100.0)  # noqa: RUF009 - it never changes
-    effects: Callable[[], Effects] = Effects
+    effects: Callable[[], ImpactEffects] = ImpactEffects
     more: Callable[..., None] | None = None
     tour: tuple[tuple[int, Input], ...] = ()
 
@@ -220,7 +220,7 @@ def room(left: float, bottom: float, right: float, top: float, material: Materia
 def draw_bodies(
     world: LiveWorld,
     picture: Picture,
-    effects: Effects,
+    effects: ImpactEffects,
     colours: Callable[[int], Colour] = lambda number: COLOURS[number % len(COLOURS)],
 ) -> None:
     """Draw all bodies of a world: walls grey, the others in turn in the colours there are."""

@@ -81,7 +81,7 @@ SMALL_TEXT_SIZE = 20
 """px, height of a line of help; smaller is hard to read."""
 
 SMOOTHNESS = 4
-"""Smooth shapes are painted so many times larger and then reduced."""
+"""Smooth shapes are painted this many times larger and then reduced."""
 
 HEADLESS = {"SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
 """The environment that makes pygame work without screen and loudspeaker."""
@@ -121,7 +121,7 @@ class Window:
         return self.surface.blit(written, rectangle)
 
     def wrapped(self, words: str, width: float, size: int = TEXT_SIZE) -> list[str]:
-        """Return words in lines that are no wider than so many px; a long word has its own line."""
+        """Return words in lines that are no wider than `width` px; a long word has its own line."""
         lines: list[str] = []
         for word in words.split():
             longer = f"{lines[-1]} {word}" if lines else word

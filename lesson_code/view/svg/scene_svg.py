@@ -37,7 +37,7 @@ LARGEST_NAME, SMALLEST_NAME = 14, 7
 """px: a name is as large as its body allows, and left out where it could not be read."""
 
 FEW_NAMES, NAME_OF_FEW = 12, 11
-"""So many names may be larger than their bodies: at least so many px."""
+"""Up to 12 names may be larger than their bodies: at least 11 px."""
 
 LETTER = 0.7
 """Width of a letter, of the font's size."""

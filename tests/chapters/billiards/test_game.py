@@ -22,7 +22,7 @@ from lesson_code.chapters.billiards.rules import (
 )
 from lesson_code.view.pygame.frame import Painter, Session, play
 from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
-from lesson_code.view.pygame.program import Effects, Input
+from lesson_code.view.pygame.program import ImpactEffects, Input
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.window import PURPLE, Window, pygame
 
@@ -280,7 +280,7 @@ def test_ball_stays_on_the_table_whatever_is_dragged() -> None:
 
 def test_picture_shows_the_bumper_where_the_physics_has_it(picture: Picture) -> None:
     """Pixels whose ball would be inside the capsule are the bumper's, others cloth (fault 29)."""
-    draw(game(), picture, Effects())
+    draw(game(), picture, ImpactEffects())
     a, b = np.array(TABLE.bumper_start), np.array(TABLE.bumper_end)
     for i in range(240, 360):
         for j in range(140, 260):
@@ -321,7 +321,7 @@ def test_picture_a_ball_that_flew_away_is_no_crash(picture: Picture) -> None:
     one.position, one.velocity = np.array((1e300, -1e300)), np.array((-1e300, 1e12))
     one.shows_velocity = True
     one.trail.append((1e300, -1e300))
-    draw(one, picture, Effects())
+    draw(one, picture, ImpactEffects())
     corner = tuple(picture.window.surface.get_at((FIELD_SIZE[0] // 2, 150)))[:3]
     assert corner == CLOTH
 

@@ -21,9 +21,9 @@ from lesson_code.course.grading.grader import Grader, grade
 from lesson_code.course.grading.nbval_grading import CHECK_CALL, grade_under_nbval, merge
 from lesson_code.course.grading.report import print_report
 from lesson_code.course.grading.submission import SubmissionError, read_submission
-from lesson_code.course.grading.task import WrongModel, source_as_answer
+from lesson_code.course.grading.task import WrongModel
 
-from ..conftest import Write
+from ..conftest import Write, source_as_answer
 
 FOLDER = Path(__file__).parents[1] / "golden"
 TABLE: dict[str, dict[str, Any]] = tomllib.loads((FOLDER / "golden.toml").read_text())

@@ -12,9 +12,10 @@ from lesson_code.course.grading.task import (
     WrongModel,
     alternative,
     edited,
-    source_as_answer,
     wrong_model,
 )
+
+from ..conftest import source_as_answer
 
 ALL_TASKS = [task for exercise in exercises() for task in exercise.tasks]
 
@@ -50,7 +51,7 @@ def test_edited_answer_is_the_right_one_with_the_edit() -> None:
     assert reversed_sign.name == "reversed_sign"
     assert reversed_sign.misconception == "It is so, the other way round."
     source = inspect.getsource(reversed_sign.function)
-    assert source.startswith("def reversed_sign(x):")
+    assert source.startswith("def reversed_sign(x: float)")
     assert "return -x" in source
 
 

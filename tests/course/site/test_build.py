@@ -9,7 +9,9 @@ import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from lesson_code.course.site import build as building
+from lesson_code.course.site.api_pages import MODULES
 from lesson_code.course.site.build import MissingToolsError, SiteError, build
+from lesson_code.course.site.front_pages import PAGES
 
 ROOT = Path(__file__).parents[3]
 NEEDS_TOOLS = pytest.mark.skipif(
@@ -82,9 +84,12 @@ def test_site_holds_pages_exercises_and_nothing_of_the_solutions(tiny: Path) -> 
     (tiny / "solutions").mkdir()
     (tiny / "solutions" / "00_tiny.ipynb").write_text("{}", encoding="utf-8")
     site = tiny / "site"
-    assert build(tiny, site) == build(tiny, site) == 3
-    for page in ("index", "exercises", "search", "notebooks/00_tiny"):
+    assert build(tiny, site) == build(tiny, site) == 3 + len(PAGES) + len(MODULES)
+    handbook = [f"pages/{name}" for name in PAGES] + [f"api/{name}" for name in MODULES]
+    for page in ("index", "exercises", "search", "notebooks/00_tiny", *handbook):
         assert (site / f"{page}.html").is_file()
+    reference = (site / "api" / "lesson_code.formulas.html").read_text(encoding="utf-8")
+    assert 'id="lesson_code.formulas.reflect"' in reference
     assert (site / "exercises" / "00_tiny.ipynb").read_text(encoding="utf-8") == "{}"
     assert not [path for path in site.rglob("*") if "solution" in path.name]
     chapter = (site / "notebooks" / "00_tiny.html").read_text(encoding="utf-8")

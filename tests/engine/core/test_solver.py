@@ -20,10 +20,9 @@ def request(**asked: Any) -> Request:
     return Request(**(usual | asked))
 
 
-def counts(name: str, **asked: Any) -> tuple[int | None, int | None]:
+def counts(name: str, **asked: Any) -> tuple[int, int]:
     """Return the sweeps and sub-steps that a solver makes."""
-    counted = our_solvers()[name].with_counts(request(**asked))
-    return counted.iterations, counted.substeps
+    return our_solvers()[name].counts(request(**asked))
 
 
 def test_sweeps_and_sub_steps_are_the_solvers_unless_given() -> None:

@@ -24,13 +24,13 @@ from typing import Any, BinaryIO
 import numpy as np
 
 MOST_NUMBERS = 100_000
-"""An answer holds at most so many numbers; no task asks for more than a thousand."""
+"""Numbers in an answer at most; no task asks for more than a thousand."""
 
 STOPPED = (Exception, SystemExit)
 """What a student's function may end in without ending this process; the rest ends it."""
 
 DEEPEST = 20
-"""An answer is nested at most so deep; no task needs more than four."""
+"""Levels of nesting in an answer at most; no task needs more than four."""
 
 UNORDERED = (dict, set, frozenset, bytes)
 """Containers that do not say which number comes first, or what the numbers are."""

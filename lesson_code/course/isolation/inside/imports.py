@@ -16,7 +16,7 @@ class LessonCodeBlocked:
 
 
 def forget_the_way_here(readable: tuple[str, ...]) -> None:
-    """Leave on the path of imports what a child may read; and block lesson_code, wherever it is."""
+    """Keep on the path of imports only what a child may read, and block lesson_code everywhere."""
     sys.path[:] = [p for p in sys.path if any(f"{p}/".startswith(f"{r}/") for r in readable)]
     sys.argv[:] = [""]
     sys.meta_path.insert(0, LessonCodeBlocked())

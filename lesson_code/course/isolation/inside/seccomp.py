@@ -67,7 +67,7 @@ NUMBER, ARCHITECTURE, FIRST_ARGUMENT = 0, 4, 16
 ALLOW, REFUSE, KILL = 0x7FFF0000, 0x00050000, 0x80000000
 
 ANY_PROCESS = 0x7FFF_FFFE
-"""Stands in a filter for the process that it is made for; no system has so many."""
+"""Stands in a filter for the process it is made for; no system has a process of this number."""
 
 Instruction = tuple[int, int, int, int]
 """Operation, how far to jump if true, how far if false, operand."""

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from lesson_code.chapters.simulator.game import FORCED, Simulator
+from lesson_code.chapters.simulator.plan_page import draw_plan
 from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.view.pygame.picture import FIELD_SIZE
-from lesson_code.view.pygame.plan_page import draw_plan
 from lesson_code.view.pygame.window import Window, open_window, pygame
 
 
