@@ -11,7 +11,7 @@ from lesson_code.engine.core.recording import Sample, step_times
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.solver import Request, Solver
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers, solvers_in
 from lesson_code.engine.solvers.choice import SolverChoice, solvers_for
 from lesson_code.engine.stepper import run_in_steps
@@ -73,9 +73,8 @@ def simulate(
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
     effects : mapping from str to bool, optional
         What to simulate, for those who know better than the rules: True forces an effect on,
-        False leaves it out. One that the scene needs cannot be left out. The names: collisions,
-        broad_phase, outlines, manifolds, seams, continuous, restitution, friction, rotation,
-        gravity, damping, warm_starting, position_correction, sleeping, callbacks, impulse_record.
+        False leaves it out. One that the scene needs cannot be left out. The names are those in
+        ``run.plan``, such as "friction" and "rotation".
     compiled : bool, optional
         Whether our own stages run as machine code, which Numba makes of them; the results are the
         same to the last bit. None: if the run is large enough to repay it, and can be compiled.

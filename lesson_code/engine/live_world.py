@@ -20,10 +20,10 @@ from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
-from lesson_code.engine.core.touches import TouchListener, touches_in
+from lesson_code.engine.effects.callbacks import TouchListener, touches_in
 from lesson_code.engine.effects.choice import choose_effects, names_used
 from lesson_code.engine.effects.flags import EVERY_EFFECT
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.stepper import EngineStepper, source_of
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
@@ -35,7 +35,11 @@ WORTH_COMPILING = 100
 
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
-ANY_SCENE = {**EVERY_EFFECT._asdict(), "continuous": True, "impulse_record": True}
+ON_DEMAND = {"broad_phase", "callbacks"}
+"""Effects that a world has not always: many bodies call for a grid, and callbacks hear of a step
+after it."""
+
+ANY_SCENE = {n: used for n, used in EVERY_EFFECT._asdict().items() if n not in ON_DEMAND}
 """The effects that a world reckons with: whatever joins it, its machine code stays the same."""
 
 

@@ -24,21 +24,20 @@ from lesson_code.engine.compiled import (
 from lesson_code.engine.core.capacity import make_room
 from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.pipeline import Pipeline
-from lesson_code.engine.core.plan import Plan
+from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.core.step import advance
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
-from lesson_code.engine.core.touches import TouchListener
+from lesson_code.engine.effects.callbacks import TouchListener
 from lesson_code.engine.effects.choice import (
-    EffectChoice,
     choose_effects,
     flags_of,
     names_used,
 )
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 
 STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]
@@ -55,16 +54,14 @@ def pipeline_for(
 
     A step is split at the impacts of fast bodies only once the first one is met.
     """
-    used = names_used(choices)
+    effects = flags_of(choices)
     return Pipeline(
         make_part=solver.make_part,
-        broad_phase=BROAD_PHASES["uniform_grid" if "broad_phase" in used else "all_pairs"],
+        broad_phase=BROAD_PHASES["uniform_grid" if effects.broad_phase else "all_pairs"],
         solver=solver.stages_for(options),
-        listener=TouchListener(scene.callbacks) if "callbacks" in used else None,
-        effects=flags_of(choices),
-        is_continuous="continuous" in used,
+        listener=TouchListener(scene.callbacks) if effects.callbacks else None,
+        effects=effects,
         splits_steps=False,
-        keeps_impulses="impulse_record" in used,
     )
 
 

@@ -36,8 +36,9 @@ from lesson_code.chapters.ch10_only_what_the_scene_needs import (
 from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import asleep_in_time, three_towers
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.engine.effects.choice import OPTIONAL, choose_effects
-from lesson_code.engine.effects.reach import can_meet, fastest_way
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.collisions import can_meet
+from lesson_code.engine.effects.continuous import fastest_way
+from lesson_code.engine.effects.question import Question
 from lesson_code.evidence import check
 from lesson_code.evidence.effect_costs import stored
 from lesson_code.evidence.hard_cases import loads

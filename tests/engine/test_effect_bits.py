@@ -27,13 +27,12 @@ from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
 from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.pipeline import Pipeline, SolverStages
 from lesson_code.engine.core.step import rigid_part
-from lesson_code.engine.effects.choice import capabilities
+from lesson_code.engine.effects.choice import EFFECTS, capabilities
+from lesson_code.engine.effects.continuous import fastest_way
 from lesson_code.engine.effects.flags import EVERY_EFFECT
-from lesson_code.engine.effects.reach import fastest_way
-from lesson_code.engine.effects.rules import RULES
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.effect_costs.calls import STAGES, calls_of
+from lesson_code.evidence.effect_costs.calls import calls_of
 
 SOLVERS = ["sequential", "substep", "direct", "naive"]
 
@@ -302,7 +301,7 @@ def test_all_effects_that_are_not_called_for_together_change_nothing(
 
 def solvers_have(solver: str) -> set[str]:
     """Return the effects that a solver has."""
-    return set(RULES) - set(our_solvers()[solver].lacks)
+    return set(EFFECTS) - set(our_solvers()[solver].lacks)
 
 
 @by_seed
@@ -325,7 +324,7 @@ def test_stage_of_an_effect_that_is_left_out_is_never_called(effect: str, seed: 
     engine = at_work(scene, effects=along, duration=duration)
     called = calls_of(engine, STEPS)
     source = engine.plan("").source()
-    for name in STAGES[effect]:
+    for name in EFFECTS[effect].functions:
         assert called[name] == 0
         assert f"{name}(" not in source
 
@@ -339,7 +338,7 @@ def test_stage_of_an_effect_that_is_forced_on_is_in_the_program(effect: str) -> 
     if effect == "callbacks":  # a listener is an object: no function of a program
         assert engine.pipeline.listener is not None
     else:
-        assert any(f"def {name}(" in source for name in STAGES[effect])
+        assert any(f"def {name}(" in source for name in EFFECTS[effect].functions)
 
 
 # Compiled

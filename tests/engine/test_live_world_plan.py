@@ -7,7 +7,7 @@ import pytest
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine import live_world
 from lesson_code.engine.effects.choice import choose_effects
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.live_world import LiveWorld
 
 ALWAYS = {

@@ -1,4 +1,4 @@
-"""Tables of rows as arrays of records, which Numba takes: the same fields by the same names."""
+"""Tables of rows as arrays of records, which Numba can compile for: fields keep their names."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 Tables = TypeVar("Tables", bound=tuple[Any, ...])
 
 KINDS = {float: np.float64, int: np.int32, bool: np.bool_}
-"""What a field of a row becomes. 2,147,483,647 bodies are enough, and half the bytes are faster."""
+"""What a field of a row becomes. Numbers of 32 bits count 2,147,483,647 bodies, and are faster."""
 
 LINE = 64
-"""Bytes that a processor reads at once. A table begins on such a border."""
+"""Bytes that a processor reads at once. A table begins at a multiple of this."""
 
 UNIT = 32
 """Bytes: rows of more than this are made a multiple of it, so that few lie across a border."""
@@ -26,8 +26,8 @@ UNIT = 32
 def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables:
     """Return a named tuple of tables, each list of rows as an array and each row as a record.
 
-    Rows keep only the fields that a program names: it pays for no other. A table without rows has
-    the kind of its rows from the annotation of its field.
+    Rows keep only the fields that a program names, so that it pays for no others. The annotation
+    of a table's field says which kind of rows it holds, even while it is empty.
 
     Parameters
     ----------
@@ -36,8 +36,8 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
     source : str
         The program.
     rows : named tuple, optional
-        The tables as lists, where `tables` are arrays for an earlier program: what that did not
-        name it has not changed.
+        The tables as lists, where `tables` are arrays for an earlier program: that program has not
+        changed the fields that it did not name, and they are taken from here.
 
     Examples
     --------
@@ -61,7 +61,7 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
 
 
 def as_numbers(table: Any) -> NDArray[np.float64]:
-    """Return a table, a list of rows or an array of records, as numbers: a row's fields in a row.
+    """Return a list of rows or an array of records as numbers, one row of them for each row.
 
     >>> from lesson_code.engine.core.rows import PairRow
     >>> as_numbers([PairRow(1, 2), PairRow(1, 3)]).tolist()
@@ -74,7 +74,7 @@ def as_numbers(table: Any) -> NDArray[np.float64]:
 
 
 def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:
-    """Return a table with at least so many rows, the first ones as they are."""
+    """Return a table made longer by empty rows; one that is long enough is returned as it is."""
     if rows <= len(table):
         return table
     longer = _zeros(rows, table.dtype)
@@ -112,9 +112,10 @@ def dtype_of(row: Any, used: frozenset[str] | None = None) -> np.dtype[Any]:
 
 
 def _array(rows: Any, kind: Any, used: frozenset[str] | None, first: Any = ()) -> NDArray[Any]:
-    """Return rows, or the rows of an array, as an array of records; fields it has not from others.
+    """Return rows, or the rows of an array, as an array of records.
 
-    A table that has grown since then holds nothing but what each step writes anew.
+    Fields that an array does not have are taken from the rows of `first`, unless the table has
+    grown since: such a table holds nothing but what each step writes anew.
     """
     array = _zeros(len(rows), dtype_of(kind, used))
     for name in array.dtype.names or ():
@@ -133,7 +134,7 @@ def _record(row: Any, kind: Any) -> Any:
 
 
 def _zeros(rows: int, dtype: np.dtype[Any]) -> NDArray[Any]:
-    """Return an empty table that begins on a border of what a processor reads at once."""
+    """Return a table of zeros that begins at a multiple of LINE bytes."""
     room = np.zeros(rows * dtype.itemsize + LINE, np.uint8)
     start = -room.ctypes.data % LINE
     return room[start : start + rows * dtype.itemsize].view(dtype)

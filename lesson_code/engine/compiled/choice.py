@@ -8,11 +8,11 @@ from typing import NamedTuple
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
 
 WORTH_LOADING = 2.0
-"""s, of work in plain Python: from here on it pays to load a program that is kept, which takes
-half a second; with less the gain is not noticed."""
+"""s of work in plain Python from which on it pays to load a program that is kept, which takes half
+a second. With less work nobody would notice the gain."""
 
 WORTH_COMPILING = 30.0
-"""s, likewise: from here on it pays to compile one, which takes some ten seconds."""
+"""s of work in plain Python from which on it pays to compile a program, which takes some ten."""
 
 
 class Choice(NamedTuple):
@@ -23,7 +23,7 @@ class Choice(NamedTuple):
 
     @property
     def code(self) -> str:
-        """What a run is made of, in words."""
+        """What runs, in words."""
         return "compiled" if self.compiled else "plain Python"
 
 
@@ -35,11 +35,11 @@ def choose(
     Parameters
     ----------
     asked : bool or None
-        What the user has asked for; None leaves it to the work.
+        What the user has asked for; None lets the amount of work decide.
     seconds : float
-        Of work in plain Python, about.
+        About how long plain Python would work.
     program : callable
-        Returns the source; called only if the run is worth a look at it.
+        Returns the source; called only where that decides.
     never : str
         Why this run cannot be compiled, in words; "" when it can.
 

@@ -51,7 +51,7 @@ def inlined(source: str) -> frozenset[str]:
     chosen: set[str] = set()
 
     def settle(name: str) -> None:
-        """Decide on a function, after those that it calls."""
+        """Decide about a function, after those that it calls."""
         calls = looks[name].calls
         known = calls.keys() & looks.keys()
         for callee in known:
@@ -125,7 +125,7 @@ def _look(function: ast.FunctionDef) -> _Look:
 
 
 def _repeated(looks: dict[str, _Look]) -> set[str]:
-    """Return what a for loop calls, and what that calls in turn."""
+    """Return the functions that for loops call, and those that these call in turn."""
     found: set[str] = set()
     new = {name for look in looks.values() for name in look.calls_in_loops} & looks.keys()
     while new:

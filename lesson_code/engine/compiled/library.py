@@ -1,14 +1,13 @@
 """Compiling a program, and keeping its machine code.
 
 A program is one module that holds all it needs, constants too. It is written into a folder of the
-user's, with a list of what is compiled in place of its calls, under a name made from its text, and
-Numba keeps the machine code beside it. So a change of any function or constant makes another
-program, and what was kept for the old one is never used again. (Numba alone looks at the file of
-the function that is called: it would not notice a change in another file, nor another value of a
-constant.)
+user's, with lists of the functions that are put into their callers, under a name made from its
+text, and Numba keeps the machine code beside it. So a change of any function or constant makes
+another program, and what was kept for the old one is never used again. (Numba alone would look at
+the file of the function that is called, and would miss a change in another file or a constant.)
 
-Compiled programs cannot allocate memory, and do not count references: they get their tables and
-give them back.
+Compiled programs cannot allocate memory and do not count references: they work on the tables that
+they are given.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from typing import Any
 from lesson_code.engine.compiled.inlining import inlined, merged
 
 PROGRAMS_KEPT = 64
-"""In the folder: the ones that were made longest ago are deleted, so that it does not grow."""
+"""Programs in the folder. The oldest are deleted, so that it does not grow."""
 
 FOLDER_VARIABLE = "WORKBOOK_CACHE"
 """Environment variable that names another folder for compiled programs."""
@@ -49,7 +48,7 @@ def folder() -> Path:
 
 
 def is_kept(source: str) -> bool:
-    """Return whether a program has been compiled before, so that it only needs to be loaded."""
+    """Return whether a program has been compiled before and only needs to be loaded."""
     return any((folder() / "__pycache__").glob(f"{_name_of(_program_of(source))}.*.nbc"))
 
 
@@ -108,7 +107,7 @@ def _name_of(program: str) -> str:
 
 
 def _program_of(source: str) -> str:
-    """Return all that machine code depends on: a program, and what is compiled in place in it."""
+    """Return all that machine code depends on: the source, and what is put into its callers."""
     in_place, merge = sorted(inlined(source)), sorted(merged(source))
     return f"{source}\n\nIN_PLACE = {in_place}\nMERGED = {merge}\n"
 

@@ -6,7 +6,7 @@ module, each after those that it calls. What is decided before the run is worked
 
 - an argument that is bound to a function, a tuple of stages or None disappears, and a call of it
   becomes a call of that function;
-- a branch that can not be reached any more disappears too;
+- a branch that cannot be reached any more disappears too;
 - constants stand at the top of the module, with the values that they have now.
 
 Nothing else is changed. A function in which nothing had to be worked out is copied as it stands,
@@ -27,7 +27,7 @@ from typing import Any, TypeAlias
 from lesson_code.engine.compiled.known import is_stage, known_value
 
 PROJECT = "lesson_code."
-"""Functions of modules whose names begin so are taken into a program; others stay outside."""
+"""Functions are taken into a program if their module's name begins like this."""
 
 Names: TypeAlias = Mapping[str, Any]
 Key: TypeAlias = tuple[Any, ...]
@@ -168,7 +168,7 @@ class _Specialised(ast.NodeTransformer):
         return kept
 
     def _is_about_stages(self, node: ast.Assign) -> bool:
-        """Take note of names for stages; return whether nothing is left of an assignment."""
+        """Note which names stand for stages; return whether nothing is left of an assignment."""
         if len(node.targets) > 1:  # a = b = value
             return False
         (target,) = node.targets
@@ -248,9 +248,9 @@ class _Specialised(ast.NodeTransformer):
         return node
 
     def _imported(self, node: ast.Call, stage: Any) -> ast.Call:
-        """Call a function that stays outside, without what is known: its defaults stand for that.
+        """Call a function that stays outside the program.
 
-        What a partial function has been given it is given here.
+        Its defaults stand for what is known; what a partial function was given is written here.
         """
         given = stage.keywords if isinstance(stage, functools.partial) else {}
         function = stage.func if given else stage

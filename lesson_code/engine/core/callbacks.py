@@ -103,3 +103,8 @@ class Callbacks:
         """Whether there is anything to call."""
         wanted = (self.begin, self.pre_solve, self.post_solve, self.separate)
         return any(callback is not None for callback in wanted)
+
+    @property
+    def may_change_impulses(self) -> bool:
+        """Whether a callback comes before the impulses, and may set what they depend on."""
+        return self.begin is not None or self.pre_solve is not None

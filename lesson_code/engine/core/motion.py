@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.rows import BodyRow, World
+from lesson_code.engine.effects.damping import damp
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.gravity import fall
 from lesson_code.geometry.rows import turn
 
 
@@ -55,22 +57,3 @@ def accelerate(world: World, effects: Effects = EVERY_EFFECT) -> None:
         damp(world, effects)
     if effects.gravity:
         fall(world, effects)
-
-
-def damp(world: World, effects: Effects) -> None:
-    """Let the velocities of all bodies that can be pushed die away."""
-    remaining = math.exp(-world.state.damping * world.state.dt)
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
-            body.vx *= remaining
-            body.vy *= remaining
-            body.w *= remaining
-
-
-def fall(world: World, effects: Effects) -> None:
-    """Let gravity act on all bodies that can be pushed."""
-    state = world.state
-    for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
-            body.vx += state.gravity_x * state.dt
-            body.vy += state.gravity_y * state.dt

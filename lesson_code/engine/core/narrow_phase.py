@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.core.internal_edges import drop_seams
 from lesson_code.engine.core.mixing import combined
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.seams import drop_seams
 from lesson_code.engine.effects.sleeping import is_idle, wake
 from lesson_code.geometry.circle_contact import collide_circles
 from lesson_code.geometry.manifold import collide_rows, collide_with_circle

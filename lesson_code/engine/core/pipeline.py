@@ -44,9 +44,7 @@ class Pipeline(NamedTuple):
     solver: SolverStages
     listener: Listener | None = None
     effects: Effects = EVERY_EFFECT
-    is_continuous: bool = True  # whether fast bodies are looked for
     splits_steps: bool = True  # whether a step is split at their impacts; else the run stops there
-    keeps_impulses: bool = True  # whether every impulse is written down
 
 
 MakePart: TypeAlias = Callable[[World, Pipeline], bool]

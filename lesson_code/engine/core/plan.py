@@ -6,7 +6,34 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from html import escape
 
-from lesson_code.engine.effects.choice import EffectChoice
+
+@dataclass(frozen=True)
+class EffectChoice:
+    """Whether a run reckons with an effect, and why.
+
+    Attributes
+    ----------
+    name : str
+        As `simulate(effects=...)` takes it.
+    used : bool
+        Whether it is in the program.
+    called_for : bool
+        Whether the scene needs it.
+    reason : str
+        The rule's, in a sentence.
+    """
+
+    name: str
+    used: bool
+    called_for: bool
+    reason: str
+
+    @property
+    def verdict(self) -> str:
+        """What has become of it, in a word or two."""
+        if self.used == self.called_for:
+            return "used" if self.used else "left out"
+        return "forced" if self.used else "switched off"
 
 
 @dataclass(frozen=True)

@@ -26,16 +26,16 @@ it: it then knows the velocities with which they will move.
 from __future__ import annotations
 
 from lesson_code.engine.core.candidate_pairs import find_pairs
-from lesson_code.engine.core.continuous import choose_part
-from lesson_code.engine.core.impulse_record import (
-    has_room_for_record,
-    record_impulses,
-    record_resting,
-)
 from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.continuous import choose_part
+from lesson_code.engine.effects.impulse_record import (
+    has_room_for_record,
+    record_impulses,
+    record_resting,
+)
 from lesson_code.engine.effects.sleeping import everything_sleeps, has_room_for_sleep, let_sleep
 
 
@@ -104,7 +104,7 @@ def detect(world: World, pipeline: Pipeline) -> bool:
         return False
     if effects.sleeping and not has_room_for_sleep(world):
         return False
-    if pipeline.keeps_impulses and not has_room_for_record(world):
+    if pipeline.effects.impulse_record and not has_room_for_record(world):
         return False
     if pipeline.listener is not None:
         pipeline.listener.before_impulses(world)
@@ -129,10 +129,10 @@ def post_process(world: World, pipeline: Pipeline) -> None:
     """Tell of the contacts and write down their impulses; let islands at rest fall asleep."""
     if pipeline.listener is not None:
         pipeline.listener.after_impulses(world)
-    if pipeline.keeps_impulses:
+    if pipeline.effects.impulse_record:
         record_impulses(world, pipeline.effects)
     if pipeline.effects.sleeping:
-        if pipeline.keeps_impulses:
+        if pipeline.effects.impulse_record:
             record_resting(world)
         let_sleep(world)
 
@@ -146,7 +146,7 @@ def rest(world: World, pipeline: Pipeline) -> bool:
     state.dt = state.left
     state.time = (state.steps_done + 1) * state.whole
     state.contact_count = 0
-    if pipeline.keeps_impulses:
+    if pipeline.effects.impulse_record:
         if not has_room_for_record(world):
             return False
         record_resting(world)

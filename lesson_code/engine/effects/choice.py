@@ -1,56 +1,32 @@
 """What a run reckons with: what its scene calls for, what its solver has, and what is asked for.
 
 What is left out changes nothing, to the last bit. Two effects are savings: without a broad phase
-or without sleep the result is the same, and only the time is not. They may be left out of any run;
-and so may the record. To leave out another that is called for is an error.
+or without sleep a run takes longer, and its result is the same. They may be left out of any run,
+and so may the record of impulses. To leave out any other that is called for is an error.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from importlib import import_module
 
-from lesson_code.engine.effects.flags import Effects
-from lesson_code.engine.effects.rules import RULES, Finding, Question, collisions
+from lesson_code.engine.core.plan import EffectChoice
+from lesson_code.engine.effects.flags import NAMES, Effects
+from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.engine.solvers import our_solvers
 
-OPTIONAL = ("broad_phase", "sleeping", "impulse_record")
+
+def _found() -> dict[str, Effect]:
+    """Return the effects of this folder by their names, in the order of the stages."""
+    effects = {name: import_module(f"{__package__}.{name}").EFFECT for name in NAMES}
+    return dict(sorted(effects.items(), key=lambda item: item[1].place))
+
+
+EFFECTS = _found()
+"""All effects, by name, in the order of the stages."""
+
+OPTIONAL = tuple(name for name, effect in EFFECTS.items() if effect.is_optional)
 """What may be left out although it is called for: no state of the run depends on it."""
-
-OF_COLLISIONS = (
-    *("broad_phase", "outlines", "manifolds", "seams", "continuous", "restitution", "friction"),
-    *("warm_starting", "position_correction", "sleeping", "callbacks", "impulse_record"),
-)
-"""What no scene calls for in which nothing meets."""
-
-
-@dataclass(frozen=True)
-class EffectChoice:
-    """Whether a run reckons with an effect, and why.
-
-    Attributes
-    ----------
-    name : str
-        As `simulate(effects=...)` takes it.
-    used : bool
-        Whether it is in the program.
-    called_for : bool
-        Whether the scene needs it.
-    reason : str
-        The rule's, in a sentence.
-    """
-
-    name: str
-    used: bool
-    called_for: bool
-    reason: str
-
-    @property
-    def verdict(self) -> str:
-        """What has become of it, in a word or two."""
-        if self.used == self.called_for:
-            return "used" if self.used else "left out"
-        return "forced" if self.used else "switched off"
 
 
 def capabilities(solver: str) -> tuple[Mapping[str, str], Mapping[str, str]]:
@@ -71,14 +47,18 @@ def find(question: Question, name: str) -> Finding:
     >>> find(Question(Scene([Body(Circle(1), mass=1.0)])), "friction")
     Finding(called_for=False, reason='no two bodies can meet within the run')
     """
+    return _find(question, name, EFFECTS["collisions"].rule(question))
+
+
+def _find(question: Question, name: str, meeting: Finding) -> Finding:
+    """Return it, where it is known whether bodies meet: most effects depend on that."""
     lacking, built_in = capabilities(question.solver)
+    effect = EFFECTS[name]
     if name in lacking:
         return Finding(False, lacking[name])
-    if name in OF_COLLISIONS:
-        meeting = collisions(question)
-        if not meeting.called_for:
-            return Finding(False, meeting.reason)
-    return Finding(True, built_in[name]) if name in built_in else RULES[name](question)
+    if effect.needs_collisions and not meeting.called_for:
+        return Finding(False, meeting.reason)
+    return Finding(True, built_in[name]) if name in built_in else effect.rule(question)
 
 
 def choose_effects(
@@ -110,13 +90,16 @@ def choose_effects(
     (False, 'g = 0')
     """
     wishes = checked_wishes(asked)
-    return tuple(_choice(question, name, wishes.get(name)) for name in RULES)
+    meeting = EFFECTS["collisions"].rule(question)
+    return tuple(
+        _choice(question, name, _find(question, name, meeting), wishes.get(name))
+        for name in EFFECTS
+    )
 
 
 def flags_of(choices: tuple[EffectChoice, ...]) -> Effects:
     """Return the flags that the stages are made for."""
-    used = names_used(choices)
-    return Effects(**{name: name in used for name in Effects._fields})
+    return Effects(**{choice.name: choice.used for choice in choices})
 
 
 def names_used(choices: tuple[EffectChoice, ...]) -> set[str]:
@@ -131,24 +114,22 @@ def checked_wishes(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:
     if not isinstance(asked, Mapping):
         raise TypeError(f'effects must be a mapping such as {{"friction": True}}, got {asked!r}')
     for name, value in asked.items():
-        if name not in RULES:
-            raise ValueError(f"effects: the names are {', '.join(RULES)}; got {name!r}")
+        if name not in EFFECTS:
+            raise ValueError(f"effects: the names are {', '.join(EFFECTS)}; got {name!r}")
         if not isinstance(value, bool):
             raise TypeError(f"effects[{name!r}] must be True or False, got {value!r}")
     return asked
 
 
-def _choice(question: Question, name: str, wish: bool | None) -> EffectChoice:
+def _choice(question: Question, name: str, found: Finding, wish: bool | None) -> EffectChoice:
     """Return what becomes of one effect."""
-    called_for, reason = find(question, name)
+    called_for, reason = found
     lacking, built_in = capabilities(question.solver)
-    if wish is False and called_for and name not in OPTIONAL:
+    if wish is False and called_for and not EFFECTS[name].is_optional:
         is_built_in = reason == built_in.get(name)
         who = f"{question.solver!r} cannot do without" if is_built_in else "the scene needs it"
         raise ValueError(f"effects[{name!r}] must not be False: {who} ({reason})")
-    if wish is True and (
-        name in lacking or (name == "sleeping" and question.scene.callbacks.wanted)
-    ):
+    if wish is True and (name in lacking or EFFECTS[name].is_ruled_out(question)):
         raise ValueError(
             f"effects[{name!r}] must not be True for {question.solver!r} here: {reason}"
         )

@@ -1,31 +1,41 @@
-"""The effects that a program reckons with: what a scene does not call for is left out of it.
+"""The flags: which effects a program reckons with. What a scene does not call for is left out.
 
-An effect is a flag that is known before the run. Plain Python looks at it; from a compiled program
-the linker has removed it, and the branch that it closes. Which effects a scene calls for, and why,
-is worked out in :mod:`lesson_code.engine.effects.choice`.
+A flag is known before the run. Plain Python looks at it; from a compiled program the linker has
+removed it, and the branch that it closes. Each file in this folder that is named after an effect
+brings a flag of that name; :mod:`lesson_code.engine.effects.choice` works out which are set.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import pkgutil
+from collections import namedtuple
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+NO_EFFECTS = {"choice", "flags", "question"}
+"""The modules of this folder that are not effects."""
+
+FOUND = (module.name for module in pkgutil.iter_modules([str(Path(__file__).parent)]))
+
+NAMES = tuple(sorted(set(FOUND) - NO_EFFECTS))
+"""The names of all effects."""
 
 
-class Effects(NamedTuple):
-    """What a run has to reckon with."""
+DEFAULTS = [name != "sleeping" for name in NAMES]
+"""All but sleeping, which is the only one that may change the last bits of a result."""
 
-    collisions: bool = True  # bodies may meet
-    outlines: bool = True  # some body has corners: not all of them are circles
-    manifolds: bool = True  # two bodies with corners may meet, at two points
-    seams: bool = True  # several static bodies may make one floor
-    restitution: bool = True  # some pair bounces
-    friction: bool = True  # some pair rubs
-    rotation: bool = True  # some body turns, or may be made to
-    gravity: bool = True
-    damping: bool = True
-    warm_starting: bool = True  # impulses are remembered from step to step
-    position_correction: bool = True  # overlaps are undone
-    sleeping: bool = False  # islands at rest are left alone
+
+class Effects(namedtuple("Effects", NAMES, defaults=DEFAULTS)):  # type: ignore[misc]
+    """What a run has to reckon with: True or False for each effect."""
+
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **flags: bool) -> None: ...
+        def __getattr__(self, name: str) -> bool: ...
+        def _replace(self, **flags: bool) -> Effects: ...
 
 
 EVERY_EFFECT = Effects()
-"""All but sleeping, which is the only one that may change the last bits of a result."""
+"""What a stage reckons with unless it is told."""

@@ -16,9 +16,43 @@ import math
 
 from lesson_code.engine.core.constants import QUIET_TIME, STEPS_A_LOOK, STILL
 from lesson_code.engine.core.contact_motion import contact_point
-from lesson_code.engine.core.internal_edges import pushed_body
 from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.rows import BodyRow, ContactRow, MemoryRow, RestingRow, World
+from lesson_code.engine.effects import friction
+from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.restitution import smallest_restitution
+from lesson_code.engine.effects.seams import pushed_body
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether something presses bodies together, takes their energy, and leaves them time."""
+    scene = question.scene
+    if scene.callbacks.wanted:
+        return Finding(False, "callbacks hear of every contact in every step")
+    if not any(scene.gravity):
+        return Finding(False, "without gravity nothing is held at rest")
+    if math.isinf(question.duration):
+        return Finding(False, "nobody knows yet how long the run will be")
+    if question.duration <= QUIET_TIME:
+        return Finding(False, f"the run is no longer than the {QUIET_TIME:g} s of quiet it takes")
+    loses = friction.rule(question).called_for or scene.damping > 0.0
+    if not loses and smallest_restitution(question) >= 1.0:
+        return Finding(False, "nothing takes energy: every pair has e = 1 and mu = 0")
+    return Finding(True, "bodies can come to rest within the run")
+
+
+def hears_callbacks(question: Question) -> bool:
+    """Return whether callbacks hear of every contact in every step: one that sleeps is silent."""
+    return question.scene.callbacks.wanted
+
+
+EFFECT = Effect(
+    rule=rule,
+    place=140,
+    functions=("let_sleep", "everything_sleeps"),
+    is_optional=True,
+    is_ruled_out=hears_callbacks,
+)
 
 
 def is_static_and_moves(body: BodyRow) -> bool:

@@ -30,7 +30,7 @@ from lesson_code.engine.core.rows import ImpulseRow
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
 from lesson_code.engine.effects.flags import Effects
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
     EVENTS_A_CALL,

@@ -21,7 +21,9 @@ from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, T
 from lesson_code.engine.core.penetration import deepest_overlaps
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.choice import capabilities, checked_wishes
-from lesson_code.engine.effects.rules import Question, is_mover, smallest_restitution
+from lesson_code.engine.effects.continuous import is_mover
+from lesson_code.engine.effects.question import Question
+from lesson_code.engine.effects.restitution import smallest_restitution
 from lesson_code.engine.event_driven import why_not
 from lesson_code.geometry.shapes import Circle
 

@@ -11,27 +11,8 @@ from collections import Counter
 from types import FrameType
 from typing import Any
 
+from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.engine.stepper import EngineStepper
-
-STAGES: dict[str, tuple[str, ...]] = {
-    "collisions": ("find_pairs", "find_contacts", "prepare", "resolve"),
-    "broad_phase": ("uniform_grid",),
-    "outlines": ("collide_with_circle", "collide_rows"),
-    "manifolds": ("collide_rows", "couple"),
-    "seams": ("drop_seams",),
-    "continuous": ("has_fast_body",),
-    "restitution": ("set_bounces",),
-    "friction": ("set_frame", "solve_contact", "couple_tangents", "friction_impulse"),
-    "rotation": ("turn_on",),
-    "gravity": ("fall",),
-    "damping": ("damp",),
-    "warm_starting": ("warm_start", "recall", "store"),
-    "position_correction": ("has_overlap_to_undo", "correct"),
-    "sleeping": ("let_sleep", "everything_sleeps"),
-    "callbacks": ("before_impulses", "after_impulses"),
-    "impulse_record": ("has_room_for_record", "record_impulses"),
-}
-"""The functions of the sequential solver's program that only one effect calls for."""
 
 PACKAGE = "lesson_code."
 
@@ -56,4 +37,4 @@ def calls_of(engine: EngineStepper, steps: int) -> Counter[str]:
 def calls_for(effect: str, engine: EngineStepper, steps: int) -> float:
     """Return how often a step calls the functions that only an effect needs."""
     counted = calls_of(engine, steps)
-    return sum(counted[name] for name in STAGES[effect]) / steps
+    return sum(counted[name] for name in EFFECTS[effect].functions) / steps

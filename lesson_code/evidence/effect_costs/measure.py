@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from lesson_code.engine.compiled.library import why_no_compiler
-from lesson_code.engine.effects.choice import choose_effects
-from lesson_code.engine.effects.rules import RULES, Question
+from lesson_code.engine.effects.choice import EFFECTS, choose_effects
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers.choice import solvers_for
 from lesson_code.evidence.effect_costs.calls import calls_for
 from lesson_code.evidence.effect_costs.result import (
@@ -114,7 +114,7 @@ def chosen(only: Sequence[str]) -> list[str]:
     ValueError
         There is no effect of that name.
     """
-    known = [*RULES, ALL, BILLIARDS]
+    known = [*EFFECTS, ALL, BILLIARDS]
     for name in only:
         if name not in known:
             raise ValueError(f"only must name some of {', '.join(known)}; got {name!r}")
@@ -180,7 +180,7 @@ def measure_billiards(repeats: int) -> FewBalls:
 def measure_all(name: str, code: str, repeats: int) -> EffectCost:
     """Return what a gas costs as it is planned, and with every effect forced on."""
     scene, compiled = gases()[name], code == COMPILED
-    every = {effect: True for effect in RULES if not (compiled and effect == NO_CODE)}
+    every = {effect: True for effect in EFFECTS if not (compiled and effect == NO_CODE)}
     engines = {
         "left_out": ours(scene, {}, compiled=compiled),
         "forced": ours(scene, every, compiled=compiled),

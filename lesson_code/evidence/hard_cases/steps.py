@@ -10,7 +10,7 @@ import numpy as np
 
 from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers.choice import solvers_for
 from lesson_code.engine.stepper import EngineStepper

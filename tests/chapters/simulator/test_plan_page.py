@@ -9,9 +9,8 @@ import pytest
 
 from lesson_code.chapters.simulator.game import FORCED, Simulator
 from lesson_code.chapters.simulator.plan_page import draw_plan
-from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.effects.choice import EffectChoice
-from lesson_code.engine.effects.rules import RULES
+from lesson_code.engine.core.plan import EffectChoice, Plan
+from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.view.pygame.picture import FIELD_SIZE
 from lesson_code.view.pygame.window import Window, open_window, pygame
 
@@ -56,15 +55,15 @@ def test_page_of_the_simulator_is_readable(
     assert game.plan is not None
     boxes = written(window, game.plan[1], monkeypatch)
     assert_readable(boxes)
-    assert len(boxes) >= 2 + 3 * len(RULES)
+    assert len(boxes) >= 2 + 3 * len(EFFECTS)
 
 
 def test_long_reasons_are_wrapped(window: Window, monkeypatch: pytest.MonkeyPatch) -> None:
     """No word is lost; there is room for three reasons that take two lines."""
     long = "a reason that goes on for so many words that it takes more than one line of the page"
-    reasons = [long if k % 6 == 1 else "short" for k in range(len(RULES))]
+    reasons = [long if k % 6 == 1 else "short" for k in range(len(EFFECTS))]
     effects = [
-        EffectChoice(name, True, True, words) for name, words in zip(RULES, reasons, strict=True)
+        EffectChoice(name, True, True, words) for name, words in zip(EFFECTS, reasons, strict=True)
     ]
     plan = Plan("sequential", "a test", effects=tuple(effects))
     boxes = written(window, plan, monkeypatch)

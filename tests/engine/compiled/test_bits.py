@@ -42,11 +42,12 @@ def share_programs(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def link_all(function: Any, pipeline: Any) -> str:
         every = pipeline._replace(
-            effects=EVERY_EFFECT._replace(sleeping=pipeline.effects.sleeping),
+            effects=EVERY_EFFECT._replace(
+                sleeping=pipeline.effects.sleeping,
+                continuous=pipeline.solver is not NAIVE.stages,
+            ),
             broad_phase=uniform_grid,
-            is_continuous=pipeline.solver is not NAIVE.stages,
             splits_steps=True,
-            keeps_impulses=True,
         )
         return link(function, pipeline=every)
 

@@ -9,7 +9,7 @@ import pytest
 
 from lesson_code import Combination
 from lesson_code.engine.compiled.inlining import MOST_NODES, inlined, merged
-from lesson_code.engine.effects.rules import RULES
+from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper, source_of
 from lesson_code.evidence.scenes.speed import SpeedScene, bin_of_shapes, gas
@@ -96,7 +96,7 @@ def test_inlined_no_loop_over_rows_hands_on_the_world(
 ) -> None:
     """What the engine does for every body, box and pair is put into the loop."""
     spared = {*our_solvers()[solver].lacks, "callbacks"}
-    wishes = {name: True for name in RULES if name not in spared} if every else None
+    wishes = {name: True for name in EFFECTS if name not in spared} if every else None
     settings: dict[str, Any] = {"dt": 1 / 60, "iterations": 10, "substeps": 1}
     stepper = EngineStepper(
         scene.scene, solver=solver, combine=Combination(), effects=wishes, **settings

@@ -8,9 +8,8 @@ import re
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, simulate
-from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.effects.choice import EffectChoice
-from lesson_code.engine.effects.rules import RULES
+from lesson_code.engine.core.plan import EffectChoice, Plan
+from lesson_code.engine.effects.choice import EFFECTS
 
 
 def discs() -> Scene:
@@ -85,7 +84,7 @@ def test_plan_of_another_engine_has_no_source() -> None:
 def test_plan_of_ours_has_every_effect_and_a_source(solver: str) -> None:
     """The source is a program of functions, each with its docstring."""
     plan = simulate(discs(), 1.0, solver=solver).plan
-    assert tuple(choice.name for choice in plan.effects) == tuple(RULES)
+    assert tuple(choice.name for choice in plan.effects) == tuple(EFFECTS)
     module = ast.parse(plan.source())
     functions = [node for node in module.body if isinstance(node, ast.FunctionDef)]
     assert len(functions) > 3
@@ -95,7 +94,7 @@ def test_plan_of_ours_has_every_effect_and_a_source(solver: str) -> None:
 def test_source_holds_less_where_the_scene_needs_less() -> None:
     """Discs without friction, spin and gravity: no line speaks of these."""
     least = simulate(discs(), 0.1, solver="sequential").plan.source()
-    every = dict.fromkeys(set(RULES) - {"callbacks"}, True)
+    every = dict.fromkeys(set(EFFECTS) - {"callbacks"}, True)
     most = simulate(discs(), 0.1, solver="sequential", effects=every).plan.source()
     assert len(least) < len(most) / 2
     for word in ("friction", "gravity", "angle", "tangent_mass", "cos", "asleep", "damping"):

@@ -8,13 +8,14 @@ import pytest
 
 from lesson_code import Body, Callbacks, Circle, Material, Scene, Segment, simulate
 from lesson_code.engine.effects.choice import (
+    EFFECTS,
     OPTIONAL,
     choose_effects,
     find,
     flags_of,
 )
 from lesson_code.engine.effects.flags import Effects
-from lesson_code.engine.effects.rules import RULES, Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.evidence.scenes.effects import EffectPair, pairs
 
@@ -129,7 +130,7 @@ def test_effects_of_other_engines_cannot_be_chosen(solver: str) -> None:
 def test_every_effect_has_a_choice_in_the_order_of_the_rules(solver: str) -> None:
     """And each has a reason in words."""
     choices = choose_effects(Question(gravity_scene(), solver, duration=1.0))
-    assert [choice.name for choice in choices] == list(RULES)
+    assert [choice.name for choice in choices] == list(EFFECTS)
     assert all(choice.reason and not choice.reason.endswith(".") for choice in choices)
 
 

@@ -14,8 +14,8 @@ import pytest
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.constants import FEWEST_FOR_GRID, QUIET_TIME, SPEED_DOUBT
 from lesson_code.engine.core.mixing import COMBINATIONS, Combination
-from lesson_code.engine.effects.choice import OF_COLLISIONS, find
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.choice import EFFECTS, find
+from lesson_code.engine.effects.question import Question
 
 TINY = 1e-300
 """As little as one likes: a rule asks for more than 0, and not for more than something."""
@@ -303,7 +303,7 @@ def test_sleep_is_left_out_where_nothing_takes_energy() -> None:
 def test_scene_in_which_nothing_meets_calls_for_no_effect_of_collisions() -> None:
     """Whatever its bodies are made of."""
     apart = [block(0, material=Material(0.5, 0.5)), block(9, material=Material(0.5, 0.5))]
-    for name in OF_COLLISIONS:
+    for name in [name for name, effect in EFFECTS.items() if effect.needs_collisions]:
         assert not calls_for(name, *apart, duration=1.0), name
     assert not calls_for("collisions", *apart, duration=1.0)
     assert calls_for("rotation", *apart, duration=1.0)  # what turns does so without them

@@ -18,7 +18,7 @@ from lesson_code import (
     simulate,
 )
 from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
-from lesson_code.engine.effects.rules import Question
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import exact
 from lesson_code.engine.solvers.choice import (
     SolverChoice,

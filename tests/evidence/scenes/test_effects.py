@@ -6,8 +6,8 @@ import pytest
 
 from lesson_code import simulate
 from lesson_code.engine.core.constants import QUIET_TIME
-from lesson_code.engine.effects.choice import find
-from lesson_code.engine.effects.rules import RULES, Question
+from lesson_code.engine.effects.choice import EFFECTS, find
+from lesson_code.engine.effects.question import Question
 from lesson_code.evidence.effect_costs.runners import ours
 from lesson_code.evidence.scenes import effects as effect_scenes
 from lesson_code.evidence.scenes.effects import EffectPair, pairs
@@ -26,12 +26,12 @@ CHANGED_FOR_IT = {
 def called_for(pair: EffectPair, which: str) -> set[str]:
     """Return the effects that a scene of a pair calls for."""
     question = Question(getattr(pair, which), duration=pair.duration)
-    return {name for name in RULES if find(question, name).called_for}
+    return {name for name in EFFECTS if find(question, name).called_for}
 
 
 def test_there_is_a_pair_for_every_effect() -> None:
     """In the order of the rules."""
-    assert [pair.effect for pair in pairs()] == list(RULES)
+    assert [pair.effect for pair in pairs()] == list(EFFECTS)
 
 
 @pytest.mark.parametrize("pair", PAIRS)

@@ -5,9 +5,13 @@ from __future__ import annotations
 import pytest
 
 from lesson_code import Body, Circle, Combination, Scene, Segment
-from lesson_code.engine.core.impulse_record import STEPS_KEPT, has_room_for_record, record_impulses
 from lesson_code.engine.core.rows import ContactRow, ImpulseRow, World
 from lesson_code.engine.core.tables import world_of
+from lesson_code.engine.effects.impulse_record import (
+    STEPS_KEPT,
+    has_room_for_record,
+    record_impulses,
+)
 from lesson_code.engine.stepper import EngineStepper
 
 

@@ -1,13 +1,27 @@
-"""Post-processing: the impulses of each step, in a table that is emptied now and then."""
+"""Impulse record: the impulses of each step, in a table that is emptied now and then."""
 
 from __future__ import annotations
 
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.question import Effect, Finding, Question
 
 STEPS_KEPT = 32
 """Steps whose impulses fit into the table: so seldom is a run interrupted to empty it."""
+
+
+def rule(_question: Question) -> Finding:
+    """Ask whether contacts are to be read afterwards: yes, unless that is declined."""
+    return Finding(True, "run.contacts lists every impulse")
+
+
+EFFECT = Effect(
+    rule=rule,
+    place=160,
+    functions=("has_room_for_record", "record_impulses"),
+    is_optional=True,
+)
 
 
 def has_room_for_record(world: World) -> bool:

@@ -1,4 +1,7 @@
-"""How far bodies can get: whether any two can meet in a run, and how fast one can become."""
+"""Collisions: some two bodies may meet within the run.
+
+Without them there is nothing to find, to solve or to tell, and bodies fly freely.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,22 @@ import math
 from typing import NamedTuple
 
 from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.geometry.shapes import Circle, Segment
+from lesson_code.engine.effects.question import Effect, Finding, Question
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether any two bodies can meet."""
+    if can_meet(question.scene, question.duration, question.dt):
+        return Finding(True, "two bodies can meet")
+    return Finding(False, "no two bodies can meet within the run")
+
+
+EFFECT = Effect(
+    rule=rule,
+    place=10,
+    functions=("find_pairs", "find_contacts", "prepare", "resolve"),
+    needs_collisions=False,
+)
 
 
 class Box(NamedTuple):
@@ -36,6 +54,7 @@ def can_meet(scene: Scene, duration: float, dt: float) -> bool:
 
     Examples
     --------
+    >>> from lesson_code import Circle
     >>> ball = Body(Circle(1), mass=1.0, velocity=(1, 0))
     >>> wall = Body(Circle(1), position=(9, 0))
     >>> [can_meet(Scene([ball, wall]), duration, dt=0.01) for duration in (5.0, 8.0)]
@@ -59,46 +78,6 @@ def can_meet(scene: Scene, duration: float, dt: float) -> bool:
             return True
         free.append(box)
     return False
-
-
-def fastest_way(scene: Scene, dt: float) -> tuple[float, float]:
-    """Return how far a body can move in a step, m, and how far it may without being watched, m.
-
-    Without gravity all bodies together keep the kinetic energy that they have. If one body had
-    all of it, it would have the speed sqrt(2 E / m). What counts is the way of its farthest point.
-
-    Examples
-    --------
-    Two discs of 1 kg and 1 m/s: one of them may come to have the energy of both.
-
-    >>> discs = [Body(Circle(1), mass=1.0, velocity=(1, 0), position=(0, 3 * k)) for k in (0, 1)]
-    >>> way, room = fastest_way(Scene(discs), dt=0.1)
-    >>> round(way, 6), room
-    (0.141421, 1.0)
-    """
-    free = [body for body in scene.bodies if not body.is_static]
-    twice_energy = sum(_twice_energy(body) for body in free)
-    speed = max((_fastest_point(body, twice_energy) for body in free), default=0.0)
-    return speed * dt, min((_half_width(body) for body in free), default=math.inf)
-
-
-def _half_width(body: Body) -> float:
-    """Return half of the smallest width of a body's matter, m."""
-    return body.shape.radius if isinstance(body.shape, Segment) else 0.5 * body.shape.extent
-
-
-def _twice_energy(body: Body) -> float:
-    """Return m v^2 + I w^2, J."""
-    vx, vy = body.velocity
-    mass, inertia, w = body.mass or 0.0, body.inertia or 0.0, body.angular_velocity
-    return mass * (vx * vx + vy * vy) + (inertia * w * w if w != 0.0 else 0.0)
-
-
-def _fastest_point(body: Body, twice_energy: float) -> float:
-    """Return how fast a point of a body can be that has all the energy, m/s."""
-    mass, inertia = body.mass or math.inf, body.inertia or math.inf
-    arm = 0.0 if isinstance(body.shape, Circle) else body.shape.bounding_radius
-    return math.sqrt(twice_energy * (1 / mass + arm * arm / inertia))
 
 
 def _box_of_way(body: Body, scene: Scene, time: float) -> Box:

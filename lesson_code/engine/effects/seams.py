@@ -16,6 +16,7 @@ from __future__ import annotations
 from lesson_code.engine.core.constants import SEAM
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.geometry.clipping import facing_edge
 from lesson_code.geometry.edges import closest_on_edge
 from lesson_code.geometry.rows import following
@@ -26,6 +27,17 @@ both carry the body (a plank on two trestles)."""
 
 ALONG = 1.0 - 1e-9
 """Cosine of the angle between an edge's normal and a contact's at which the edge is the face."""
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether there are two static bodies that may stand side by side."""
+    count = sum(body.is_static for body in question.scene.bodies)
+    if count > 1:
+        return Finding(True, f"{count} static bodies may make one floor")
+    return Finding(False, "there is at most one static body")
+
+
+EFFECT = Effect(rule=rule, place=50, functions=("drop_seams",))
 
 
 def drop_seams(world: World, effects: Effects = EVERY_EFFECT) -> None:

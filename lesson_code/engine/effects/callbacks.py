@@ -1,4 +1,4 @@
-"""Post-processing: tells callbacks of contacts, pair by pair, in the order of the contacts.
+"""Callbacks: functions that are told of contacts, pair by pair, in the order of the contacts.
 
 A scene's callbacks are told within the step. That machine code cannot do; so a live world tells its
 own after the step, from the impulses that were written down in it.
@@ -17,10 +17,20 @@ from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.mixing import combined
 from lesson_code.engine.core.rows import ContactRow, World
+from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.formulas.validation import non_negative, one_number, one_vector
 
 Pair: TypeAlias = tuple[int, int]
 XY: TypeAlias = tuple[float, float]
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether the scene wants to be told of contacts."""
+    wanted = question.scene.callbacks.wanted
+    return Finding(wanted, "the scene asks to be told" if wanted else "the scene has none")
+
+
+EFFECT = Effect(rule=rule, place=150, functions=("before_impulses", "after_impulses"))
 
 
 class TouchListener:

@@ -16,14 +16,92 @@ import math
 
 from lesson_code.engine.core.broad_phase import bound
 from lesson_code.engine.core.candidate_pairs import seek_pairs
-from lesson_code.engine.core.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP
+from lesson_code.engine.core.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP, SPEED_DOUBT
 from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
+from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
+from lesson_code.engine.effects.outlines import cornered
+from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.rows import ManifoldRow
+from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether a body may move by more than half of its width within a step.
+
+    Without gravity the energy of all bodies together bounds the speed of each, as long as no
+    impact makes energy: e is at most 1, and none of Newton's law with friction at a corner.
+    """
+    scene = question.scene
+    if any(scene.gravity):
+        return Finding(True, "gravity makes bodies faster, nobody knows how fast")
+    if scene.callbacks.may_change_impulses:
+        return Finding(True, "a callback may set how bodies bounce")
+    if any(map(is_mover, scene.bodies)):
+        return Finding(True, "a body that nothing can push moves, and may hit others fast")
+    corners_rub = friction.rule(question).called_for and cornered(scene)
+    if corners_rub and restitution.rule(question).called_for:
+        return Finding(True, "bounces at corners that rub may gain speed")
+    way, room = fastest_way(scene, question.dt)
+    if SPEED_DOUBT * way > room:
+        return Finding(True, f"a body may move {way:.3g} m in a step, and has {room:.3g} m")
+    return Finding(False, f"no body can move more than {way:.3g} m in a step, and has {room:.3g} m")
+
+
+EFFECT = Effect(rule=rule, place=60, functions=("has_fast_body",))
+
+
+def is_mover(body: Body) -> bool:
+    """Return whether a body moves that nothing can push."""
+    return body.is_static and (any(body.velocity) or body.angular_velocity != 0.0)
+
+
+def fastest_way(scene: Scene, dt: float) -> tuple[float, float]:
+    """Return how far a body can move in a step, m, and how far it may without being watched, m.
+
+    Without gravity all bodies together keep the kinetic energy that they have. If one body had
+    all of it, it would have the speed sqrt(2 E / m). What counts is the way of its farthest point.
+
+    Examples
+    --------
+    Two discs of 1 kg and 1 m/s: one of them may come to have the energy of both.
+
+    >>> discs = [Body(Circle(1), mass=1.0, velocity=(1, 0), position=(0, 3 * k)) for k in (0, 1)]
+    >>> way, room = fastest_way(Scene(discs), dt=0.1)
+    >>> round(way, 6), room
+    (0.141421, 1.0)
+    """
+    free = [body for body in scene.bodies if not body.is_static]
+    twice_energy = sum(_twice_energy(body) for body in free)
+    speed = max((_fastest_point(body, twice_energy) for body in free), default=0.0)
+    return speed * dt, min((_half_width(body) for body in free), default=math.inf)
+
+
+def _half_width(body: Body) -> float:
+    """Return half of the smallest width of a body's matter, m."""
+    return body.shape.radius if isinstance(body.shape, Segment) else 0.5 * body.shape.extent
+
+
+def _twice_energy(body: Body) -> float:
+    """Return m v^2 + I w^2, J."""
+    vx, vy = body.velocity
+    mass, inertia, w = body.mass or 0.0, body.inertia or 0.0, body.angular_velocity
+    return mass * (vx * vx + vy * vy) + (inertia * w * w if w != 0.0 else 0.0)
+
+
+def _fastest_point(body: Body, twice_energy: float) -> float:
+    """Return how fast a point of a body can be that has all the energy, m/s."""
+    mass, inertia = body.mass or math.inf, body.inertia or math.inf
+    arm = 0.0 if isinstance(body.shape, Circle) else body.shape.bounding_radius
+    return math.sqrt(twice_energy * (1 / mass + arm * arm / inertia))
+
+
+# The stage
 
 
 def choose_part(world: World, pipeline: Pipeline) -> bool:
@@ -33,11 +111,11 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     """
     state = world.state
     state.dt = state.left
-    if pipeline.is_continuous and not pipeline.splits_steps:
+    if pipeline.effects.continuous and not pipeline.splits_steps:
         state.has_fast = has_fast_body(world, state.left, pipeline.effects)
         if state.has_fast:
             return False
-    elif pipeline.is_continuous and mark_fast(world, state.left, pipeline.effects):
+    elif pipeline.effects.continuous and mark_fast(world, state.left, pipeline.effects):
         state.dt = time_to_impact(world, pipeline, state.left)
         if state.pairs_wanted > 0:
             return False

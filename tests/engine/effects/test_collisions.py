@@ -1,4 +1,4 @@
-"""How far bodies get: flights that just meet and just miss, and the bound on a body's speed."""
+"""Whether two bodies can meet: flights that just meet and just miss."""
 
 from __future__ import annotations
 
@@ -11,18 +11,12 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Polygon, Scene, Segment, simulate
-from lesson_code.engine.effects.reach import can_meet, fastest_way
+from lesson_code.engine.effects.collisions import can_meet
 
 DT = 0.01
 
 NEARLY = 1e-6
 """Relative: just beyond or just short of a border that takes a few operations to compute."""
-
-ROUNDING = 1e-12
-"""Relative: sums of a few squares and a root."""
-
-SLOWEST_LOSS = 1e-9
-"""Relative: what rounding may add to the greatest speed of a run."""
 
 
 def disc(x: float = 0.0, y: float = 0.0, **rest: Any) -> Body:
@@ -145,56 +139,3 @@ def test_scenes_of_that_test_are_of_both_kinds() -> None:
     """At least a fifth of each, or it would show little."""
     found = [can_meet(drawn(seed), 0.5, 1 / 60) for seed in range(100)]
     assert 20 <= sum(found) <= 80
-
-
-# The greatest speed
-
-
-def test_fastest_way_gives_all_energy_to_the_lightest_body() -> None:
-    """By hand: 1/2 (4)(3^2) = 18 J make 6 m/s of 1 kg."""
-    bodies = disc(0, mass=4.0, velocity=(0, 3)), disc(9, mass=1.0)
-    way, room = fastest_way(Scene(bodies), 0.1)
-    assert way == pytest.approx(0.6, rel=ROUNDING)
-    assert room == 0.5
-
-
-def test_fastest_way_of_a_body_with_corners_is_that_of_its_farthest_point() -> None:
-    """By hand: a rod of 12 kg and 2 m, I = 4; 6 J: v^2 = 2 E (1/m + r^2/I) = 12 (1/12 + 1/4)."""
-    rod = Body(Segment((-1, 0), (1, 0)), mass=12.0, inertia=4.0, velocity=(1, 0))
-    way, room = fastest_way(Scene([rod]), 1.0)
-    assert way == pytest.approx(2.0, rel=ROUNDING)
-    assert room == 0.0  # a line has no width: it is always watched
-
-
-def test_fastest_way_leaves_out_bodies_that_cannot_be_pushed() -> None:
-    """They have no energy to give, and their width does not matter."""
-    alone = fastest_way(Scene([disc(velocity=(2, 0))]), 0.1)
-    wall = Body(Segment((-9, 0), (9, 0)))
-    assert fastest_way(Scene([disc(velocity=(2, 0)), wall]), 0.1) == alone
-    assert fastest_way(Scene([wall]), 0.1) == (0.0, math.inf)
-
-
-def test_fastest_way_of_a_body_that_never_turns_has_no_energy_of_spin() -> None:
-    """With an infinite inertia a spin would have an infinite energy; it is no number."""
-    stiff = disc(inertia=math.inf, velocity=(3, 0))
-    assert fastest_way(Scene([stiff]), 1.0)[0] == pytest.approx(3.0, rel=ROUNDING)
-
-
-@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
-@given(st.integers(0, 10**9))
-def test_no_body_is_ever_faster_than_the_bound(seed: int) -> None:
-    """Discs with e = 1 that hit each other for a second, of masses up to 100 to 1."""
-    rng = np.random.default_rng(seed)
-    discs = [
-        Body(
-            Circle(0.5),
-            mass=10.0 ** rng.uniform(-1, 1),
-            position=(1.2 * n, 0.0),
-            velocity=xy(rng, 3),
-        )
-        for n in range(5)
-    ]
-    scene = Scene(discs)
-    run = simulate(scene, 1.0, solver="sequential", combine="workbook")
-    fastest = float(np.max(np.linalg.norm(run.velocities, axis=2)))
-    assert fastest <= fastest_way(scene, 1.0)[0] * (1 + SLOWEST_LOSS)

@@ -7,10 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
-from lesson_code.engine.core import continuous
 from lesson_code.engine.core.constants import MOST_IMPACTS, SLOP
+from lesson_code.engine.effects import continuous
+from lesson_code.engine.effects.continuous import fastest_way
 
 BALL = Material(1.0, 0.0)
 
@@ -175,3 +178,68 @@ def test_resting_bodies_stay_at_rest_while_a_step_is_split(solver: str) -> None:
     shaken = simulate(Scene([*scene.bodies, fast], gravity=(0, -10)), 3.0, solver=solver)
     assert np.abs(calm.velocities[-1, 4:7]).max() < 1e-9
     assert shaken.positions[-1, 4:7] == pytest.approx(calm.positions[-1, 4:7], abs=1e-2)
+
+
+# The greatest speed
+
+ROUNDING = 1e-12
+"""Relative: sums of a few squares and a root."""
+
+SLOWEST_LOSS = 1e-9
+"""Relative: what rounding may add to the greatest speed of a run."""
+
+
+def disc(x: float = 0.0, **rest: Any) -> Body:
+    """Return a disc of 1 kg and radius 1/2 m."""
+    given: dict[str, Any] = {"mass": 1.0, "position": (x, 0.0)}
+    return Body(Circle(0.5), **(given | rest))
+
+
+def test_fastest_way_gives_all_energy_to_the_lightest_body() -> None:
+    """By hand: 1/2 (4)(3^2) = 18 J make 6 m/s of 1 kg."""
+    bodies = disc(0, mass=4.0, velocity=(0, 3)), disc(9, mass=1.0)
+    way, room = fastest_way(Scene(bodies), 0.1)
+    assert way == pytest.approx(0.6, rel=ROUNDING)
+    assert room == 0.5
+
+
+def test_fastest_way_of_a_body_with_corners_is_that_of_its_farthest_point() -> None:
+    """By hand: a rod of 12 kg and 2 m, I = 4; 6 J: v^2 = 2 E (1/m + r^2/I) = 12 (1/12 + 1/4)."""
+    rod = Body(Segment((-1, 0), (1, 0)), mass=12.0, inertia=4.0, velocity=(1, 0))
+    way, room = fastest_way(Scene([rod]), 1.0)
+    assert way == pytest.approx(2.0, rel=ROUNDING)
+    assert room == 0.0  # a line has no width: it is always watched
+
+
+def test_fastest_way_leaves_out_bodies_that_cannot_be_pushed() -> None:
+    """They have no energy to give, and their width does not matter."""
+    alone = fastest_way(Scene([disc(velocity=(2, 0))]), 0.1)
+    wall = Body(Segment((-9, 0), (9, 0)))
+    assert fastest_way(Scene([disc(velocity=(2, 0)), wall]), 0.1) == alone
+    assert fastest_way(Scene([wall]), 0.1) == (0.0, math.inf)
+
+
+def test_fastest_way_of_a_body_that_never_turns_has_no_energy_of_spin() -> None:
+    """With an infinite inertia a spin would have an infinite energy; it is no number."""
+    stiff = disc(inertia=math.inf, velocity=(3, 0))
+    assert fastest_way(Scene([stiff]), 1.0)[0] == pytest.approx(3.0, rel=ROUNDING)
+
+
+@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
+@given(st.integers(0, 10**9))
+def test_no_body_is_ever_faster_than_the_bound(seed: int) -> None:
+    """Discs with e = 1 that hit each other for a second, of masses up to 100 to 1."""
+    rng = np.random.default_rng(seed)
+    discs = [
+        Body(
+            Circle(0.5),
+            mass=10.0 ** rng.uniform(-1, 1),
+            position=(1.2 * n, 0.0),
+            velocity=(rng.uniform(-3, 3), rng.uniform(-3, 3)),
+        )
+        for n in range(5)
+    ]
+    scene = Scene(discs)
+    run = simulate(scene, 1.0, solver="sequential", combine="workbook")
+    fastest = float(np.max(np.linalg.norm(run.velocities, axis=2)))
+    assert fastest <= fastest_way(scene, 1.0)[0] * (1 + SLOWEST_LOSS)

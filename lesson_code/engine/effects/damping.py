@@ -1,0 +1,28 @@
+"""Damping: the velocities of bodies that can be pushed die away."""
+
+from __future__ import annotations
+
+import math
+
+from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.flags import Effects
+from lesson_code.engine.effects.question import Effect, Finding, Question
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether there is any."""
+    rate = question.scene.damping
+    return Finding(rate != 0.0, f"motion dies away at {rate:g} /s" if rate else "the rate is 0")
+
+
+EFFECT = Effect(rule=rule, place=110, functions=("damp",), needs_collisions=False)
+
+
+def damp(world: World, effects: Effects) -> None:
+    """Let the velocities of all bodies that can be pushed die away."""
+    remaining = math.exp(-world.state.damping * world.state.dt)
+    for body in world.bodies:
+        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
+            body.vx *= remaining
+            body.vy *= remaining
+            body.w *= remaining

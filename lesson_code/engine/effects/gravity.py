@@ -1,0 +1,26 @@
+"""Gravity: the same acceleration for every body that can be pushed."""
+
+from __future__ import annotations
+
+from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.flags import Effects
+from lesson_code.engine.effects.question import Effect, Finding, Question
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether there is any."""
+    x, y = question.scene.gravity
+    is_there = x != 0.0 or y != 0.0
+    return Finding(is_there, f"g = ({x:g}, {y:g}) m/s^2" if is_there else "g = 0")
+
+
+EFFECT = Effect(rule=rule, place=100, functions=("fall",), needs_collisions=False)
+
+
+def fall(world: World, effects: Effects) -> None:
+    """Let gravity act on all bodies that can be pushed."""
+    state = world.state
+    for body in world.bodies:
+        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
+            body.vx += state.gravity_x * state.dt
+            body.vy += state.gravity_y * state.dt
