@@ -21,6 +21,17 @@ Pose: TypeAlias = tuple[float, float, float]
 ALONG = 1 - 1e-9
 """A unit normal whose dot product with another one is larger than this is the same one."""
 
+POINT: dict[str, Any] = {
+    "color": style.INK,
+    "linestyle": "",
+    "marker": "o",
+    "markersize": 4.5,
+    "markeredgecolor": "white",
+    "markeredgewidth": 0.8,
+    "zorder": 7,
+}
+"""How a contact point is drawn."""
+
 
 def clipping(
     axes: Sequence[Axes], a: Polygon, pose_a: Pose, b: Polygon, pose_b: Pose
@@ -107,7 +118,7 @@ def _clip(ax: Axes, reference: Any, incident: Any, colors: tuple[str, str]) -> N
 
 def _points(ax: Axes, manifold: Any) -> None:
     """Draw the contact points; beside each, how deep it is."""
-    ax.plot(*manifold.points.T, **(scene_plots.POINT | {"linestyle": "", "marker": "o"}))
+    ax.plot(*manifold.points.T, **POINT)
     for point, penetration in zip(manifold.points, manifold.penetrations, strict=True):
         half = penetration / 2 * manifold.normal
         ax.plot(*np.array([point - half, point + half]).T, color=style.INK, linewidth=1.5)

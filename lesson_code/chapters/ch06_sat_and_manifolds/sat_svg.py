@@ -7,7 +7,6 @@ for every axis. All numbers come from the separating axis test of `geometry`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -22,6 +21,7 @@ from lesson_code.chapters.ch06_sat_and_manifolds.figures import (
 )
 from lesson_code.geometry import mtv
 from lesson_code.view.matplotlib import style
+from lesson_code.view.svg.elements import element, hatching
 
 Place: TypeAlias = Any
 """A point in metres, y up."""
@@ -52,15 +52,17 @@ def picture(vertices_a: Vertices, vertices_b: Vertices) -> str:
         m; both within about 3 m of the origin.
     """
     found = shadows(vertices_a, vertices_b)
-    parts = [
+    return element(
+        "svg",
         _hatching(),
         *_scene(vertices_a, vertices_b, shortest(found)),
         *_rows(found),
-    ]
-    return (
-        f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" width="100%" role="img" '
-        f'aria-label="{escape(in_words(vertices_a, vertices_b))}" '
-        f'font-family="sans-serif" font-size="14">{"".join(parts)}</svg>'
+        viewBox=f"0 0 {WIDTH} {HEIGHT}",
+        width="100%",
+        role="img",
+        aria_label=in_words(vertices_a, vertices_b),
+        font_family="sans-serif",
+        font_size=14,
     )
 
 
@@ -92,13 +94,10 @@ def in_words(vertices_a: Vertices, vertices_b: Vertices) -> str:
 
 def _hatching() -> str:
     """Return the pattern that tells B from A besides its colour."""
-    return (
-        '<defs><pattern id="sat-b" width="8" height="8" patternUnits="userSpaceOnUse" '
-        'patternTransform="rotate(45)"><rect width="8" height="8" fill="#f7dfcf"/>'
-        f'<line x1="0" y1="0" x2="0" y2="8" stroke="{style.SECOND}" stroke-width="2"/>'
-        "</pattern></defs>"
-        f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
-    )
+    ground = element("rect", width=8, height=8, fill="#f7dfcf")
+    line = element("line", x1=0, y1=0, x2=0, y2=8, stroke=style.SECOND, stroke_width=2)
+    sheet = element("rect", width=WIDTH, height=HEIGHT, fill="white")
+    return hatching("sat-b", 8, ground, line) + sheet
 
 
 def _scene(vertices_a: Vertices, vertices_b: Vertices, decides: AxisShadows) -> list[str]:
@@ -172,50 +171,67 @@ def _rows(found: Sequence[AxisShadows]) -> list[str]:
 
 def _row(on: AxisShadows, y: float, *, bold: bool) -> list[str]:
     """Return the row of one axis; the one that decides is in bold."""
-    weight = ' font-weight="bold"' if bold else ""
+    weight = "bold" if bold else None
     return [
-        f'<text x="480" y="{y + 5}"{weight}>{on.name}</text>',
+        element("text", on.name, x=480, y=y + 5, font_weight=weight),
         _bar(on.a, y - 13, style.FIRST),
         _bar(on.b, y + 1, "url(#sat-b)"),
-        f'<text x="510" y="{y + 33}" font-size="13"{weight}>{way_out(on)}</text>',
+        element("text", way_out(on), x=510, y=y + 33, font_size=13, font_weight=weight),
     ]
 
 
 def _bar(interval: tuple[float, float], y: float, fill: str) -> str:
     """Return a shadow as a bar."""
     left, right = (ROWS_ORIGIN + ROWS_SCALE * end for end in interval)
-    return (
-        f'<rect x="{left:.1f}" y="{y:.1f}" width="{right - left:.1f}" height="12" fill="{fill}"/>'
-    )
+    width = f"{right - left:.1f}"
+    return element("rect", x=f"{left:.1f}", y=f"{y:.1f}", width=width, height=12, fill=fill)
 
 
 def _outline(corners: Any, fill: str, edge: str, kind: str, *, dashed: bool = False) -> str:
     """Return a polygon."""
     points = " ".join(_at(corner) for corner in corners)
-    dashes = ' stroke-dasharray="6 4"' if dashed else ""
-    return (
-        f'<polygon class="{kind}" points="{points}" fill="{fill}" fill-opacity="0.8" '
-        f'stroke="{edge}" stroke-width="2"{dashes}/>'
+    return element(
+        "polygon",
+        class_=kind,
+        points=points,
+        fill=fill,
+        fill_opacity=0.8,
+        stroke=edge,
+        stroke_width=2,
+        stroke_dasharray="6 4" if dashed else None,
     )
 
 
 def _line(start: Place, end: Place, color: str, width: float, *, dotted: bool = False) -> str:
     """Return a straight line."""
     (x1, y1), (x2, y2) = _pixels(start), _pixels(end)
-    dots = ' stroke-dasharray="2 4"' if dotted else ""
-    return (
-        f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{color}" '
-        f'stroke-width="{width:g}"{dots}/>'
+    return element(
+        "line",
+        x1=f"{x1:.1f}",
+        y1=f"{y1:.1f}",
+        x2=f"{x2:.1f}",
+        y2=f"{y2:.1f}",
+        stroke=color,
+        stroke_width=f"{width:g}",
+        stroke_dasharray="2 4" if dotted else None,
     )
 
 
 def _label(place: Place, text: str, color: str) -> str:
     """Return a name with its middle at a place; it lets the pointer through."""
     x, y = _pixels(place)
-    return (
-        f'<text x="{x:.1f}" y="{y + 5:.1f}" text-anchor="middle" font-weight="bold" '
-        f'fill="{color}" stroke="white" stroke-width="4" paint-order="stroke" '
-        f'pointer-events="none">{text}</text>'
+    return element(
+        "text",
+        text,
+        x=f"{x:.1f}",
+        y=f"{y + 5:.1f}",
+        text_anchor="middle",
+        font_weight="bold",
+        fill=color,
+        stroke="white",
+        stroke_width=4,
+        paint_order="stroke",
+        pointer_events="none",
     )
 
 

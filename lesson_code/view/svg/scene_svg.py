@@ -20,6 +20,7 @@ from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 from lesson_code.view import framing
 from lesson_code.view.framing import View
 from lesson_code.view.matplotlib import style
+from lesson_code.view.svg.elements import element, hatching
 
 Floats: TypeAlias = NDArray[np.float64]
 Ticks: TypeAlias = NDArray[np.int64]
@@ -135,17 +136,22 @@ def drawing(sheet: Sheet, pictures: Sequence[str], note: str, name: str) -> str:
         A name that no other drawing of a page has.
     """
     width, height = sheet.size
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-        f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13" '
-        f'fill="{style.INK}" stroke-linejoin="round">',
+    whole = element(
+        "svg",
         _hatching(name),
         *(_framed(sheet, column, picture) for column, picture in enumerate(pictures)),
         _scale_bar(sheet),
-        f'<text x="{width - 2}" y="{height - 7}" text-anchor="end">{escape(note)}</text>',
-        "</svg>",
-    ]
-    return "".join(parts).replace("url(#hatch)", f"url(#hatch-{name})")
+        element("text", escape(note), x=width - 2, y=height - 7, text_anchor="end"),
+        xmlns="http://www.w3.org/2000/svg",
+        width=width,
+        height=height,
+        viewBox=f"0 0 {width} {height}",
+        font_family="sans-serif",
+        font_size=13,
+        fill=style.INK,
+        stroke_linejoin="round",
+    )
+    return whole.replace("url(#hatch)", f"url(#hatch-{name})")
 
 
 @dataclass(frozen=True)
@@ -191,25 +197,34 @@ def picture(sheet: Sheet, scene: Scene, state: State, names: Mapping[int, str]) 
     parts = []
     for n in still(scene):
         shape = _shape(scene.bodies[n].shape, sheet.scale)
-        parts.append(
-            f'<g transform="{_move(state, n)} {_turn(state, n)}" fill="url(#hatch)" '
-            f'stroke="{colors[n]}">{shape}</g>'
-        )
+        place = f"{_move(state, n)} {_turn(state, n)}"
+        parts.append(element("g", shape, transform=place, fill="url(#hatch)", stroke=colors[n]))
     for n in moving(scene):
         shape = _shape(scene.bodies[n].shape, sheet.scale)
         least = NAME_OF_FEW if len(names) <= FEW_NAMES else 0
         name = _name(names.get(n, ""), scene.bodies[n].shape.extent * sheet.scale, least)
         spoke = _spoke(scene.bodies[n].shape, sheet.scale)
-        parts.append(
-            f'<g data-body="{n}" transform="{_move(state, n)}"><g transform="{_turn(state, n)}" '
-            f'fill="{colors[n]}" fill-opacity="0.35" stroke="{colors[n]}" stroke-width="1.5">'
-            f"{shape}{spoke}</g>{name}"
-            f'<path fill="none" stroke-width="1.8" stroke="{style.INK}" '
-            f'd="{arrow(*state.arrows[n].tolist())}"/></g>'
+        turning = element(
+            "g",
+            shape,
+            spoke,
+            transform=_turn(state, n),
+            fill=colors[n],
+            fill_opacity=0.35,
+            stroke=colors[n],
+            stroke_width=1.5,
         )
-    return "".join(parts) + (
-        f'<path data-contacts="" fill="none" stroke="{style.INK}" stroke-linecap="round" '
-        f'stroke-width="{_dot(scene, sheet.scale)}" d="{dots(state.contacts)}"/>'
+        tip = arrow(*state.arrows[n].tolist())
+        velocity = element("path", fill="none", stroke_width=1.8, stroke=style.INK, d=tip)
+        parts.append(element("g", turning, name, velocity, data_body=n, transform=_move(state, n)))
+    return "".join(parts) + element(
+        "path",
+        data_contacts="",
+        fill="none",
+        stroke=style.INK,
+        stroke_linecap="round",
+        stroke_width=_dot(scene, sheet.scale),
+        d=dots(state.contacts),
     )
 
 
@@ -266,13 +281,13 @@ def _turn(state: State, n: int) -> str:
 def _shape(shape: Shape, scale: float) -> str:
     """Return a shape around its body's position."""
     if isinstance(shape, Circle):
-        return f'<circle r="{_length(shape.radius * scale)}"/>'
+        return element("circle", r=_length(shape.radius * scale))
     if isinstance(shape, Segment) and shape.radius > 0:
         return _capsule(shape, scale)
     points = _points(shape.outline, scale)
     if isinstance(shape, Polygon):
-        return f'<path d="M{"L".join(points)}Z"/>'
-    return f'<path stroke-width="2.5" d="M{"L".join(points)}"/>'
+        return element("path", d=f"M{'L'.join(points)}Z")
+    return element("path", stroke_width=2.5, d=f"M{'L'.join(points)}")
 
 
 def _capsule(segment: Segment, scale: float) -> str:
@@ -284,7 +299,7 @@ def _capsule(segment: Segment, scale: float) -> str:
         [(bx - x, by - y), (bx + x, by + y), (ax + x, ay + y), (ax - x, ay - y)], scale
     )
     r = _length(segment.radius * scale)
-    return f'<path d="M{a}A{r} {r} 0 0 0 {b}L{c}A{r} {r} 0 0 0 {d}Z"/>'
+    return element("path", d=f"M{a}A{r} {r} 0 0 0 {b}L{c}A{r} {r} 0 0 0 {d}Z")
 
 
 def _points(corners: Any, scale: float) -> list[str]:
@@ -302,7 +317,7 @@ def _spoke(shape: Shape, scale: float) -> str:
     """Return the line from a circle's centre that turns with it."""
     if not isinstance(shape, Circle):
         return ""
-    return f'<path d="M0 0H{_length(shape.radius * scale)}"/>'
+    return element("path", d=f"M0 0H{_length(shape.radius * scale)}")
 
 
 def _name(name: str, room: float, least: int) -> str:
@@ -310,9 +325,15 @@ def _name(name: str, room: float, least: int) -> str:
     size = min(LARGEST_NAME, max(least, int(room / max(1.2, LETTER * len(name)))))
     if not name or size < SMALLEST_NAME:
         return ""
-    return (
-        f'<text text-anchor="middle" y="{0.36 * size:.1f}" font-size="{size}" stroke="#fff" '
-        f'stroke-width="3" paint-order="stroke">{escape(name)}</text>'
+    return element(
+        "text",
+        escape(name),
+        text_anchor="middle",
+        y=f"{0.36 * size:.1f}",
+        font_size=size,
+        stroke="#fff",
+        stroke_width=3,
+        paint_order="stroke",
     )
 
 
@@ -324,35 +345,28 @@ def _dot(scene: Scene, scale: float) -> int:
 
 def _hatching(name: str) -> str:
     """Return the pattern of static bodies, and the white sheet."""
-    return (
-        f'<defs><pattern id="hatch-{name}" width="6" height="6" patternUnits="userSpaceOnUse" '
-        'patternTransform="rotate(45)"><path fill="#ededed" d="M0 0H6V6H0Z"/>'
-        '<path stroke="#b4b4b4" d="M0 0V6"/></pattern></defs>'
-        '<rect width="100%" height="100%" fill="#fff"/>'
-    )
+    ground = element("path", fill="#ededed", d="M0 0H6V6H0Z")
+    line = element("path", stroke="#b4b4b4", d="M0 0V6")
+    sheet = element("rect", width="100%", height="100%", fill="#fff")
+    return hatching(f"hatch-{name}", 6, ground, line) + sheet
 
 
 def _framed(sheet: Sheet, column: int, bodies: str) -> str:
     """Return one picture in its frame, with its title; what leaves the frame is cut off."""
     width, height = sheet.picture
     left, title = column * (width + GAP), sheet.titles[column]
-    heading = (
-        f'<text x="{left + width / 2:g}" y="16" text-anchor="middle" font-weight="600">'
-        f"{escape(title)}</text>"
-    )
-    return (
-        f"{heading if title else ''}"
-        f'<svg x="{left}" y="{sheet.top}" width="{width}" height="{height}">{bodies}'
-        f'<rect width="100%" height="100%" fill="none" stroke="#ccc" stroke-width="2"/></svg>'
-    )
+    middle = f"{left + width / 2:g}"
+    heading = element("text", escape(title), x=middle, y=16, text_anchor="middle", font_weight=600)
+    frame = element("rect", width="100%", height="100%", fill="none", stroke="#ccc", stroke_width=2)
+    picture = element("svg", bodies, frame, x=left, y=sheet.top, width=width, height=height)
+    return heading + picture if title else picture
 
 
 def _scale_bar(sheet: Sheet) -> str:
     """Return a bar of a round length with its name: the unit of the picture."""
     length = framing.round_length(sheet.view.width / 4)
     width, y = text_of(int(ticks(length * sheet.scale))), sheet.size[1] - 11
-    return (
-        f'<path stroke="{style.INK}" fill="none" stroke-width="1.5" '
-        f'd="M2 {y - 4}V{y + 4}M2 {y}h{width}M{width} {y - 4}m2 0v8"/>'
-        f'<text x="{width}" y="{y + 4}" dx="10">{framing.in_unit(length)}</text>'
+    bar = f"M2 {y - 4}V{y + 4}M2 {y}h{width}M{width} {y - 4}m2 0v8"
+    return element("path", stroke=style.INK, fill="none", stroke_width=1.5, d=bar) + element(
+        "text", framing.in_unit(length), x=width, y=y + 4, dx=10
     )

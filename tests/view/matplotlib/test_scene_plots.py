@@ -5,15 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
-from matplotlib.colors import to_hex, to_rgba
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle as CirclePatch
-from matplotlib.quiver import Quiver
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.view.matplotlib import scene_plots, style
@@ -46,22 +42,6 @@ def run(run_of: Any) -> Run:
 def circles(ax: Axes) -> list[CirclePatch]:
     """Return the circles that are drawn."""
     return [patch for patch in ax.patches if isinstance(patch, CirclePatch)]
-
-
-def arrows(ax: Axes) -> list[Quiver]:
-    """Return the sets of arrows."""
-    return [group for group in ax.collections if isinstance(group, Quiver)]
-
-
-def vectors(group: Quiver) -> list[list[float]]:
-    """Return each arrow as its tail and itself."""
-    return np.stack((group.X, group.Y, group.U, group.V), axis=-1).round(9).tolist()  # type: ignore[no-any-return]
-
-
-def legend(ax: Axes) -> list[str]:
-    """Return the words of the legend."""
-    found = ax.get_legend()
-    return [] if found is None else [text.get_text() for text in found.get_texts()]
 
 
 # scene
@@ -123,122 +103,8 @@ def test_body_that_does_not_exist_is_refused(ax: Axes, run: Run, argument: str) 
 
 def test_empty_scene_is_drawn(ax: Axes) -> None:
     """As empty axes."""
-    scene_plots.velocities(scene_plots.scene(ax, Scene(), names=True), Scene())
-    assert (len(ax.patches), arrows(ax)) == (0, [])
-
-
-# velocities
-
-
-def test_velocity_arrows_start_at_centres_and_are_to_one_scale(ax: Axes, run: Run) -> None:
-    """At 0.1 m for 1 m/s, (3, -4) m/s is drawn 0.3 m right and 0.4 m down."""
-    scene_plots.velocities(scene_plots.scene(ax, run, 0), run, 0, scale=0.1)
-    [group] = arrows(ax)
-    assert vectors(group) == [[-1, 1, 0.3, -0.4]]
-    assert legend(ax) == ["velocity, longest 5 m/s"]
-
-
-def test_longest_velocity_is_a_sixth_of_the_view(ax: Axes, run: Run) -> None:
-    """When no scale is given."""
-    scene_plots.scene(ax, run, 0, around=(-5, 5, -2, 2))
-    [[_, _, u, v]] = vectors(arrows(scene_plots.velocities(ax, run, 0))[0])
-    assert np.hypot(u, v) == pytest.approx(1.6)
-
-
-def test_velocities_of_a_scene_are_those_it_starts_with(ax: Axes) -> None:
-    """Only of the bodies that are asked for, in their colour and with their label."""
-    scene = Scene([Body(Circle(1.0), velocity=(n, 0), mass=1.0) for n in (1, 2)])
-    scene_plots.scene(ax, scene)
-    scene_plots.velocities(ax, scene, bodies=[1], scale=0.5, color=style.BLUE, label="before")
-    [group] = arrows(ax)
-    assert vectors(group) == [[0, 0, 1, 0]]
-    assert group.get_facecolor()[0].tolist() == list(to_rgba(style.BLUE))
-    assert legend(ax) == ["before, longest 2 m/s"]
-
-
-def test_bodies_at_rest_have_no_arrows(ax: Axes) -> None:
-    """A head without a shaft would show a direction that is not there."""
-    scene = Scene([Body(Circle(1.0), mass=1.0)])
-    scene_plots.velocities(scene_plots.scene(ax, scene), scene)
-    assert arrows(ax) == []
-    assert legend(ax) == ["velocity, longest 0 m/s"]
-
-
-def test_view_grows_where_an_arrow_would_leave_it(ax: Axes, run: Run) -> None:
-    """A cut arrow would look shorter than it is."""
-    scene_plots.scene(ax, run, 0, around=(-2, 2, 0, 2))
-    scene_plots.velocities(ax, run, 0, scale=1.0)
-    assert (ax.get_xlim(), ax.get_ylim()) == ((-2, 2), (-3, 2))
-
-
-def test_arrows_of_bodies_out_of_view_are_left_out(ax: Axes, run: Run) -> None:
-    """The view does not go after them."""
-    scene_plots.scene(ax, run, 0, around=(5, 6, 0, 1))
-    scene_plots.velocities(ax, run, 0)
-    assert arrows(ax) == []
-    assert ax.get_xlim() == (5, 6)
-
-
-@pytest.mark.parametrize("scale", [0.0, -1.0, float("nan")])
-def test_scale_is_positive(ax: Axes, run: Run, scale: float) -> None:
-    """For velocities and for impulses."""
-    scene_plots.scene(ax, run)
-    with pytest.raises(ValueError, match="scale must be > 0"):
-        scene_plots.velocities(ax, run, scale=scale)
-    with pytest.raises(ValueError, match="scale must be > 0"):
-        scene_plots.contacts(ax, run, 0.1, scale=scale)
-
-
-# contacts
-
-
-def test_impulses_on_body_b_start_at_the_contact_point(ax: Axes, run: Run) -> None:
-    """12 N s along the normal, up; -1 N s along the normal turned left, so to the right."""
-    scene_plots.contacts(scene_plots.scene(ax, run, 0.1), run, 0.1, scale=0.1)
-    normal, tangent = arrows(ax)
-    assert vectors(normal) == [[0, 0, 0, 1.2]]
-    assert vectors(tangent) == [[0, 0, 0.1, 0]]
-
-
-def test_tangent_impulses_are_hollow(ax: Axes, run: Run) -> None:
-    """The cue that needs no colour; the legend shows it too."""
-    scene_plots.contacts(scene_plots.scene(ax, run, 0.1), run, 0.1)
-    normal, tangent = arrows(ax)
-    assert to_hex(normal.get_facecolor()[0]) == style.INK
-    assert to_hex(tangent.get_facecolor()[0]) == "#ffffff"
-    assert legend(ax) == [
-        "unit normal",
-        "contact point",
-        "normal impulse, largest 12 N s",
-        "tangent impulse, largest 1 N s",
-    ]
-
-
-def test_normals_point_from_a_to_b_and_can_be_left_out(run: Run) -> None:
-    """All of one length, whatever the impulse."""
-    for normals in (True, False):
-        ax = style.figure()[1]
-        scene_plots.scene(ax, run, 0.1, around=(-5, 5, -2, 2))
-        scene_plots.contacts(ax, run, 0.1, normals=normals)
-        lines = [group for group in ax.collections if isinstance(group, LineCollection)]
-        drawn = [segment.tolist() for group in lines for segment in group.get_segments()]
-        assert drawn == ([[[0, 0], [0, pytest.approx(0.6)]]] if normals else [])
-
-
-def test_state_without_contact_says_so(ax: Axes, run: Run) -> None:
-    """An empty legend could mean that nothing was looked for."""
-    scene_plots.contacts(scene_plots.scene(ax, run), run)
-    assert arrows(ax) == []
-    assert legend(ax) == ["no contact"]
-
-
-def test_smooth_contact_has_no_tangent_impulse_in_the_legend(ax: Axes, run_of: Any) -> None:
-    """What is not there is not explained."""
-    contact = (1.0, 0, 1, (0, 0), UP, 2.0, 0.0)
-    scene = Scene([Body(Circle(1.0), mass=1.0)] * 2)
-    run = run_of(scene, [0.0, 1.0], np.zeros((2, 2, 2)), contacts=[contact])
-    scene_plots.contacts(scene_plots.scene(ax, run), run, normals=False)
-    assert legend(ax) == ["contact point", "normal impulse, largest 2 N s"]
+    scene_plots.scene(ax, Scene(), names=True)
+    assert len(ax.patches) == 0
 
 
 # ghosts and trails
@@ -323,23 +189,10 @@ def stack() -> Scene:
 def test_no_word_is_cut_or_written_over_another(
     assert_texts_are_clear: READABLE, scene: Scene, columns: int
 ) -> None:
-    """With numbers, velocities, contacts and a title, alone and side by side."""
+    """With numbers and a title, alone and side by side."""
     run = simulate(scene, 0.3, solver="pymunk")
     figure, axes = style.figure(columns, width=5.5 * columns, height=5)
     for ax in [axes] if columns == 1 else axes:
         scene_plots.scene(ax, run, names=True)
-        scene_plots.velocities(ax, run)
-        scene_plots.contacts(ax, run)
         ax.set_title("after 0.3 s")
     assert_texts_are_clear(figure)
-
-
-def test_legend_below_a_flat_picture_is_not_cut() -> None:
-    """The axes are lower than the room they have; one look is enough to find the legend's room."""
-    run = simulate(incline(1.0), 0.5, solver="pymunk")
-    figure, (left, right) = style.figure(2, width=10.5, height=3.4)
-    scene_plots.ghosts(left, run, [0.0, 0.5])
-    scene_plots.contacts(scene_plots.scene(right, run), run)
-    FigureCanvasAgg(figure).draw()
-    legend = right.get_legend()
-    assert legend.get_window_extent().y0 >= 0
