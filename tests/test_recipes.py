@@ -250,7 +250,7 @@ import numpy as np
 
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Program, Readings
+from lesson_code.view.pygame.program import ImpactEffects, Game, Program, Readings
 from lesson_code.view.pygame.window import ORANGE
 
 
@@ -270,7 +270,7 @@ class Marble(Game):
         return np.array([self.place])
 
 
-def draw(game: Marble, picture: Picture, effects: Effects) -> None:
+def draw(game: Marble, picture: Picture, effects: ImpactEffects) -> None:
     """Draw it."""
     picture.disc((game.place, 0.0), 0.2, ORANGE)
 
