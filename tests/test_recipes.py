@@ -133,10 +133,6 @@ check_task("1.4", common_velocity_1d)
 '''
 
 
-COLLECTED = re.compile(r"(.*?)(\n\n(?:WRONG_MODELS|ALTERNATIVES) = |\Z)(.*)", re.S)
-"""A module of answers: those that are written, and what collects them."""
-
-
 def with_a_task(tasks: str) -> str:
     """Return tasks with one more, written like the last one."""
     head, last = tasks.rstrip().removesuffix(")").rsplit("    Task(\n", 1)
@@ -151,23 +147,16 @@ def with_a_task(tasks: str) -> str:
     return f"{head}    Task(\n{last}    Task(\n{new})\n"
 
 
-def with_answers(answers: str) -> Callable[[str], str]:
-    """Return what puts answers behind those of a module, before what collects them."""
-
-    def edit(module: str) -> str:
-        parts = COLLECTED.match(module)
-        assert parts is not None
-        written, collects, rest = parts.groups()
-        return f"{written.rstrip()}\n{answers}{collects}{rest}"
-
-    return edit
+def followed_by(text: str) -> Callable[[str], str]:
+    """Return what puts something at the end of a file."""
+    return lambda file: file + text
 
 
 def test_task_is_four_files(copy: Copy) -> None:
     """It is found, its solution has full marks, and its wrong models are recognised."""
     files = files_of("Add a task")
     assert len(files) <= 4
-    edits = (with_a_task, with_answers(WRONG), with_answers(RIGHT), lambda text: text + SOLUTION)
+    edits = (with_a_task, followed_by(WRONG), followed_by(RIGHT), followed_by(SOLUTION))
     for file, edit in zip(files, edits, strict=True):
         topic = file.replace("chNN_TOPIC", "ch01_one_dimension").replace(
             "NN_TOPIC", "01_one_dimension"
@@ -244,7 +233,7 @@ def test_chapter_is_ten_files(copy: Copy) -> None:
     assert made == [f"{where}/12_carts.ipynb" for where in ("notebooks", "solutions", "exercises")]
     assert "12_carts.ipynb: 0 of 3 tasks" in copy.workbook("watch", "12", "--list")
     assert copy.faults("12_carts") == "[]"
-    count = "from lesson_code.course.quiz.bank import *; print(len(load_chapter('12').questions))"
+    count = "from lesson_code.course.quiz import load_quiz; print(len(load_quiz('12').questions))"
     assert int(copy.run("-c", count)) >= 4
     tests = ("tests/chapters/ch12_carts", "tests/chapters/test_questions.py")
     assert "failed" not in copy.run("-m", "pytest", "-q", *tests, "-k", "12 or exchange or worked")
@@ -261,7 +250,7 @@ import numpy as np
 
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Effects, Game, Program, Readings
+from lesson_code.view.pygame.program import ImpactEffects, Game, Program, Readings
 from lesson_code.view.pygame.window import ORANGE
 
 
@@ -281,7 +270,7 @@ class Marble(Game):
         return np.array([self.place])
 
 
-def draw(game: Marble, picture: Picture, effects: Effects) -> None:
+def draw(game: Marble, picture: Picture, effects: ImpactEffects) -> None:
     """Draw it."""
     picture.disc((game.place, 0.0), 0.2, ORANGE)
 
@@ -309,7 +298,43 @@ def test_program_is_two_files(copy: Copy) -> None:
     assert played.startswith("Frames: 5")
 
 
-@pytest.mark.parametrize(("recipe", "most"), [("Add an effect", 5), ("Add a solver", 2)])
-def test_effect_and_solver_are_few_files(recipe: str, most: int) -> None:
-    """With their tests."""
-    assert 0 < len(files_of(recipe)) <= most
+# A solver
+
+SOLVER = '''"""Sequential impulses that remember nothing."""
+
+from lesson_code.engine.core.solver import Solver
+from lesson_code.engine.solvers.naive import store, warm_start
+from lesson_code.engine.solvers.sequential import SOLVER as USUAL
+
+SOLVER = Solver(
+    name="forgetful",
+    stages=USUAL.stages._replace(warm_start=warm_start, store=store),
+    lacks={"warm_starting": "the forgetful solver remembers nothing"},
+)
+'''
+SOLVER_TESTS = '''"""The forgetful solver."""
+
+from lesson_code import Body, Circle, Scene, simulate
+
+
+def test_forgetful_solver_runs_a_scene() -> None:
+    """It is asked for by name, and runs."""
+    discs = [Body(Circle(0.5), position=(x, 0), velocity=(-x, 0), mass=1.0) for x in (-1, 1)]
+    run = simulate(Scene(discs), 2.0, solver="forgetful")
+    assert run.plan.solver == "forgetful"
+'''
+
+
+def test_solver_is_two_files(copy: Copy) -> None:
+    """`simulate` finds it, and its plan names it."""
+    files = files_of("Add a solver")
+    assert len(files) == 2
+    made = [file.replace("NAME", "forgetful") for file in files]
+    for file, text in zip(made, (SOLVER, SOLVER_TESTS), strict=True):
+        copy.change(file, lambda _, text=text: text)
+    assert "1 passed" in copy.run("-m", "pytest", "-q", made[1])
+
+
+def test_effect_is_at_most_five_files() -> None:
+    """With its tests."""
+    assert 0 < len(files_of("Add an effect")) <= 5
