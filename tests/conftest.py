@@ -1,13 +1,17 @@
-"""What tests share: repeatable examples, the texts of a figure, windows without a screen."""
+"""What tests share: the tier, compiled programs, texts of a figure, windows without a screen."""
 
 from __future__ import annotations
 
+import hashlib
+import os
 from collections.abc import Callable, Iterator
 from itertools import combinations
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import tiers
 from hypothesis import settings
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -15,6 +19,7 @@ from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 from lesson_code import Run, Scene
+from lesson_code.engine import compiled
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.run import ImpulseEvents
@@ -27,6 +32,37 @@ settings.load_profile("repeatable")
 
 TOUCH = 1.0
 """px by which the boxes of two texts may run into each other: no letter fills its box."""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add the word that asks for the full tier."""
+    parser.addoption("--full", action="store_true", help="run the full tier (see tests/tiers.py)")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Choose the tier; keep compiled programs from run to run, for all processes of a run."""
+    tiers.choose(full=config.getoption("--full", default=False))
+    os.environ.setdefault(FOLDER_VARIABLE, str(programs_folder(config)))
+    # Files keep their order. Doctests and notebooks come last: they are short, and no worker waits.
+    config.option.loadscopereorder = False
+
+
+def programs_folder(config: pytest.Config) -> Path:
+    """Return where compiled programs are kept: another place after a change of the compiler's own.
+
+    A program is found again by its text, which does not say how it was compiled.
+    """
+    sources = sorted(Path(*compiled.__path__).glob("*.py"))
+    text = b"".join(path.read_bytes() for path in sources)
+    return config.rootpath / ".pytest_cache" / f"programs-{hashlib.sha256(text).hexdigest()[:12]}"
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave to the full tier what is its own."""
+    left_out = set(tiers.left_out(items))
+    if left_out:
+        config.hook.pytest_deselected(items=list(left_out))
+        items[:] = [item for item in items if item not in left_out]
 
 
 @pytest.fixture
@@ -123,12 +159,10 @@ def run_of() -> Callable[..., Run]:
 
 
 @pytest.fixture(autouse=True)
-def _no_screen(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
+def _no_screen(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run on SDL's dummy drivers."""
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
-    kept = tmp_path_factory.getbasetemp().parent / "collision-workbook-programs"
-    monkeypatch.setenv(FOLDER_VARIABLE, str(kept))
 
 
 @pytest.fixture

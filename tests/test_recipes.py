@@ -217,6 +217,7 @@ def like_chapter_01(file: str) -> Callable[[str], str]:
     return lambda _: renumbered((ROOT / model).read_text(encoding="utf-8"))
 
 
+@pytest.mark.full
 def test_chapter_is_ten_files(copy: Copy) -> None:
     """Quiz, tasks, notebook and exercise are found by being there."""
     files = files_of("Add a chapter")

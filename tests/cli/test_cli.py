@@ -493,6 +493,7 @@ def test_measure_chaos_with_options_out_of_range_ends_with_2(
     assert words in " ".join(result.stderr.split())
 
 
+@pytest.mark.full
 def test_measure_speed_prints_one_json_object() -> None:
     """One small scene; the bar is on standard error, and away when it is done."""
     pytest.importorskip("numba")
@@ -505,6 +506,7 @@ def test_measure_speed_prints_one_json_object() -> None:
     assert {"sequential", "pymunk, tree"} <= {e["engine"] for e in report["scenes"][0]["engines"]}
 
 
+@pytest.mark.full
 def test_measure_speed_prints_a_table() -> None:
     """With the machine above it, and a row for each engine."""
     pytest.importorskip("numba")

@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine import stepper
 from lesson_code.engine.compiled import compiled_function, link
-from lesson_code.engine.compiled.library import FOLDER_VARIABLE, why_no_compiler
+from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
 from lesson_code.engine.core.mixing import Combination
@@ -268,6 +268,7 @@ def assert_same_numbers(mine: Run, its: Run) -> None:
         np.testing.assert_array_equal(values, getattr(its.contacts, name), err_msg=name)
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("effect", SPARED)
 @by_seed
 @given(seed=seeds, data=st.data())
@@ -315,6 +316,7 @@ def test_record_of_impulses_changes_no_state(seed: int, solver: str) -> None:
     np.testing.assert_array_equal(kept.velocities, left.velocities)
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("effect", SPARED)
 @settings(by_seed, max_examples=10)
 @given(seed=seeds)
@@ -351,16 +353,11 @@ def at_work(scene: Scene, **settings: Any) -> EngineStepper:
 
 
 @pytest.fixture
-def one_program_for_all(
-    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
-) -> None:
+def one_program_for_all(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every compiled run use one program, which has every effect: it takes 10 s to compile.
 
-    Sleep is left as it is: there are two programs then. They are kept from run to run, with those
-    of the other tests, and are loaded once.
+    Sleep is left as it is: there are two programs then. They are loaded once.
     """
-    folder = tmp_path_factory.getbasetemp().parent / "collision-workbook-programs"
-    monkeypatch.setenv(FOLDER_VARIABLE, str(folder))
     monkeypatch.setattr(stepper, "link", link_all)
     monkeypatch.setattr(stepper, "compiled_function", loaded)
 
@@ -388,6 +385,7 @@ def linked(function: Any, solver: SolverStages, sleeping: bool) -> str:
     return link(function, pipeline=every)
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.skipif(bool(why_no_compiler()), reason="nothing can be compiled here")
 @pytest.mark.usefixtures("one_program_for_all")
 @pytest.mark.parametrize("effect", [effect for effect in SPARED if effect != "callbacks"])

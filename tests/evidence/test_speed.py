@@ -250,6 +250,7 @@ def test_scene_after_steps_goes_on_as_the_engine_would() -> None:
     assert [b.shape for b in scene.bodies] == [b.shape for b in speed_scene.scene.bodies]
 
 
+@pytest.mark.full
 def test_large_scene_gets_a_head_start_and_a_small_one_none() -> None:
     """2,000,000 body-steps of the warm-up are each engine's own; ours makes what is left."""
     small = speed_scenes.gas(100)
@@ -275,6 +276,7 @@ def test_bytes_of_tables_are_told_for_our_engine_alone() -> None:
     assert bytes_of(builder("pymunk, tree", speed_scene)()) is None
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(
     ("speed_scene", "batches"),
     [
@@ -335,6 +337,7 @@ def pile_of_two(**options: Any) -> Pile:
     return Pile("standing", "two", lambda: speed_scenes.stack(2), 0.2, 0.5, **options)
 
 
+@pytest.mark.full
 def test_pile_names_the_cheapest_setting_that_holds() -> None:
     """Two boxes hold with the least that is tried."""
     raced = race_with_pile(pile_of_two(), 1)
@@ -344,6 +347,7 @@ def test_pile_names_the_cheapest_setting_that_holds() -> None:
     assert raced.ratio("pymunk") is not None
 
 
+@pytest.mark.full
 def test_pile_that_no_setting_holds_is_said_not_to_hold() -> None:
     """Bodies that rest on each other overlap by something."""
     raced = race_with_pile(pile_of_two(deepest=0.0), 1)
@@ -377,6 +381,7 @@ def test_import_loads_nothing_heavy() -> None:
     assert (start.cold, start.kept) == (None, None)
 
 
+@pytest.mark.full
 def test_memory_of_pymunk_is_measured_in_a_process_of_its_own() -> None:
     """Or not at all where the system does not tell."""
     memory = processes.measure_memory(2_000)
@@ -404,6 +409,7 @@ def part(world):
     assert stage_calls(source, "nothing") == []
 
 
+@pytest.mark.full
 def test_profile_shows_the_stages_of_a_step() -> None:
     """In the order in which the step calls them; ten sweeps are ten calls."""
     profiled = profile_scene("settled-30")

@@ -265,6 +265,7 @@ def deviations(side: int, covered: float, seconds: float, seed: int) -> tuple[fl
     )
 
 
+@pytest.mark.full
 def test_disc_gas_presses_and_collides_as_henderson_and_enskog_say() -> None:
     """256 discs that cover 0.3 of the box: pressure within 0.5 %, collision rate within 2.5 %."""
     pressure, rate = deviations(16, 0.3, 250.0, seed=1)

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tiers import share
 
 from lesson_code import Run, Scene, simulate
 from lesson_code.evidence.scenes import corner_impacts
@@ -33,7 +34,7 @@ DISC_TOLERANCE = 1e-13
 CORNER_TOLERANCE = 1e-9
 """Of the largest velocity: what 1,000 sweeps leave of the coupling of normal and tangent."""
 
-PAIRS = 100_000
+PAIRS = share(100_000)
 
 
 def disc_pairs(
@@ -68,7 +69,7 @@ def at_end(discs: tuple[Disc, Disc], run: Run) -> tuple[Disc, Disc]:
 
 
 def test_disc_pairs_with_spin_and_friction_agree_with_pymunk() -> None:
-    """100,000 random pairs, masses 1e-3 to 1e3, radii 0.1 to 10: one sweep, the same answer."""
+    """Random pairs, masses 1e-3 to 1e3, radii 0.1 to 10: one sweep, the same answer."""
     worst, hits = 0.0, 0
     for scene, discs, _, _ in disc_pairs(PAIRS):
         ours, theirs = one_step(scene, "sequential"), one_step(scene, "pymunk")

@@ -25,10 +25,11 @@ import numpy as np
 import pymunk
 import pytest
 import shapely
+from tiers import share
 
 from lesson_code.geometry import Circle, Manifold, Polygon, Segment, Shape, collide, mtv
 
-PAIRS = 20_000
+PAIRS = share(20_000)
 SEED = 20_240_611
 
 DEPTH = 1e-12

@@ -166,6 +166,7 @@ def test_pymunk_leaves_a_tall_box_turning_after_a_flat_landing() -> None:
     assert abs(theirs.velocities[-1, 1, 1] - exact) > 1e-2
 
 
+@pytest.mark.full
 def test_stack_of_ten_boxes_stands_for_a_minute_without_drift() -> None:
     """Each box sinks by its slop and stays; none moves sideways. pymunk's stack has fallen.
 
@@ -189,6 +190,7 @@ def test_contacts_of_a_stack_carry_what_is_above_them() -> None:
     assert carried == pytest.approx(stack_forces(np.ones(10), scenes.GRAVITY), rel=1e-9)
 
 
+@pytest.mark.full
 def test_pyramid_of_ten_rows_stays_still() -> None:
     """55 boxes settle within 10 s, and then none moves by a nanometre in 5 s more."""
     run = simulate(scenes.box_pyramid(10), 15.0, sample=np.array([10.0, 15.0]), solver="sequential")

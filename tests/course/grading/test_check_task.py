@@ -23,6 +23,7 @@ def wrong(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
     return m1, m2
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("task", ALL_TASKS, ids=lambda task: task.title)
 def test_check_of_right_answer_prints_the_same_line_whatever_the_seed(
     task: Task, capsys: pytest.CaptureFixture[str]

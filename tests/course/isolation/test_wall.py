@@ -22,6 +22,7 @@ from lesson_code.course.isolation import (
     isolated,
     opened,
     paths,
+    warm_server,
 )
 from lesson_code.course.isolation.fresh_process import FreshProcess
 from lesson_code.course.isolation.inside import disk, landlock, seccomp
@@ -356,6 +357,7 @@ def test_server_that_cannot_be_started_again_is_no_mark(monkeypatch: pytest.Monk
     children = open_or_skip(BY_NAME["namespaces"], Limits())
     assert isinstance(children, WarmServer)
     monkeypatch.setattr(children, "_wrapper", ("/bin/false",))
+    monkeypatch.setattr(warm_server, "SECONDS_TO_START", 1.0)
     for process in _processes(children):
         os.kill(process, signal.SIGKILL)
     with (

@@ -98,6 +98,7 @@ PLANTED = {
 }
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("name", PLANTED)
 def test_search_finds_what_is_planted(name: str, files: Files, root: Path) -> None:
     """Each kind of leak is found and named with its file."""
@@ -150,6 +151,7 @@ def test_copy_grades_asks_its_quiz_and_resets(copy: Path) -> None:
     assert (copy / "exercises" / "backups" / "billiards-1.py").read_text() == "mine"
 
 
+@pytest.mark.full
 def test_copys_notebook_reproduces_its_outputs(copy: Path) -> None:
     """The one that shows wrong models and unusual answers finds them there."""
     ran = run_there(
@@ -196,6 +198,7 @@ def test_release_writes_folder_and_zip_alike(
     assert "is there already" in again.stderr
 
 
+@pytest.mark.full
 def test_two_releases_are_the_same_bytes(files: Files, root: Path, tmp_path: Path) -> None:
     """No clock and no chance in it, nor in its zip."""
     assert bundle_files(root) == files

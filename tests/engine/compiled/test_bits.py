@@ -20,6 +20,7 @@ import pytest
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
+from lesson_code.engine.compiled.library import FOLDER_VARIABLE, folder
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.solvers.naive import SOLVER as NAIVE
@@ -183,6 +184,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
 STEPS = 40
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
 def test_compiled_run_has_the_bits_of_the_plain_one(
@@ -330,12 +332,13 @@ def test_simulate_gives_the_same_run_compiled_or_plain(
 # Indices
 
 
-def test_no_index_is_out_of_range(programs: Path) -> None:
+@pytest.mark.full
+def test_no_index_is_out_of_range() -> None:
     """Compiled with Numba's checks, in a process of their own; unchecked, a wrong one may crash."""
     env = os.environ | {
         "NUMBA_BOUNDSCHECK": "1",
         "NUMBA_OPT": "0",  # the checks are the same, and sooner there
-        "WORKBOOK_CACHE": str(programs / "checked"),
+        FOLDER_VARIABLE: str(folder() / "checked"),
         "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path]),
     }
     code = "import test_bits; test_bits.run_checked()"

@@ -60,6 +60,7 @@ SLIDERS = {
 }
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("floor", [of_segments, of_blocks, of_steps, of_rods])
 @pytest.mark.parametrize(("shape", "height"), SLIDERS.values(), ids=SLIDERS)
 @pytest.mark.parametrize("speed", [1.0, 5.0, 10.0])

@@ -140,6 +140,7 @@ def test_discs_that_never_meet_fly_to_the_same_bits_through_a_grid_or_with_no_pr
 # It is not in the program
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(
     ("effect", "scene"),
     [

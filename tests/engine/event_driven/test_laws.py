@@ -111,6 +111,7 @@ def test_discs_of_a_crowd_never_overlap(seed: int) -> None:
     assert simulate(crowd(seed, 0.8, 0.3), 1.0, solver="exact").max_penetration.max() <= CONSERVED
 
 
+@pytest.mark.full
 def test_energy_of_a_gas_is_kept_over_a_hundred_thousand_collisions() -> None:
     """Nine discs in a box, elastic and smooth, in plain Python."""
     assert energy_error(3, 100_000, compiled=False) <= ENERGY

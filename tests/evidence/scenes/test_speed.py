@@ -28,12 +28,14 @@ RESTING = (
     speed_scenes.pyramid,
 )
 
-SMALL = [
-    pytest.param(build(size), id=build(size).name)
-    for build, sizes in SIZES.items()
-    for size in sizes
-    if size <= LARGEST_TRIED
-]
+SMALL = [(build, size) for build, sizes in SIZES.items() for size in sizes if size <= LARGEST_TRIED]
+
+
+@pytest.fixture(scope="module", params=SMALL, ids=lambda small: f"{small[0].__name__}-{small[1]}")
+def speed_scene(request: pytest.FixtureRequest) -> SpeedScene:
+    """Return each scene that is not too large to be tried."""
+    build, size = request.param
+    return build(size)
 
 
 def free_bodies(speed_scene: SpeedScene) -> int:
@@ -63,7 +65,6 @@ def test_scene_has_as_many_bodies_as_its_size_says(
     assert free_bodies(build(size)) == count
 
 
-@pytest.mark.parametrize("speed_scene", SMALL)
 def test_bodies_overlap_by_less_than_the_slop_at_the_start(speed_scene: SpeedScene) -> None:
     """Nothing is pushed apart: what is measured is the scene, not its repair."""
     assert (
@@ -71,7 +72,6 @@ def test_bodies_overlap_by_less_than_the_slop_at_the_start(speed_scene: SpeedSce
     )
 
 
-@pytest.mark.parametrize("speed_scene", SMALL)
 def test_engines_are_given_equal_coefficients_without_callbacks(speed_scene: SpeedScene) -> None:
     """Pymunk's product and Box2D's rule make of the given values what ours makes of the pair."""
     bodies = speed_scene.scene.bodies
@@ -173,7 +173,6 @@ def test_bin_holds_every_kind_of_shape_and_lets_none_out() -> None:
     assert np.abs(states[:, 3:5]).max() < 0.2
 
 
-@pytest.mark.parametrize("speed_scene", SMALL)
 def test_slop_is_that_of_the_smallest_body(speed_scene: SpeedScene) -> None:
     """A two hundredth of its width: what our solver leaves alone, and pymunk is to be given."""
     widths = [
@@ -185,7 +184,6 @@ def test_slop_is_that_of_the_smallest_body(speed_scene: SpeedScene) -> None:
     assert 0.004 < speed_scene.slop <= 0.005
 
 
-@pytest.mark.parametrize("speed_scene", SMALL)
 def test_scene_says_what_it_is_for(speed_scene: SpeedScene) -> None:
     """A name, a sentence, the effects, and some steps before the measurement."""
     assert speed_scene.shows.endswith(".")
