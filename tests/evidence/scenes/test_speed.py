@@ -12,7 +12,7 @@ import pytest
 from lesson_code import Circle, Combination, simulate
 from lesson_code.engine.core.mixing import COMBINATIONS
 from lesson_code.evidence.scenes import speed as speed_scenes
-from lesson_code.evidence.scenes.speed import FRICTION, SIZES, SpeedScene
+from lesson_code.evidence.scenes.speed import BUILDERS, FRICTION, SIZES, SpeedScene
 from lesson_code.reference.pymunk_reference import PymunkStepper
 from lesson_code.reference.scene_mapping import coefficients, own_values
 
@@ -29,8 +29,8 @@ RESTING = (
 )
 
 SMALL = [
-    pytest.param(build(size), id=build(size).name)
-    for build, sizes in SIZES.items()
+    pytest.param(BUILDERS[kind](size), id=f"{kind}-{size}")
+    for kind, sizes in SIZES.items()
     for size in sizes
     if size <= LARGEST_TRIED
 ]
@@ -183,14 +183,3 @@ def test_slop_is_that_of_the_smallest_body(speed_scene: SpeedScene) -> None:
     ]
     assert speed_scene.slop == pytest.approx(min(widths) / 200)
     assert 0.004 < speed_scene.slop <= 0.005
-
-
-@pytest.mark.parametrize("speed_scene", SMALL)
-def test_scene_says_what_it_is_for(speed_scene: SpeedScene) -> None:
-    """A name, a sentence, the effects, and some steps before the measurement."""
-    assert speed_scene.shows.endswith(".")
-    assert speed_scene.warm_up > 0
-    assert "broad_phase" in speed_scene.effects
-    moves_at_first = any(body.velocity != (0.0, 0.0) for body in speed_scene.scene.bodies)
-    assert ("restitution" in speed_scene.effects) == moves_at_first
-    assert ("gravity" in speed_scene.effects) == (speed_scene.scene.gravity != (0.0, 0.0))
