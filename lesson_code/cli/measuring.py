@@ -1,17 +1,20 @@
-"""``workbook measure``: what the workbook says of itself, measured again."""
+"""``workbook measure``: the figures that the workbook states, measured again."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
 
 from lesson_code.cli.shared import AsJson, clear_errors, console, errors, print_json, share_bar
 
-measure = typer.Typer(no_args_is_help=True, help="Measure what the workbook says of itself.")
+if TYPE_CHECKING:
+    from lesson_code.evidence.measurement import Measurement
+
+measure = typer.Typer(no_args_is_help=True, help="Measure the figures that the workbook states.")
 
 TABLE_WIDTH = 100
 """Columns that the widest tables need."""
@@ -24,7 +27,7 @@ Cluster = Annotated[
     str | None,
     typer.Option(
         metavar="ADDRESS",
-        help='Let a dask cluster do the work: tcp://HOST:PORT, or "local" to start one here.',
+        help='Share the work over a dask cluster: tcp://HOST:PORT, or "local" to start one here.',
     ),
 ]
 
@@ -73,12 +76,8 @@ def measure_cases(
             only, solvers=solvers, workers=workers, cluster=cluster, progress="hard cases"
         )
     if store:
-        hard_cases.store(measured)
-    if as_json:
-        print_json(measured.as_dict())
-    else:
-        wide = Console(width=max(console.width, TABLE_WIDTH))
-        wide.print(measured.as_table())
+        measured.without_times().store()
+    _show(measured, as_json)
     raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
 
 
@@ -126,7 +125,7 @@ def measure_grading(
 
 
 @measure.command("speed")
-def measure_speed(
+def speed(
     only: Annotated[
         list[str] | None,
         typer.Option(help="Only such scenes or parts: gas-100, gas, held-50, memory, ..."),
@@ -144,27 +143,19 @@ def measure_speed(
     as_json: AsJson = False,
 ) -> None:
     """How fast the engines are: ours, pymunk, and Box2D where it is installed."""
-    from lesson_code.evidence.speed import measure as speed
+    from lesson_code.evidence.measurement import machine_line
+    from lesson_code.evidence.speed import measure_speed
     from lesson_code.evidence.speed.profile import profile_scene
-    from lesson_code.evidence.speed.report import machine_line
 
     with clear_errors():
         if profile is not None:
-            profiled = profile_scene(profile)
-            if as_json:
-                print_json(profiled.as_dict())
-            else:
-                console.print(profiled.as_table())
+            _show(profile_scene(profile), as_json)
             return
         with share_bar() as told:
-            measured = speed.measure_speed(repeats=repeats, quick=quick, only=only or (), told=told)
-    if as_json:
-        print_json(measured.as_dict())
-        return
-    wide = Console(width=max(console.width, TABLE_WIDTH))
-    wide.print(machine_line(), highlight=False)
-    for table in measured.as_tables():
-        wide.print(table)
+            measured = measure_speed(repeats=repeats, quick=quick, only=only or (), told=told)
+    if not as_json:
+        console.print(machine_line(), highlight=False)
+    _show(measured, as_json)
 
 
 @measure.command("accuracy")
@@ -192,7 +183,6 @@ def measure_accuracy(
     """Measure what accuracy costs: error against time of all methods, where answers are known."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small systems: more threads are slower
     from lesson_code.evidence import work_precision
-    from lesson_code.evidence.work_precision.tables import as_tables
 
     with clear_errors():
         if store and quick:
@@ -207,17 +197,13 @@ def measure_accuracy(
             progress=errors.is_terminal,
         )
         if store:
-            before = work_precision.stored() if work_precision.STORED.exists() else result
-            work_precision.store(before.merged(result))
+            before = work_precision.stored() if result.file.exists() else result
+            before.merged(result).store()
         if plot is not None:
             from lesson_code.chapters.ch08_what_accuracy_costs.figures import all_scenes
 
             all_scenes(result).savefig(plot)
-    if as_json:
-        print_json(result.as_dict())
-    else:
-        for table in as_tables(result):
-            console.print(table)
+    _show(result, as_json)
 
 
 @measure.command("effects")
@@ -242,7 +228,6 @@ def measure_effects(
 ) -> None:
     """Measure what an effect costs where it is needed, and what it saves to leave it out."""
     from lesson_code.evidence import effect_costs
-    from lesson_code.evidence.effect_costs.tables import as_tables
 
     with clear_errors():
         if store and (quick or only):
@@ -255,17 +240,20 @@ def measure_effects(
                 only or (), quick=quick, repeats=repeats, told=told
             )
         if store:
-            effect_costs.store(result)
+            result.store()
         if plot is not None:
             from lesson_code.chapters.ch10_only_what_the_scene_needs.figures import all_effects
 
             all_effects(result).savefig(plot)
+    _show(result, as_json)
+
+
+def _show(measured: Measurement, as_json: bool) -> None:
+    """Print a result as one JSON object, or as tables."""
     if as_json:
-        print_json(result.as_dict())
-        return
-    wide = Console(width=max(console.width, TABLE_WIDTH))
-    for table in as_tables(result):
-        wide.print(table)
+        print_json(measured.as_dict())
+    else:
+        Console(width=max(console.width, TABLE_WIDTH)).print(*measured.tables())
 
 
 def _check_figure(path: Path | None) -> None:

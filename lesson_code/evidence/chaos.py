@@ -36,7 +36,7 @@ VERSION = 1
 """Version of the form that :meth:`Chaos.as_dict` writes; it grows when a key changes."""
 
 DISPLACEMENTS = tuple(10.0**power for power in range(-12, -5))
-"""m: by so much a disc is moved. The smallest is a thousand times what rounding would do to a
+"""m: how far a disc is moved. The smallest is a thousand times what rounding would do to a
 place in the box, 1e-15 m; at the largest there is still room to grow."""
 
 RUNS = 28
@@ -50,11 +50,11 @@ DURATION, SAMPLES = 9.0, 181
 runs that began 1e-12 m apart have long parted."""
 
 SETTLED, SATURATED = 10.0, 0.01 * DIAMETER
-"""Between so many displacements and so many metres the rate is fitted: before that one disc's error
+"""The rate is fitted from this many displacements to this many metres: before that one disc's error
 has not spread to the others, and later the box leaves no room to grow."""
 
 LOST = 0.1 * DIAMETER
-"""m: an error by which nobody would call it the same gas."""
+"""m: with an error this large it is another gas."""
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class Chaos:
         return {size: [p for p in self.partings if p.displacement == size] for size in sizes}
 
     def as_dict(self) -> dict[str, Any]:
-        """Return all of it as one JSON object; None stands for never."""
+        """Return the result as one JSON object; None stands for never."""
         return {
             "version": VERSION,
             "command": "measure chaos",
@@ -139,12 +139,12 @@ class Chaos:
         }
 
     def as_table(self) -> Table:
-        """Return all of it as a table: for each displacement the median, and the quartiles."""
+        """Return the result as a table: for each displacement the median, and the quartiles."""
         table = Table(
             "moved by, m",
             "runs",
             "error grows by, a collision",
-            "lost after so many collisions",
+            "collisions until it is lost",
             title=f"Two runs of {self.discs} discs that began almost alike",
             caption=f"Lost: a disc is over {LOST:g} diameters off. Medians; in brackets quartiles.",
         )

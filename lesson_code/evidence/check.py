@@ -102,7 +102,7 @@ def _is_numeric(value: Any) -> bool:
 
 
 MOST_NUMBERS_WRITTEN = 6
-"""A line has room for so many; of a longer array only its range is written."""
+"""Of a longer array only the range is written: a line has no room for more."""
 
 
 def _written(value: Any, tolerance: float) -> str:

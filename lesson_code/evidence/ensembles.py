@@ -59,7 +59,7 @@ def simulate_many(
     progress: str | None = None,
     **options: Any,
 ) -> list[Any]:
-    """Let many scenes run, each by itself, on several cores, and return what happened.
+    """Run many scenes, each by itself, on several cores, and return the runs.
 
     [simulate(scene, duration, **options) for scene in scenes]
 
@@ -76,8 +76,8 @@ def simulate_many(
         One for each scene: arguments of :func:`lesson_code.simulate` that this scene has for
         itself, such as ``[{"dt": 1 / 60}, {"dt": 1 / 120}]``; a "duration" among them, too.
     measure : callable, optional
-        Takes a Run and returns what is wanted of it. It is called where the run was made, so that
-        of thousands of runs only that is kept and sent. By default the runs are returned.
+        Takes a Run and returns what is measured. It is called where the run was made, so that of
+        thousands of runs only the measurements are kept and sent. By default the runs are returned.
     workers, cluster, progress
         As :func:`lesson_code.parallel.map_tasks` takes them.
     **options
@@ -132,7 +132,7 @@ def simulate_many(
 
 
 def _simulated(measure: Callable[[Run], Any] | None, task: tuple[Scene, dict[str, Any]]) -> Any:
-    """Return one run, or what is measured of it: what a worker does."""
+    """Do a worker's task: return one run, or its measurement."""
     scene, arguments = task
     run = simulate(scene, **arguments)
     return replace(run, scene=Scene()) if measure is None else measure(run)

@@ -400,7 +400,7 @@ print(f"with the normal before the step: off by up to {late.max():.1f} times the
 # ## 7 A table full of balls
 #
 # Now 32 pool balls on a table, all moving, for three seconds. The scene is made in
-# `lesson_code/evidence/scenes/discs.py`. Four laws are asked about every step:
+# `lesson_code/chapters/ch04_circles/scenes.py`. Four laws are asked about every step:
 #
 # - with e = 1 the energy is kept;
 # - with e = 0.8 it never grows;
@@ -408,11 +408,12 @@ print(f"with the normal before the step: off by up to {late.max():.1f} times the
 # - every ball stays on the table.
 
 # %%
+from lesson_code.chapters.ch04_circles import scenes as table
 from lesson_code.evidence.scenes import discs as disc_scenes
 
 fine = {"duration": 3.0, "dt": 1 / 240, "iterations": 30}  # section 8 says why 30
-elastic = simulate(disc_scenes.scattered_balls(restitution=1.0), **fine)
-lossy = simulate(disc_scenes.scattered_balls(restitution=0.8), **fine)
+elastic = simulate(table.scattered_balls(restitution=1.0), **fine)
+lossy = simulate(table.scattered_balls(restitution=0.8), **fine)
 energy = elastic.kinetic_energy / elastic.kinetic_energy[0]
 check("e = 1: energy, in every step", energy, 1, tolerance=1e-12)
 growth = np.diff(lossy.kinetic_energy) / lossy.kinetic_energy[0]
@@ -422,7 +423,7 @@ cushion = hits.body_a < disc_scenes.CUSHIONS
 given = hits.normal_impulse[cushion, np.newaxis] * hits.normal[cushion]
 gained = elastic.momentum[-1] - elastic.momentum[0]
 check("momentum gained is what the cushions gave", gained - given.sum(axis=0), 0, 1e-12)
-check("balls on the table at the end", disc_scenes.balls_on_table(elastic)[-1], 32)
+check("balls on the table at the end", table.balls_on_table(elastic)[-1], 32)
 
 # %% [markdown]
 # **The first attempt.** `solver="naive"` is what one writes first: for every pair, the impulse
@@ -431,10 +432,10 @@ check("balls on the table at the end", disc_scenes.balls_on_table(elastic)[-1], 
 # balls will be left?
 
 # %%
-naive = simulate(disc_scenes.scattered_balls(restitution=1.0), solver="naive", **fine)
+naive = simulate(table.scattered_balls(restitution=1.0), solver="naive", **fine)
 on_table = {
-    "sequential impulses": (elastic.times, disc_scenes.balls_on_table(elastic)),
-    "the first attempt": (naive.times, disc_scenes.balls_on_table(naive)),
+    "sequential impulses": (elastic.times, table.balls_on_table(elastic)),
+    "the first attempt": (naive.times, table.balls_on_table(naive)),
 }
 print({name: int(count[-1]) for name, (_, count) in on_table.items()})
 fig, ax = style.figure(width=7, height=3)

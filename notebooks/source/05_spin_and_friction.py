@@ -28,17 +28,12 @@ import inspect
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch05_spin_and_friction import figures
+from lesson_code.chapters.ch05_spin_and_friction import figures, scenes
 from lesson_code.chapters.ch05_spin_and_friction import wrong_answers as wrong
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.evidence.scenes import slopes, spinning_discs
-from lesson_code.evidence.scenes.spinning_discs import (
-    Disc,
-    hit,
-    hit_wall,
-    normal_between,
-)
+from lesson_code.evidence.scenes.spinning_discs import Disc, hit, normal_between
 from lesson_code.formulas import contact_velocity, effective_mass, friction_impulse
 from lesson_code.reference import impact_closed_forms, rigid_body_closed_forms
 from lesson_code.view.browser.interactive import Slider, explore
@@ -324,10 +319,10 @@ print(inspect.getsource(hit).split('"""')[-1].strip("\n"))
 up = np.array([0.0, 1.0])
 disc = Disc(mass=1.0, radius=0.5, position=0.5 * up, velocity=np.array([3.0, -4.0]))
 for name, friction, v, w in (("rubber", 1.0, (2, 2), -4.0), ("ice", 0.05, (2.7, 2), -1.2)):
-    after = hit_wall(disc, up, restitution=0.5, friction=friction)
+    after = scenes.hit_wall(disc, up, restitution=0.5, friction=friction)
     check(f"{name}: velocity", after.velocity, v, tolerance=1e-12)
     check(f"{name}: spin", after.angular_velocity, w, tolerance=1e-12)
-after = hit_wall(disc, up, restitution=0.5, friction=1.0)
+after = scenes.hit_wall(disc, up, restitution=0.5, friction=1.0)
 slip = contact_velocity(after.velocity, after.angular_velocity, -0.5 * up)[0]
 check("rubber: no sliding is left, the disc rolls", slip, 0.0, tolerance=1e-12)
 
@@ -340,7 +335,7 @@ check("rubber: no sliding is left, the disc rolls", slip, 0.0, tolerance=1e-12)
 contact = disc.position - disc.radius * up
 check("before: 0.5 m times 3 m/s, clockwise", disc.angular_momentum(contact), -1.5)
 for friction in (0.0, 0.05, 1.0):
-    after = hit_wall(disc, up, restitution=0.5, friction=friction)
+    after = scenes.hit_wall(disc, up, restitution=0.5, friction=friction)
     check(f"after, mu = {friction}", after.angular_momentum(contact), -1.5, tolerance=1e-12)
 
 # %% [markdown]
@@ -512,8 +507,8 @@ exact_disc = [roll_down(np.radians(20), 1 / 2, mu, slopes.GRAVITY)[0] for mu in 
 exact_box = [slide_down(np.radians(30), mu, slopes.GRAVITY) for mu in mu_box]
 on_disc, on_box = {}, {}
 for solver, tolerance in (("sequential", 1e-9), ("pymunk", 1e-3)):
-    on_disc[solver] = [slopes.acceleration(Circle(0.5), 20, mu, solver) for mu in mu_disc]
-    on_box[solver] = [slopes.acceleration(box, 30, mu, solver) for mu in mu_box]
+    on_disc[solver] = [scenes.acceleration(Circle(0.5), 20, mu, solver) for mu in mu_disc]
+    on_box[solver] = [scenes.acceleration(box, 30, mu, solver) for mu in mu_box]
     check(f"disc, {solver}", np.subtract(on_disc[solver], exact_disc), 0, tolerance=1e-9)
     check(f"box, {solver}", np.subtract(on_box[solver], exact_box), 0, tolerance)
 
@@ -552,9 +547,9 @@ show(
 # %%
 expected = np.degrees(rigid_body_closed_forms.tipping_angle(width=0.5, height=1.0))
 for solver in ("sequential", "pymunk"):
-    ten = slopes.tipping_angle(0.5, 1.0, solver=solver, iterations=10)
+    ten = scenes.tipping_angle(0.5, 1.0, solver=solver, iterations=10)
     print(f"{solver}, 10 sweeps over the contacts: {abs(ten - expected):.1f} degrees away from it")
-    fifty = slopes.tipping_angle(0.5, 1.0, solver=solver, iterations=50)
+    fifty = scenes.tipping_angle(0.5, 1.0, solver=solver, iterations=50)
     check(f"{solver}, 50 sweeps", fifty, expected, tolerance=0.1)
 
 # %% [markdown]
@@ -645,7 +640,7 @@ def sliding_over_bounces(rule, count=5):
 
 
 rules = {
-    "right": spinning_discs.bounce_with_spin,
+    "right": scenes.bounce_with_spin,
     "torque with the wrong sign": wrong.torque_with_the_wrong_sign,
     "as if it could not turn": wrong.rim_as_heavy_as_the_disc,
 }
@@ -698,7 +693,7 @@ for ax, fastest, (name, rule) in zip(
     strict=True,
 ):
     v = np.linspace(-fastest, fastest, 1201)
-    both = {"right": slopes.coulomb, name: rule}
+    both = {"right": scenes.coulomb, name: rule}
     curves = {label: (v, [f(vt, 4.0, 0.5, 1.0) for vt in v]) for label, f in both.items()}
     plots.curves(ax, curves, "sliding before, m/s", "friction impulse, N s")
 
@@ -716,10 +711,10 @@ show(
 # adds 3.6 mm/s in each step of 1/240 s. **Predict** what the dead band makes of that.
 
 # %%
-rules = {"right": slopes.coulomb, "no clamp": wrong.without_clamp, "dead band": wrong.dead_band}
+rules = {"right": scenes.coulomb, "no clamp": wrong.without_clamp, "dead band": wrong.dead_band}
 for name, rule in rules.items():
-    rough = slopes.block_in_steps(rule, degrees=5, friction=0.5, duration=10)
-    icy = slopes.block_in_steps(rule, degrees=30, friction=0.05, duration=10)
+    rough = scenes.block_in_steps(rule, degrees=5, friction=0.5, duration=10)
+    icy = scenes.block_in_steps(rule, degrees=30, friction=0.05, duration=10)
     print(f"{name:9}: {100 * rough:4.1f} cm down the rough slope, {icy:5.1f} m down the icy one")
 
 # %% [markdown]

@@ -34,7 +34,7 @@ from lesson_code.chapters.ch06_sat_and_manifolds.drag_polygon import drag_polygo
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.evidence.scenes import corner_impacts
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.formulas import reflect
 from lesson_code.formulas.smooth_pair import separating_push
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
@@ -208,7 +208,7 @@ check("then they only touch", mtv(slab - push / m_a, brick + right + push / m_b)
 
 # %%
 from lesson_code.chapters.ch06_sat_and_manifolds import right_answers as unusual
-from lesson_code.evidence.scenes.polygons import random_polygon
+from lesson_code.chapters.ch06_sat_and_manifolds.scenes import random_polygon
 from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
 
 rng = np.random.default_rng(seed=6)

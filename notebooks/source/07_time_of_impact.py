@@ -636,11 +636,13 @@ show(
 # counted, so chance leaves a few parts in a hundred; to halve that takes four times as many.
 
 # %%
+from lesson_code.chapters.ch07_time_of_impact.scenes import in_the_middle
+
 measured = []
 for covered, duration in ((0.05, 150.0), (0.12, 100.0), (0.2, 80.0), (0.3, 60.0)):
     gas = disc_gas.disc_gas(12, covered, seed=1)
     run = simulate(gas, duration, solver="exact", sample=np.arange(0, duration, 0.25))
-    measured.append(disc_gas.in_the_middle(run, since=4.0))
+    measured.append(in_the_middle(run, since=4.0))
 eta = [m.covered for m in measured]
 z = np.array([m.compressibility for m in measured])
 rate = np.array([m.collision_rate for m in measured])
@@ -727,7 +729,7 @@ for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
 # infinitely many collisions; the solver lets it hop a little. It says no where it cannot help:
 
 # %%
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 
 try:
     simulate(scenes.box_stack(3), 1.0, solver="exact")

@@ -30,7 +30,7 @@ from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.evidence import work_precision as wp
 from lesson_code.evidence.scenes import events as exact_scenes
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.rigid_body_closed_forms import rolling_begins
 from lesson_code.view.browser.interactive import Slider, explore
 from lesson_code.view.browser.show import show

@@ -45,7 +45,7 @@ from lesson_code.evidence.hard_cases import loads
 from lesson_code.evidence.scenes import discs as disc_scenes
 from lesson_code.evidence.scenes import events as exact_scenes
 from lesson_code.evidence.scenes import gas as disc_gas
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.view import listing
 from lesson_code.view.browser.interactive import Slider, explore
 from lesson_code.view.browser.show import show
@@ -490,7 +490,7 @@ print(f"   needed {friction.calls_needed:.0f}, left out {friction.calls_left_out
 print(f"   forced on and left out, time: {friction.forced / friction.left_out:.2f} to 1")
 pymunk = costs.of("friction", "pymunk")
 print(f"   pymunk, with mu and without, time: {pymunk.needed / pymunk.left_out:.2f} to 1")
-for limit in costs.limits():
+for limit in costs.limits:
     print(f"{limit.what}: {limit.value:.3g}, wanted {limit.wanted}")
 
 # %% [markdown]

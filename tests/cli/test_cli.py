@@ -521,7 +521,7 @@ def test_measure_speed_prints_a_table() -> None:
     [
         (["--repeats", "0"], "Invalid value for '--repeats'"),
         (["--only", "gold"], "only must name some of gas-10"),
-        (["--profile", "gold-10"], "profile must be one of gas"),
+        (["--profile", "gold-10"], "scene must be one of gas"),
     ],
 )
 def test_measure_speed_with_options_out_of_range_ends_with_2(
@@ -541,7 +541,7 @@ def test_measure_accuracy_prints_one_json_object_and_draws(tmp_path: Path) -> No
     result = workbook("measure", "accuracy", "--json", *options, "--plot", str(figure))
     assert (result.exit_code, result.stderr) == (ALL_IS_WELL, "")
     report = json.loads(result.stdout)
-    assert (report["version"], report["command"]) == (1, "measure accuracy")
+    assert (report["version"], report["command"]) == (2, "measure accuracy")
     assert {point["scene"] for point in report["points"]} == {"drop"}
     assert len({point["method"] for point in report["points"]}) >= 6
     assert figure.read_bytes().startswith(b"\x89PNG")
@@ -560,7 +560,7 @@ def test_measure_accuracy_prints_a_table() -> None:
     ("options", "words"),
     [
         (["--repeats", "0"], "Invalid value for '--repeats'"),
-        (["--only", "moon"], "scene must be one of ball in a box"),
+        (["--only", "moon"], "only must name some of ball in a box"),
         (["--quick", "--store"], "--store wants a full measurement"),
         (["--plot", "figure.txt"], "--plot must end in .png, .svg or .pdf"),
     ],

@@ -8,7 +8,7 @@ import pytest
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.small_engine import geometric_mean, of_pair, random_hits, simulate_small
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes.spinning_discs import random_impacts, scene_of
 
 ROUNDING = 1e-12

@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
-from rich.console import Console
 
 from lesson_code.engine.effects.choice import EFFECTS, OPTIONAL
-from lesson_code.evidence.effect_costs import (
-    EffectCost,
-    EffectCosts,
-    measure,
-    runners,
-    store,
-    stored,
-)
+from lesson_code.evidence.effect_costs import EffectCost, EffectCosts, measure, stored
 from lesson_code.evidence.effect_costs.calls import calls_for, calls_of
 from lesson_code.evidence.effect_costs.result import (
     ALL,
@@ -28,10 +18,8 @@ from lesson_code.evidence.effect_costs.result import (
     PLAIN,
     PYMUNK,
     FewBalls,
-    from_dict,
 )
-from lesson_code.evidence.effect_costs.runners import Runner, ours, pymunk_for, settings_of
-from lesson_code.evidence.effect_costs.tables import as_tables
+from lesson_code.evidence.effect_costs.runners import ours, pymunk_for, settings_of
 from lesson_code.evidence.scenes.effects import EffectPair, pairs
 
 PAIRS = [pytest.param(pair, id=pair.effect) for pair in pairs()]
@@ -44,7 +32,7 @@ def made_up(**times: float) -> EffectCost:
 
 def result_of(*costs: EffectCost, billiards: FewBalls | None = None) -> EffectCosts:
     """Return a made-up result."""
-    return EffectCosts(costs, billiards, repeats=7, machine={"python": "3"})
+    return EffectCosts(repeats=7, machine={"python": "3"}, billiards=billiards, costs=costs)
 
 
 # Calls
@@ -102,32 +90,6 @@ def test_pymunk_is_told_what_no_scene_can_say() -> None:
     assert asleep == {"needed": True, "left_out": False, "switched_off": False}
 
 
-class Counting:
-    """An engine that only counts its steps, and a clock that tells them."""
-
-    def __init__(self) -> None:
-        self.steps = 0
-
-    def advance(self, steps: int) -> None:
-        """Count."""
-        self.steps += steps
-
-    def states(self) -> Any:
-        """Return nothing: it has no bodies."""
-        return None
-
-
-def test_batch_is_as_long_as_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    """At 1 ms a step 64 are the first power of two beyond half of 0.1 s; or as many as allowed."""
-    for most, expected in ((1_000, 64), (40, 40)):
-        engine = Counting()
-        monkeypatch.setattr(runners, "worked_seconds", lambda e=engine: 1e-3 * e.steps)
-        runner = Runner(engine)
-        runner.fit_batch(0.1, most)
-        assert (runner.steps, runner.seconds) == (expected, [])
-        assert runner.run_batch() == pytest.approx(1e-3)
-
-
 # The result
 
 
@@ -145,29 +107,28 @@ def test_limits_are_ratios_and_say_whether_they_are_reached() -> None:
     sleep = EffectCost("sleeping", COMPILED, "", needed=1.0, switched_off=49.0)
     pymunk = EffectCost("sleeping", PYMUNK, "", needed=1.0, switched_off=90.0)
     result = result_of(gas, sleep, pymunk, billiards=FewBalls("exact", 0.001, 0.019))
-    found = [(limit.value, limit.reached) for limit in result.limits()]
+    found = [(limit.value, limit.reached) for limit in result.limits]
     assert found == [(1.5, True), (49.0, False), (0.019, True)]
-    assert result.billiards is not None
-    assert result.billiards.running == pytest.approx(0.018)
 
 
 def test_result_is_the_same_after_it_was_written_and_read(tmp_path: Path) -> None:
     """What is not known is null in between; the object is versioned."""
     row = made_up(needed=1.5e-5, left_out=1e-5, calls_left_out=0.0)
     result = result_of(row, billiards=FewBalls("exact", 1e-3, 2e-3))
-    store(result, tmp_path / "stored.json")
-    data = json.loads((tmp_path / "stored.json").read_text())
+    path = tmp_path / "stored.json"
+    result.store(path)
+    data = json.loads(path.read_text())
     assert (data["version"], data["command"]) == (1, "measure effects")
     assert data["costs"][0]["forced"] is None
-    assert repr(from_dict(data)) == repr(result)
+    assert repr(EffectCosts.stored(path)) == repr(result)
+    path.write_text(json.dumps(data | {"version": 2}))
     with pytest.raises(ValueError, match="version must be 1, got 2"):
-        from_dict(data | {"version": 2})
+        EffectCosts.stored(path)
 
 
 def test_result_is_asked_by_effect_and_code() -> None:
     """A code in which nothing was measured is refused."""
     result = result_of(made_up(needed=1.0))
-    assert result.effects == ["friction"]
     assert result.of("friction", PLAIN) is result.costs[0]
     assert result.of("friction", COMPILED) is None
     with pytest.raises(ValueError, match="code must be one of plain Python, got 'compiled'"):
@@ -176,10 +137,7 @@ def test_result_is_asked_by_effect_and_code() -> None:
 
 def test_tables_fit_into_100_columns_and_leave_nothing_out() -> None:
     """Every effect stands in them."""
-    console = Console(width=100, record=True, file=io.StringIO())
-    for table in as_tables(stored()):
-        console.print(table)
-    text = console.export_text()
+    text = stored().as_text(100)
     for effect in EFFECTS:
         assert effect in text
     assert "..." not in text.replace("\u2026", "...")
@@ -207,7 +165,7 @@ def test_stored_result_counts_no_call_where_an_effect_is_left_out() -> None:
 
 def test_stored_result_reaches_what_is_wanted() -> None:
     """But for the gases where they are compiled, which is said: they save a fifth to a third."""
-    missed = {limit.what for limit in stored().limits() if not limit.reached}
+    missed = {limit.what for limit in stored().limits if not limit.reached}
     walls = ("discs in a box", "discs in a box of circles")
     assert missed <= {f"{wall}, compiled: all effects over those called for" for wall in walls}
 
@@ -237,7 +195,7 @@ def test_measurement_of_billiards_plans_and_runs_them() -> None:
 @pytest.mark.parametrize(
     ("only", "repeats", "words"),
     [
-        (["frictoin"], 1, "only must name some of collisions, .*, billiards; got 'frictoin'"),
+        (["frictoin"], 1, "only must name some of collisions, .*, billiards, got 'frictoin'"),
         ([], 0, "repeats must be >= 1, got 0"),
     ],
 )

@@ -14,7 +14,7 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.core.mixing import combination
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.box2d_reference import Box2DStepper, fixtures
 from lesson_code.reference.rigid_body_closed_forms import slide_to_roll
 

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Scene, Segment, simulate
+from lesson_code.chapters.ch07_time_of_impact.scenes import in_the_middle
 from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.evidence.scenes import events as exact_scenes
 from lesson_code.evidence.scenes import gas
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes.spinning_discs import random_impacts, scene_of
 from lesson_code.reference.closed_forms import bounce_times, bouncing_ball, rest_time
 from lesson_code.reference.contact_closed_forms import Struck, disc_impact
@@ -257,7 +258,7 @@ def deviations(side: int, covered: float, seconds: float, seed: int) -> tuple[fl
     """Return how far pressure and collision rate are from the formulas, parts of one."""
     sample = np.linspace(0, seconds, 4 * math.ceil(seconds))
     run = simulate(gas.disc_gas(side, covered, seed=seed), seconds, solver="exact", sample=sample)
-    seen = gas.in_the_middle(run, since=10.0)
+    seen = in_the_middle(run, since=10.0)
     rate = hard_disc_collision_rate(seen.covered, gas.DIAMETER, gas.MASS, gas.ENERGY)
     return (
         seen.compressibility / hard_disc_compressibility(seen.covered) - 1,

@@ -11,7 +11,7 @@ import pytest
 
 from lesson_code import Run, Scene, simulate
 from lesson_code.engine.core.constants import LEAST_EXCESS, SLOP
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
 from lesson_code.reference.rigid_body_closed_forms import (
     friction_to_roll,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lesson_code.evidence.scenes.polygons import random_polygon
+from lesson_code.chapters.ch06_sat_and_manifolds.scenes import random_polygon
 from lesson_code.geometry import Circle, Polygon, collide, mtv
 from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
 

@@ -10,7 +10,7 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.mixing import combination
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes.discs import row_of_discs
 from lesson_code.reference.pymunk_reference import PymunkStepper
 

@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 
 from lesson_code.chapters import draws
+from lesson_code.chapters.ch05_spin_and_friction.scenes import bounce_with_spin, coulomb
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
-from lesson_code.evidence.scenes.slopes import coulomb
-from lesson_code.evidence.scenes.spinning_discs import bounce_with_spin
 from lesson_code.formulas import (
     contact_velocity,
     effective_mass,

@@ -2,7 +2,7 @@
 
 Error is upwards and time to the right, both in powers of ten: down and left is better. A colour and
 a marker stand for a method, a broken line for plain Python. A cross at the upper edge is a
-failure; at the left end of it stands who has refused the scene.
+failure; at the left end of that edge stand the methods that refused the scene.
 """
 
 from __future__ import annotations
@@ -27,8 +27,9 @@ from lesson_code.evidence.work_precision import (
     splits,
 )
 from lesson_code.evidence.work_precision.methods import COMPILED, PLAIN
-from lesson_code.evidence.work_precision.orders import FLOOR
+from lesson_code.evidence.work_precision.result import FLOOR
 from lesson_code.view.matplotlib import style
+from lesson_code.view.matplotlib.measured import marks
 
 LOOKS: dict[str, tuple[str, Any]] = {
     "naive": (style.GREY, "v"),
@@ -97,7 +98,7 @@ def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = 
         if scenes()[scene].swept != "dt":
             dashed = ""  # settings of which none is finer than the other make no line
             look |= {"markerfacecolor": "white"} if code == PLAIN else {}
-        ax.plot([_cost(p, work) for p in sound], _errors(sound), linestyle=dashed, **look)
+        marks(ax, [(_cost(p, work), _error(p)) for p in sound], linestyle=dashed, **look)
         _draw_fit(ax, sound, order_of(points), work, color)
         _draw_failures(ax, [p for p in points if p.failure], work, color)
         _draw_rounding(ax, [p for p in points if not p.failure and p.error <= FLOOR], work)
@@ -154,7 +155,7 @@ def split_of_sweeps(ax: Axes, result: WorkPrecision, scene: str, sweeps: int) ->
         look: dict[str, Any]
         sound = [p for p in points if not p.failure]
         look = {"color": color, "marker": marker, "markersize": 6, "label": method}
-        ax.plot([p.substeps for p in sound], _errors(sound), **look)
+        marks(ax, [(p.substeps, _error(p)) for p in sound], linestyle="-", **look)
         for p in points:
             if p.failure:
                 _cross(ax, p.substeps, color)
@@ -181,7 +182,7 @@ def errors_over_steps(
     """
     looks = list(LOOKS.values())[1:]
     for (label, values), (color, marker) in zip(errors.items(), looks, strict=False):
-        ax.plot(steps, values, color=color, marker=marker, linestyle="", label=label)
+        marks(ax, zip(steps, values, strict=True), color=color, marker=marker, label=label)
         if label in fits:
             ax.plot(steps, [fits[label].at(dt) for dt in steps], color=color, linewidth=1)
     ax.set(xscale="log", yscale="log", xlabel="step, s", ylabel="error, m")
@@ -210,9 +211,9 @@ def _handle(method: str, code: str) -> Line2D:
     return Line2D([], [], linestyle="--" if code == PLAIN else "-", label=label, **look)
 
 
-def _errors(points: Iterable[Point]) -> list[float]:
-    """Return the errors; what is 0 is drawn as the last digit of 1 m."""
-    return [max(point.error, 1e-16) for point in points]
+def _error(point: Point) -> float:
+    """Return an error; what is 0 is drawn as the last digit of 1 m."""
+    return max(point.error, 1e-16)
 
 
 def _cost(point: Point, work: bool) -> float:
@@ -221,11 +222,11 @@ def _cost(point: Point, work: bool) -> float:
 
 
 def _draw_fit(ax: Axes, points: Sequence[Point], fit: Fit | None, work: bool, color: str) -> None:
-    """Draw what a fitted order foretells for each point."""
+    """Draw what a fitted order predicts for each point."""
     used = [p for p in points if fit is not None and fit.finest <= p.dt <= fit.coarsest]
     if fit is not None:
-        foretold = [fit.at(p.dt) for p in used]
-        ax.plot([_cost(p, work) for p in used], foretold, color=color, linestyle=":", linewidth=1)
+        predicted = [fit.at(p.dt) for p in used]
+        ax.plot([_cost(p, work) for p in used], predicted, color=color, linestyle=":", linewidth=1)
 
 
 def _draw_failures(ax: Axes, points: Iterable[Point], work: bool, color: str) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
-from lesson_code.evidence.work_precision.orders import fit_order
+from lesson_code.evidence.orders import fit_order
 
 SPLITS = {
     24.0: ((1, 24), (2, 12), (4, 6), (6, 4), (12, 2), (24, 1)),

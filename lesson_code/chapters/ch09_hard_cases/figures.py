@@ -1,4 +1,4 @@
-"""Pictures of the hard cases: who holds which bound, and by how much not."""
+"""Figures of the hard cases: which solver holds which bound, and by how much the others miss."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import math
 from matplotlib.axes import Axes
 
 from lesson_code.evidence.hard_cases import Comparison
+from lesson_code.view.matplotlib.measured import marks, rows
 from lesson_code.view.matplotlib.style import BLUE, GREEN, GREY, ORANGE, VERMILION
 
 LEFT, RIGHT = -8.0, 14.0
@@ -24,7 +25,7 @@ MARKS = {
 def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
     """Draw for every case how many powers of ten each solver is over the bound, or under it.
 
-    A line stands at the bound; what is left of it holds. A solver without a result has no mark.
+    A line stands at the bound; what lies to its left holds. A solver without a result has no mark.
 
     Parameters
     ----------
@@ -36,25 +37,19 @@ def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
     Returns
     -------
     Axes
-        The same, with one set of marks for each solver.
+        `ax`.
     """
     names = comparison.names
     for solver in [s for s in MARKS if s in comparison.solvers]:
         outcomes = [comparison.outcome(name, solver) for name in names]
         seen = [(n, o.excess) for n, o in enumerate(outcomes) if not math.isnan(o.value)]
         marker, color, label = MARKS[solver]
-        ax.scatter(
-            [powers_of_ten(excess) for _, excess in seen],
-            [n for n, _ in seen],
-            marker=marker,
-            color=color,
-            label=label,
-            s=22,
-            zorder=3,
-        )
+        look = {"marker": marker, "color": color, "label": label, "zorder": 3}
+        points = [(powers_of_ten(excess), n) for n, excess in seen]
+        marks(ax, points, markersize=4.7, markeredgewidth=1.5, **look)
     ax.axvline(0.0, color=GREY, linewidth=1.5)
-    ax.set_yticks(range(len(names)), names, fontsize=7)
-    ax.set(xlim=(LEFT - 0.7, RIGHT + 0.7), ylim=(len(names), -1.0))
+    rows(ax, names, margin=1.0, fontsize=7)
+    ax.set_xlim(LEFT - 0.7, RIGHT + 0.7)
     ax.set_xlabel("powers of ten over the bound; at the edges: that much or more")
     ax.legend(frameon=False, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     return ax

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -13,6 +11,7 @@ from matplotlib.ticker import NullFormatter
 from lesson_code.evidence.effect_costs import CODES, EffectCost, EffectCosts
 from lesson_code.evidence.effect_costs.result import ALL
 from lesson_code.view.matplotlib import style
+from lesson_code.view.matplotlib.measured import marks, rows
 
 LOOKS: dict[str, dict[str, Any]] = {
     "needed": {"color": style.VERMILION, "marker": "D", "label": "needs the effect"},
@@ -54,27 +53,19 @@ def what_effects_cost(ax: Axes, result: EffectCosts, code: str) -> Axes:
     ValueError
         Nothing was measured in that code.
     """
-    rows = result.in_code(code)
-    for y, cost in enumerate(rows):
+    costs = result.in_code(code)
+    for y, cost in enumerate(costs):
         ends = [1e6 * cost.left_out, 1e6 * cost.forced]
         ax.plot(ends, [y, y], color=style.ORANGE, linewidth=4, alpha=0.35, solid_capstyle="butt")
     for name, look in LOOKS.items():
-        _draw(ax, rows, name, look)
-    ax.set_yticks(range(len(rows)), [_name(cost) for cost in rows])
+        times = [(1e6 * getattr(cost, name), y) for y, cost in enumerate(costs)]
+        marks(ax, times, markersize=6, **look)
+    rows(ax, [_name(cost) for cost in costs])
     ax.set(xscale="log", xlabel="time of a step, \u00b5s")
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter(NullFormatter())  # a short axis would label them all
-    ax.set_ylim(len(rows) - 0.4, -0.6)  # the first stage on top
     ax.set_title(code, fontsize=11)
     return ax
-
-
-def _draw(ax: Axes, rows: Sequence[EffectCost], name: str, look: dict[str, Any]) -> None:
-    """Draw one time of every row that has it."""
-    times = [(1e6 * getattr(cost, name), y) for y, cost in enumerate(rows)]
-    known = [(x, y) for x, y in times if math.isfinite(x)]
-    xs, ys = [x for x, _ in known], [y for _, y in known]
-    ax.plot(xs, ys, linestyle="", markersize=6, **look)
 
 
 def _name(cost: EffectCost) -> str:

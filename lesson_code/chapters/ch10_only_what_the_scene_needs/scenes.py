@@ -8,13 +8,10 @@ from numpy.typing import NDArray
 from lesson_code.engine.core.mixing import Combination
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.scenes.known_answers import GRAVITY, HALF_LENGTH
+from lesson_code.evidence.hard_cases.loads import SUNK
+from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, HALF_LENGTH
 from lesson_code.formulas.validation import one_number, positive
 from lesson_code.geometry.shapes import Circle, Polygon, Segment
-
-NESTED = 4e-4
-"""m: how deep the boxes stand in each other at the start, so that they are at rest from the start.
-The engine leaves more than that alone."""
 
 DT = 1 / 60
 """s."""
@@ -27,11 +24,11 @@ def three_towers() -> Scene:
     """
     surface = Material(restitution=0.0, friction=0.5)
     floor = Body(Segment((-HALF_LENGTH, 0), (HALF_LENGTH, 0)), material=surface)
-    pitch = 1 - 2 * NESTED
+    pitch = 1 - 2 * SUNK
     boxes = [
         Body(
             Polygon.box(1, 1),
-            position=(x, 0.5 - NESTED + n * pitch),
+            position=(x, 0.5 - SUNK + n * pitch),
             mass=1.0,
             material=surface,
         )

@@ -6,29 +6,15 @@ module       what it does
 ``calls``    counts the calls of the functions that only an effect needs
 ``runners``  gives a scene to our engine or to pymunk, with an effect in or out
 ``measure``  times them in turns
-``result``   what was measured, as JSON, stored in the package too
-``tables``   the result as tables for the terminal
+``result``   what was measured, and what is wanted
 ===========  ===========================================================================
 
 The scenes are in :mod:`lesson_code.evidence.scenes.effects`.
 """
 
 from lesson_code.evidence.effect_costs.measure import measure_effects
-from lesson_code.evidence.effect_costs.result import (
-    CODES,
-    STORED,
-    EffectCost,
-    EffectCosts,
-    store,
-    stored,
-)
+from lesson_code.evidence.effect_costs.result import CODES, EffectCost, EffectCosts
 
-__all__ = [
-    "CODES",
-    "STORED",
-    "EffectCost",
-    "EffectCosts",
-    "measure_effects",
-    "store",
-    "stored",
-]
+stored = EffectCosts.stored
+
+__all__ = ["CODES", "EffectCost", "EffectCosts", "measure_effects", "stored"]

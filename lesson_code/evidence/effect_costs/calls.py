@@ -21,12 +21,12 @@ def calls_of(engine: EngineStepper, steps: int) -> Counter[str]:
     """Return how often each function of the package is called while an engine makes some steps."""
     counted: Counter[str] = Counter()
 
-    def hear(frame: FrameType, event: str, _argument: Any) -> None:
+    def count(frame: FrameType, event: str, _argument: Any) -> None:
         if event == "call" and str(frame.f_globals.get("__name__")).startswith(PACKAGE):
             counted[frame.f_code.co_name] += 1
 
     before = sys.getprofile()
-    sys.setprofile(hear)
+    sys.setprofile(count)
     try:
         engine.advance(steps)
     finally:

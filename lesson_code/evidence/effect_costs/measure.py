@@ -6,10 +6,9 @@ Our engine writes impulses down, as `simulate` does, unless that is the effect i
 
 from __future__ import annotations
 
-import gc
 import statistics
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
+from functools import partial
 
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.effects.choice import EFFECTS, choose_effects
@@ -25,7 +24,8 @@ from lesson_code.evidence.effect_costs.result import (
     EffectCosts,
     FewBalls,
 )
-from lesson_code.evidence.effect_costs.runners import Runner, ours, pymunk_for, settings_of
+from lesson_code.evidence.effect_costs.runners import ours, pymunk_for, settings_of
+from lesson_code.evidence.measurement import chosen, four_digits, machine, repeats_of
 from lesson_code.evidence.scenes.effects import (
     WARM_UP,
     EffectPair,
@@ -34,11 +34,8 @@ from lesson_code.evidence.scenes.effects import (
     pairs,
 )
 from lesson_code.evidence.scenes.speed import DT
-from lesson_code.evidence.speed.clock import worked_seconds
-from lesson_code.evidence.speed.report import machine
+from lesson_code.evidence.timing import Advances, in_turns, steps_of_a_batch, timed
 from lesson_code.simulation import simulate
-
-REPEATS, QUICK_REPEATS = 7, 3
 
 BATCH_SECONDS, MOST_STEPS = 0.05, 2_000
 """s, about, that a batch takes, and steps that it has at the most."""
@@ -54,6 +51,9 @@ BILLIARDS_DURATION = 2.0
 
 PLANNED_OFTEN = 5
 """Times as many repeats for what takes milliseconds."""
+
+BILLIARDS = "billiards"
+"""The name of the scene of a few balls, beside those of the effects."""
 
 Told = Callable[[str, float], None]
 
@@ -76,17 +76,15 @@ def measure_effects(
     repeats : int, optional
         Batches of each run, >= 1; 7 unless given, 3 if it has to be quick.
     told : callable
-        Hears what is being done, and what share of all is done.
+        Is called with the name of each effect as it begins, and with the share that is done.
 
     Raises
     ------
     ValueError
         There is no effect of that name, or there are no repeats.
     """
-    count = (QUICK_REPEATS if quick else REPEATS) if repeats is None else repeats
-    if count < 1:
-        raise ValueError(f"repeats must be >= 1, got {count}")
-    names = chosen(only)
+    count = repeats_of(repeats, quick=quick)
+    names = chosen([*EFFECTS, ALL, BILLIARDS], only)
     codes = [PLAIN] if quick or why_no_compiler() else [PLAIN, COMPILED]
     by_name = {pair.effect: pair for pair in pairs()}
     costs: list[EffectCost] = []
@@ -100,30 +98,12 @@ def measure_effects(
         else:
             costs += measure_pair(by_name[name], codes, count)
     told("done", 1.0)
-    return EffectCosts(tuple(costs), few, count, machine())
-
-
-BILLIARDS = "billiards"
-
-
-def chosen(only: Sequence[str]) -> list[str]:
-    """Return what is to be measured.
-
-    Raises
-    ------
-    ValueError
-        There is no effect of that name.
-    """
-    known = [*EFFECTS, ALL, BILLIARDS]
-    for name in only:
-        if name not in known:
-            raise ValueError(f"only must name some of {', '.join(known)}; got {name!r}")
-    return [name for name in known if not only or name in only]
+    return EffectCosts(count, machine(), few, tuple(costs))
 
 
 def measure_pair(pair: EffectPair, codes: Sequence[str], repeats: int) -> list[EffectCost]:
     """Return what an effect costs: in each of our codes, and in pymunk."""
-    counted = _counted(pair)
+    counted = dict(_counted(pair))
     rows = []
     for code in codes:
         compiled = code == COMPILED
@@ -133,48 +113,48 @@ def measure_pair(pair: EffectPair, codes: Sequence[str], repeats: int) -> list[E
             name: ours(scene, asked, compiled=compiled, duration=pair.duration)
             for name, (scene, asked) in settings_of(pair).items()
         }
-        times = in_turns(engines, pair.warm_up, repeats)
+        times = step_times(engines, pair.warm_up, repeats)
         rows.append(EffectCost(pair.effect, code, pair.difference, **times, **counted))
     if pair.in_pymunk:
-        times = in_turns(pymunk_for(pair), pair.warm_up, repeats)
+        times = step_times(pymunk_for(pair), pair.warm_up, repeats)
         rows.append(EffectCost(pair.effect, PYMUNK, pair.difference, **times))
     return rows
 
 
-def in_turns(engines: Mapping[str, Any], warm_up: int, repeats: int) -> dict[str, float]:
+def step_times(engines: Mapping[str, Advances], warm_up: int, repeats: int) -> dict[str, float]:
     """Return the time of a step of each engine, s: the median of batches that they make in turns.
 
     A batch takes equally long in all; how many steps that are is found in the warm-up. The scenes
     stay as they are: a gas goes on, and a pile rests.
     """
-    runners = {name: Runner(engine) for name, engine in engines.items()}
-    for runner in runners.values():
-        runner.engine.advance(warm_up)
-        runner.fit_batch(BATCH_SECONDS, MOST_STEPS)
-    gc.collect()
-    gc.disable()
-    for _ in range(repeats):
-        for runner in runners.values():
-            runner.run_batch()
-    gc.enable()
-    return {name: statistics.median(runner.seconds) for name, runner in runners.items()}
+    batches = {}
+    for name, engine in engines.items():
+        engine.advance(warm_up)
+        steps = steps_of_a_batch(engine, BATCH_SECONDS, MOST_STEPS)
+        batches[name] = partial(_time_of_a_step, engine, steps)
+    times = in_turns(batches, repeats)
+    return {name: four_digits(statistics.median(taken)) for name, taken in times.items()}
+
+
+def _time_of_a_step(engine: Advances, steps: int) -> float:
+    return timed(lambda: engine.advance(steps)).worked / steps
 
 
 def measure_billiards(repeats: int) -> FewBalls:
     """Return how long a scene of a few balls takes to plan, and to plan and run."""
     scene = billiards()
     question = Question(scene, "auto", DT, BILLIARDS_DURATION)
-    planning, whole = [], []
-    run = simulate(scene, BILLIARDS_DURATION, compiled=False)
-    for _ in range(repeats):
-        start = worked_seconds()
+
+    def plan() -> None:
         choice = next(iter(solvers_for(question, asked={}, compiled=False)))
         choose_effects(Question(scene, choice.solver, DT, BILLIARDS_DURATION))
-        middle = worked_seconds()
-        run = simulate(scene, BILLIARDS_DURATION, compiled=False)
-        planning.append(middle - start)
-        whole.append(worked_seconds() - middle)
-    return FewBalls(run.plan.solver, statistics.median(planning), statistics.median(whole))
+
+    run = partial(simulate, scene, BILLIARDS_DURATION, compiled=False)
+    solver = run().plan.solver
+    times = in_turns(
+        {"plan": lambda: timed(plan).worked, "run": lambda: timed(run).worked}, repeats
+    )
+    return FewBalls(solver, statistics.median(times["plan"]), statistics.median(times["run"]))
 
 
 def measure_all(name: str, code: str, repeats: int) -> EffectCost:
@@ -185,16 +165,11 @@ def measure_all(name: str, code: str, repeats: int) -> EffectCost:
         "left_out": ours(scene, {}, compiled=compiled),
         "forced": ours(scene, every, compiled=compiled),
     }
-    return EffectCost(ALL, code, name, **in_turns(engines, WARM_UP, repeats))
+    return EffectCost(ALL, code, name, **step_times(engines, WARM_UP, repeats))
 
 
-def _counted(pair: EffectPair) -> dict[str, float]:
-    """Return the calls a step of the functions that only an effect needs, in plain Python."""
-    return dict(_counts(pair))
-
-
-def _counts(pair: EffectPair) -> Iterator[tuple[str, float]]:
-    """Yield them by the field of the result."""
+def _counted(pair: EffectPair) -> Iterator[tuple[str, float]]:
+    """Yield, by the field of the result, the calls a step of what only an effect needs."""
     for name, (scene, asked) in settings_of(pair).items():
         if name != "switched_off":
             engine = ours(scene, asked, compiled=False, duration=pair.duration)

@@ -1,20 +1,26 @@
-"""What was measured: a row for each effect and code; and its form as JSON."""
+"""What effects cost: a row for each effect and code, and what is wanted of the savings."""
 
 from __future__ import annotations
 
-import json
 import math
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from lesson_code.evidence.speed.limits import Limit
+from rich.table import Table
 
-VERSION = 1
-"""Version of the form that :meth:`EffectCosts.as_dict` writes; it grows when a key changes."""
-
-STORED = Path(__file__).with_name("stored.json")
-"""A result that was measured once, for the notebook."""
+from lesson_code.evidence.measurement import (
+    Limit,
+    Measurement,
+    at_least,
+    at_most,
+    digits,
+    limits_table,
+    micro,
+    rows_with,
+    table,
+)
 
 PLAIN, COMPILED, PYMUNK = "plain Python", "compiled", "pymunk"
 CODES = (PLAIN, COMPILED, PYMUNK)
@@ -104,42 +110,36 @@ class FewBalls:
     planning: float
     whole: float
 
-    @property
-    def running(self) -> float:
-        """What is left for the run, s."""
-        return self.whole - self.planning
-
 
 @dataclass(frozen=True)
-class EffectCosts:
+class EffectCosts(Measurement):
     """All that was measured, and where and how.
 
     Attributes
     ----------
-    costs : tuple of EffectCost
-        In the order of the stages, a row for each code.
-    billiards : FewBalls or None
-        None: not measured.
     repeats : int
         Batches of each run.
     machine : dict
-        Versions and the kind of processor.
+        As :func:`lesson_code.evidence.measurement.machine` returns it.
+    billiards : FewBalls or None
+        None: not measured.
+    costs : tuple of EffectCost
+        In the order of the stages, a row for each code.
     """
 
-    costs: tuple[EffectCost, ...]
-    billiards: FewBalls | None
+    command = "measure effects"
+    file = Path(__file__).with_name("stored.json")
+    rows = {"costs": EffectCost, "billiards": FewBalls}  # noqa: RUF012 - as in the base class
+    derived = ("limits",)
+
     repeats: int
     machine: dict[str, Any]
-
-    @property
-    def effects(self) -> list[str]:
-        """The names of the effects, in order."""
-        return list(dict.fromkeys(cost.effect for cost in self.costs))
+    billiards: FewBalls | None
+    costs: tuple[EffectCost, ...]
 
     def of(self, effect: str, code: str) -> EffectCost | None:
         """Return the row of an effect in a code; None: there is none."""
-        rows = [c for c in self.costs if (c.effect, c.code) == (effect, code)]
-        return rows[0] if rows else None
+        return next((c for c in self.costs if (c.effect, c.code) == (effect, code)), None)
 
     def in_code(self, code: str) -> list[EffectCost]:
         """Return the rows of a code.
@@ -149,85 +149,90 @@ class EffectCosts:
         ValueError
             Nothing was measured in it.
         """
-        rows = [cost for cost in self.costs if cost.code == code]
-        if not rows:
-            known = ", ".join(dict.fromkeys(cost.code for cost in self.costs))
-            raise ValueError(f"code must be one of {known}, got {code!r}")
-        return rows
+        return rows_with(self.costs, code=code)
 
+    @property
     def limits(self) -> list[Limit]:
-        """Return what is wanted, and whether it is reached."""
+        """What is wanted, and whether it is reached."""
         found = []
         for cost in self.costs:
             if cost.effect == ALL:
                 what = f"{cost.difference}, {cost.code}: all effects over those called for"
-                found.append(Limit(what, cost.forced / cost.left_out, GAS_RATIO))
+                found.append(at_least(what, cost.forced / cost.left_out, GAS_RATIO))
             if cost.effect == "sleeping" and cost.code != PYMUNK:
                 what = f"stacks, {cost.code}: a step awake over one asleep"
-                found.append(Limit(what, cost.switched_off / cost.needed, SLEEP_RATIO))
+                found.append(at_least(what, cost.switched_off / cost.needed, SLEEP_RATIO))
         if self.billiards is not None:
             what = "billiards, plain Python: planned and run, s"
-            found.append(Limit(what, self.billiards.whole, most=BILLIARDS_SECONDS))
+            found.append(at_most(what, self.billiards.whole, BILLIARDS_SECONDS))
         return found
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return all of it as one JSON object; null stands for what is not known."""
-        return {
-            "version": VERSION,
-            "command": "measure effects",
-            "repeats": self.repeats,
-            "machine": self.machine,
-            "billiards": None if self.billiards is None else asdict(self.billiards),
-            "limits": [_limit(limit) for limit in self.limits()],
-            "costs": [_plain(asdict(cost)) for cost in self.costs],
-        }
+    def tables(self) -> Iterator[Table]:
+        """Yield a table for each code, then what is wanted."""
+        for code in dict.fromkeys(cost.code for cost in self.costs):
+            title, columns, caption = PYMUNK_TABLE if code == PYMUNK else OUR_TABLE
+            yield table(f"{code}: {title}", columns, self.in_code(code), words=2, caption=caption)
+        few = self.billiards
+        planning = [] if few is None else [_planning(few)]
+        if self.limits:
+            yield limits_table([*self.limits, *planning])
 
 
-def from_dict(data: dict[str, Any]) -> EffectCosts:
-    """Return the result that was written as a JSON object.
+def _planning(few: FewBalls) -> Limit:
+    return Limit(f"billiards by {few.solver}: planning alone, s", few.planning)
 
-    Raises
-    ------
-    ValueError
-        It is of another version.
+
+NAMES: dict[str, Callable[[EffectCost], str]] = {
+    "effect": lambda cost: "all of them" if cost.effect == ALL else cost.effect,
+    "scenes": lambda cost: cost.difference,
+}
+
+OUR_TABLE = (
+    "what an effect costs, and what leaving it out saves",
+    {
+        **NAMES,
+        "with": lambda cost: micro(cost.needed),
+        "off": lambda cost: micro(cost.switched_off),
+        "left out": lambda cost: micro(cost.left_out),
+        "forced": lambda cost: micro(cost.forced),
+        "saved": lambda cost: _share(cost.saved),
+        "calls": lambda cost: _calls(cost),
+    },
+    """\
+us a step. "with": the scene that needs the effect. "off": the same scene without it,
+where that changes nothing but the time. "left out" and "forced": the scene that does not
+need it, as planned and with the effect forced on; saved: of the time forced.
+Calls: a step, of the functions that only this effect needs: left out | forced.""",
+)
+"""Title, columns and caption of the table of one of our codes."""
+
+PYMUNK_TABLE = (
+    "the same scenes",
+    {
+        **NAMES,
+        "needs it": lambda cost: micro(cost.needed),
+        "off": lambda cost: micro(cost.switched_off),
+        "does not": lambda cost: micro(cost.left_out),
+        "cheaper": lambda cost: _share(cost.cheaper),
+    },
+    "us a step; pymunk has one program for all scenes.",
+)
+
+
+def _calls(cost: EffectCost) -> str:
+    """Return the calls a step, left out and forced.
+
+    >>> _calls(EffectCost("friction", "plain Python", "", calls_left_out=0.0, calls_forced=5880.0))
+    '0 | 5,880'
     """
-    if data.get("version") != VERSION:
-        raise ValueError(f"version must be {VERSION}, got {data.get('version')!r}")
-    few = data["billiards"]
-    costs = tuple(EffectCost(**_full(cost)) for cost in data["costs"])
-    billiards = None if few is None else FewBalls(**few)
-    return EffectCosts(costs, billiards, data["repeats"], data["machine"])
+    counts = (cost.calls_left_out, cost.calls_forced)
+    return " | ".join(map(digits, counts)) if all(map(math.isfinite, counts)) else ""
 
 
-def stored() -> EffectCosts:
-    """Return the result that the package holds."""
-    return from_dict(json.loads(STORED.read_text(encoding="utf-8")))
+def _share(value: float) -> str:
+    """Return a share in per cent.
 
-
-def store(result: EffectCosts, path: Path = STORED) -> None:
-    """Write a result, a line for each row."""
-    data = result.as_dict()
-    rows = ",\n".join("  " + json.dumps(row) for row in data.pop("costs"))
-    head = json.dumps(data, indent=1)[:-2]
-    path.write_text(f'{head},\n "costs": [\n{rows}\n ]\n}}\n', encoding="utf-8")
-
-
-def _limit(limit: Limit) -> dict[str, Any]:
-    """Return a limit as JSON can hold it."""
-    reached = limit.reached
-    return {"what": limit.what, "value": limit.value, "wanted": limit.wanted, "reached": reached}
-
-
-def _plain(row: dict[str, Any]) -> dict[str, Any]:
-    """Return a row as JSON can hold it; numbers with four digits, for they have no more."""
-    return {key: _digits(v) if isinstance(v, float) else v for key, v in row.items()}
-
-
-def _digits(value: float) -> float | None:
-    """Return a number with four digits, or None where it is not known."""
-    return float(f"{value:.4g}") if math.isfinite(value) else None
-
-
-def _full(row: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a row, with null filled in."""
-    return {key: math.nan if value is None else value for key, value in row.items()}
+    >>> _share(0.251), _share(-0.0001), _share(math.nan)
+    ('25 %', '0 %', '')
+    """
+    return f"{round(100 * value) + 0} %" if math.isfinite(value) else ""

@@ -11,9 +11,9 @@ from lesson_code.evidence.hard_cases.comparison import (
     Comparison,
     installed_solvers,
     measure_hard_cases,
-    store,
-    stored,
 )
+
+stored = Comparison.stored
 
 __all__ = [
     "CASES",
@@ -28,6 +28,5 @@ __all__ = [
     "installed_solvers",
     "measure_hard_cases",
     "run_case",
-    "store",
     "stored",
 ]

@@ -11,7 +11,7 @@ from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import DT, NOT_SEEN, SUNK
 from lesson_code.evidence.hard_cases.measures import drift, pair_forces, relative_errors, way_of
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.formulas import polygon_area, polygon_centroid
 from lesson_code.geometry.shapes import Circle, Polygon, Segment
 from lesson_code.reference.rigid_body_closed_forms import wedge_forces
@@ -90,7 +90,7 @@ def arch(thickness: float, stones: int = 11) -> Scene:
 
 
 PRESSED = 1e-4
-"""rad: each stone is longer by so much at both ends, so that all are in touch."""
+"""rad: by this each stone is longer at both ends, so that all are in touch."""
 
 LEANS = math.radians(30)
 """rad, from the vertical."""
@@ -171,7 +171,7 @@ CASES = (
         name="arch",
         theme=THEME,
         title="An arch of 11 stones, 12 cm thick for a radius of 1 m, 5 s",
-        why="The line of thrust just fits into the stones: any give of a joint lets it out.",
+        why="The line of thrust just fits into the stones: a joint that gives way moves it out.",
         law="Milankovitch: half a circle stands from t / R = 0.1075 on.",
         scene=partial(arch, 0.12),
         measure=drift(5.0),

@@ -21,7 +21,7 @@ OURS = "ours"
 """What our solver is called, whichever of ours a case is given to."""
 
 PEERS = ("naive", "pymunk", "box2d")
-"""Whom ours is compared with."""
+"""The solvers that ours is compared with."""
 
 SOLVERS = (OURS, *PEERS)
 
@@ -54,7 +54,7 @@ class Trial:
 
 
 Measure: TypeAlias = Callable[[Trial], float]
-"""Lets one or more scenes run, and returns how far the result is from what it should be, >= 0."""
+"""Runs one or more scenes, and returns how far the result is from what it should be, >= 0."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ class HardCase:
     unit : str
         Of that number; "" for a ratio or a count.
     bound : float
-        The measure may be so large, and no larger.
+        The largest measure that holds.
     reason : str
         Why the bound is what it is.
     ours : mapping
@@ -89,7 +89,7 @@ class HardCase:
     options : mapping
         What every solver is told, such as dt.
     failed_by : tuple of str
-        Solvers of whom it is known that they do not hold the bound.
+        Solvers that are known not to hold the bound.
     is_long : bool
         Whether our run takes more than some seconds.
     """
@@ -179,4 +179,5 @@ def run_case(case: HardCase, solver: str = OURS) -> Outcome:
         error = f"{type(fault).__name__}: {fault}"
     if not math.isfinite(value) and not error:
         error = "no finite number"
-    return Outcome(case.name, solver, value, case.bound, time.perf_counter() - begin, error)
+    seconds = round(time.perf_counter() - begin, 3)
+    return Outcome(case.name, solver, value, case.bound, seconds, error)

@@ -1,35 +1,31 @@
-"""All hard cases, ours beside the others: measured, as a table, as JSON, and kept in a file."""
+"""All hard cases in every solver, side by side."""
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass
-from importlib.util import find_spec
-from io import StringIO
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
-from rich.console import Console
 from rich.table import Table
 
+from lesson_code.evidence.engines import has_box2d
 from lesson_code.evidence.hard_cases.case import OURS, SOLVERS, Outcome, run_case
-from lesson_code.evidence.hard_cases.catalogue import CASES, by_theme, case_by_name
+from lesson_code.evidence.hard_cases.catalogue import CASES, case_by_name
+from lesson_code.evidence.measurement import Measurement, plain, table
 from lesson_code.parallel import WorkerDiedError, iter_tasks, usable_cores
-
-VERSION = 1
-"""Version of the form that :meth:`Comparison.as_dict` writes; it grows when a key changes."""
-
-STORED = Path(__file__).with_name("stored.json")
-"""What the notebook shows: it has no time to run all cases."""
 
 HEADINGS = {"ours": "ours", "naive": "naive", "pymunk": "pymunk", "box2d": "Box2D"}
 
+SAID = ("name", "theme", "title", "why", "law", "unit", "bound", "reason", "ours")
+"""What of a case stands beside its outcomes."""
+
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Measurement):
     """How each solver did in each case.
 
     Attributes
@@ -37,6 +33,9 @@ class Comparison:
     outcomes : tuple of Outcome
         In the order of the catalogue; of each case in the order of the solvers.
     """
+
+    command = "measure hard-cases"
+    file = Path(__file__).with_name("stored.json")
 
     outcomes: tuple[Outcome, ...]
 
@@ -63,76 +62,83 @@ class Comparison:
         """Return the cases that a solver does not hold."""
         return [o.case for o in self.outcomes if o.solver == solver and not o.held]
 
-    def as_dict(self, *, with_seconds: bool = True) -> dict[str, Any]:
-        """Return all of it as one JSON object; a value of None stands for no finite number."""
+    def without_times(self) -> Comparison:
+        """Return it without the seconds, which differ from run to run."""
+        return Comparison(tuple(replace(outcome, seconds=math.nan) for outcome in self.outcomes))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return all of it as one JSON object; a value of null stands for no finite number."""
         return {
-            "version": VERSION,
-            "command": "measure hard-cases",
+            "version": self.version,
+            "command": self.command,
             "solvers": list(self.solvers),
             "held": {solver: self.held(solver) for solver in self.solvers},
-            "cases": [self._case_as_dict(name, with_seconds) for name in self.names],
+            "cases": [self._case_as_dict(name) for name in self.names],
         }
 
-    def _case_as_dict(self, name: str, with_seconds: bool) -> dict[str, Any]:
-        """Return a case and its outcomes as a JSON object."""
+    def _case_as_dict(self, name: str) -> dict[str, Any]:
         case = case_by_name(name)
-        said = {
-            key: getattr(case, key)
-            for key in ("name", "theme", "title", "why", "law", "unit", "bound", "reason")
-        }
-        outcomes = {s: _outcome_as_dict(self.outcome(name, s), with_seconds) for s in self.solvers}
-        return {**said, "ours": dict(case.ours), "outcomes": outcomes}
+        outcomes = {solver: self.outcome(name, solver) for solver in self.solvers}
+        said = {key: plain(getattr(case, key)) for key in SAID}
+        return said | {"outcomes": {s: _measured(outcome) for s, outcome in outcomes.items()}}
 
-    def as_table(self) -> Table:
-        """Return all of it as a table, grouped by theme; what does not hold the bound is marked."""
-        table = Table(
-            title="Hard cases: how far each solver is from what is right",
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Self:
+        """Return the comparison that :meth:`as_dict` has written."""
+        return cls(
+            tuple(
+                Outcome(
+                    case["name"],
+                    solver,
+                    *(math.nan if outcome["value"] is None else outcome["value"], case["bound"]),
+                    seconds=math.nan if outcome["seconds"] is None else outcome["seconds"],
+                    error=outcome["error"],
+                )
+                for case in data["cases"]
+                for solver, outcome in case["outcomes"].items()
+            )
+        )
+
+    def tables(self) -> Iterator[Table]:
+        """Yield the one table, grouped by theme; what does not hold the bound is marked."""
+        columns: dict[str, Callable[[str], str]] = {
+            "case": lambda name: f" {name}",
+            "unit": lambda name: case_by_name(name).unit,
+            "bound": lambda name: f"{case_by_name(name).bound:.0e}".replace("0e+00", "0"),
+            **{HEADINGS[solver]: partial(self._cell, solver) for solver in self.solvers},
+        }
+        made = table(
+            "Hard cases: how far each solver is from what is right",
+            columns,
+            self.names,
+            words=2,
+            group=lambda name: case_by_name(name).theme,
             caption="Over the bound: x. No result: -. Numbers as measured, 0 is right.",
             box=None,
-            pad_edge=False,
         )
-        table.add_column("case", max_width=20, no_wrap=True)
-        table.add_column("unit", max_width=4)
-        table.add_column("bound", justify="right", no_wrap=True)
-        for solver in self.solvers:
-            table.add_column(HEADINGS[solver], justify="right", no_wrap=True)
-        for theme, cases in by_theme(tuple(map(case_by_name, self.names))).items():
-            table.add_row(f"[bold]{theme}[/bold]")
-            for case in cases:
-                cells = [_cell(self.outcome(case.name, solver)) for solver in self.solvers]
-                table.add_row(
-                    f" {case.name}", case.unit, f"{case.bound:.0e}" if case.bound else "0", *cells
-                )
-        counts = [f"{self.held(solver)}" for solver in self.solvers]
-        table.add_row(f"[bold]held, of {len(self.names)}[/bold]", "", "", *counts)
-        return table
+        made.columns[0].max_width, made.columns[1].max_width = 20, 4
+        counts = [str(self.held(solver)) for solver in self.solvers]
+        made.add_row(f"[bold]held, of {len(self.names)}[/bold]", "", "", *counts)
+        yield made
 
-    def as_text(self, width: int = 100) -> str:
-        """Return the table as plain text, so many columns wide."""
-        paper = StringIO()
-        Console(file=paper, width=width, force_jupyter=False, color_system=None).print(
-            self.as_table()
-        )
-        return "\n".join(line.rstrip() for line in paper.getvalue().splitlines())
+    def _cell(self, solver: str, name: str) -> str:
+        outcome = self.outcome(name, solver)
+        if math.isnan(outcome.value):
+            return "[red]- x[/red]"
+        text = _number(outcome.value)
+        return f"{text}  " if outcome.held else f"[red]{text} x[/red]"
 
 
-def _outcome_as_dict(outcome: Outcome, with_seconds: bool) -> dict[str, Any]:
-    """Return an outcome as a JSON object."""
-    value = outcome.value if math.isfinite(outcome.value) else None
-    written: dict[str, Any] = {"value": value, "held": outcome.held, "error": outcome.error}
-    return written | ({"seconds": round(outcome.seconds, 3)} if with_seconds else {})
-
-
-def _cell(outcome: Outcome) -> str:
-    """Return what was measured, marked if it is over the bound."""
-    if math.isnan(outcome.value):
-        return "[red]- x[/red]"
-    text = _number(outcome.value)
-    return f"{text}  " if outcome.held else f"[red]{text} x[/red]"
+def _measured(outcome: Outcome) -> dict[str, Any]:
+    return {key: plain(getattr(outcome, key)) for key in ("value", "held", "error", "seconds")}
 
 
 def _number(value: float) -> str:
-    """Return a number in few characters."""
+    """Return a number in few characters.
+
+    >>> _number(31.0), _number(0.25), _number(1.2345e-7)
+    ('31', '0.25', '1.2e-07')
+    """
     if value == 0.0 or (value >= 1.0 and value.is_integer() and value < 1e4):
         return f"{value:.0f}"
     return f"{value:.1e}" if not 0.01 <= value < 1000 else f"{value:.3g}"
@@ -140,7 +146,7 @@ def _number(value: float) -> str:
 
 def installed_solvers() -> tuple[str, ...]:
     """Return ours and those of the others that can be run here."""
-    return tuple(s for s in SOLVERS if s != "box2d" or find_spec("Box2D") is not None)
+    return tuple(s for s in SOLVERS if s != "box2d" or has_box2d())
 
 
 def measure_hard_cases(
@@ -178,7 +184,7 @@ def measure_hard_cases(
     if workers is None:
         workers = max(2, usable_cores())
     tasks = [(case.name, solver) for case in cases for solver in chosen]
-    # The long ones first, or the last one would keep everybody waiting.
+    # The long ones first, or one of them would run alone at the end.
     order = sorted(range(len(tasks)), key=lambda n: not case_by_name(tasks[n][0]).is_long)
     outcomes = dict(
         _outcomes([tasks[n] for n in order], workers=workers, cluster=cluster, progress=progress)
@@ -191,13 +197,13 @@ Task = tuple[str, str]
 
 
 def run_task(task: Task) -> Outcome:
-    """Return how a solver does in a case; both are given by name, so that a task can travel."""
+    """Return how a solver does in a case; both are names, so that another process can be told."""
     name, solver = task
     return run_case(case_by_name(name), solver)
 
 
 def _outcomes(tasks: list[Task], **options: Any) -> Iterable[tuple[Task, Outcome]]:
-    """Yield each task and what has become of it."""
+    """Yield each task with its outcome."""
     named = [f"{name}, {solver}" for name, solver in tasks]
     with closing(iter_tasks(run_task, tasks, names=named, **options)) as done:
         for number, future in done:
@@ -208,35 +214,3 @@ def _outcomes(tasks: list[Task], **options: Any) -> Iterable[tuple[Task, Outcome
                 yield task, Outcome(*task, math.nan, bound, error=f"the process died: {error}")
             else:
                 yield task, future.result()
-
-
-def store(comparison: Comparison, path: Path = STORED) -> None:
-    """Write a comparison into the file from which the notebook reads it; without times."""
-    text = json.dumps(comparison.as_dict(with_seconds=False), indent=1)
-    path.write_text(text + "\n", encoding="utf-8")
-
-
-def stored(path: Path = STORED) -> Comparison:
-    """Return the comparison that was stored.
-
-    Raises
-    ------
-    ValueError
-        The file is of another version.
-    """
-    read = json.loads(path.read_text(encoding="utf-8"))
-    if read["version"] != VERSION:
-        raise ValueError(f"version of {path.name} must be {VERSION}, got {read['version']}")
-    return Comparison(
-        tuple(
-            Outcome(
-                case["name"],
-                solver,
-                math.nan if outcome["value"] is None else float(outcome["value"]),
-                float(case["bound"]),
-                error=outcome["error"],
-            )
-            for case in read["cases"]
-            for solver, outcome in case["outcomes"].items()
-        )
-    )

@@ -11,7 +11,7 @@ import numpy as np
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Measure, Trial
 from lesson_code.evidence.hard_cases.measures import largest, way_of
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes import slopes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 from lesson_code.reference import rigid_body_closed_forms as closed
@@ -92,15 +92,8 @@ FRICTIONS = (0.0, 0.2, 0.5, 0.57, 0.5773, 0.5774, 0.58, 0.9)
 """On both sides of tan 30 degrees."""
 
 
-def on_slope(shape: Circle | Polygon, degrees: float, friction: float) -> Scene:
-    """Return a body of 1 kg in touch with a level floor, and the pull of a slope."""
-    lowest = -shape.radius if isinstance(shape, Circle) else min(y for _, y in shape.outline)
-    theta = math.radians(degrees)
-    surface = Material(0.0, friction)
-    body = Body(shape, position=(0.0, -lowest * (1 - SUNK)), mass=1.0, material=surface)
-    floor = Body(Segment((-slopes.HALF_LENGTH, 0), (slopes.HALF_LENGTH, 0)))
-    pull = (slopes.GRAVITY * math.sin(theta), -slopes.GRAVITY * math.cos(theta))
-    return Scene([floor, body], gravity=pull)
+on_slope = partial(slopes.body_on_slope, sunk=SUNK)
+"""A body in touch with a slope from the start."""
 
 
 def velocity_on_slope(trial: Trial, scene: Scene) -> float:

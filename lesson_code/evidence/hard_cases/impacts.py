@@ -14,7 +14,7 @@ from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.measures import STEP, TOUCH, end_state, largest
 from lesson_code.evidence.scenes import corner_impacts, spinning_discs
-from lesson_code.evidence.scenes.known_answers import box_landing_flat
+from lesson_code.evidence.scenes.rigid_bodies import box_landing_flat
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.reference import impact_closed_forms as closed
 

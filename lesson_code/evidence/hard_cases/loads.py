@@ -17,7 +17,7 @@ from lesson_code.evidence.hard_cases.measures import (
     relative_errors,
     way_of,
 )
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.geometry.shapes import Polygon, Segment
 from lesson_code.reference.rigid_body_closed_forms import stack_forces
 
@@ -25,7 +25,7 @@ THEME = "Loads and towers"
 
 SUNK = 4e-4
 """m: how deep bodies of 1 m stand in each other at the start, so that they touch from the start.
-Every engine here leaves so much alone."""
+Every engine here leaves that much alone."""
 
 DT = 1 / 60
 """s."""
@@ -34,7 +34,7 @@ LOAD = 1e6
 """kg, on a box of 1 kg."""
 
 NOT_SEEN = 1e-3
-"""m: a thousandth of the size of a body, which nobody sees."""
+"""m: a thousandth of the size of a body, too small to be seen."""
 
 NO_DRIFT = "a thousandth of a box; what comes further in this time does not stand"
 
@@ -56,7 +56,7 @@ def tower(
     restitution, friction : float
         Of all.
     aside : float
-        By so much every other box stands to the right, and the rest to the left, m.
+        How far every other box stands to the right, and the rest to the left, m.
     at : float
         Both coordinates of the middle of the floor, m.
 

@@ -8,7 +8,7 @@ from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.measures import fastest, free, largest
 from lesson_code.evidence.scenes.events import box
-from lesson_code.evidence.scenes.known_answers import GRAVITY, level_ground
+from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, level_ground
 from lesson_code.geometry.shapes import Circle, Polygon
 
 THEME = "Overlaps"

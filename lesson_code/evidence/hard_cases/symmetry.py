@@ -17,7 +17,7 @@ from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import end_state, largest
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 THEME = "Size, place, order"
@@ -42,7 +42,7 @@ def rest_height_error(trial: Trial) -> float:
 
 
 def falling_shapes(size: float = 1.0) -> Scene:
-    """Return a box, a disc and a plank that fall on a floor, all of them so many times as large.
+    """Return a box, a disc and a plank that fall on a floor, all scaled by a factor.
 
     Gravity is as many times as strong, so that all happens in the same time.
     """
@@ -66,7 +66,7 @@ def falling_shapes(size: float = 1.0) -> Scene:
 
 
 SHORT = 1.0
-"""s: so long falls are compared. Later a corner that lands a little differently is another fall."""
+"""s: how long falls are compared. Later a corner that lands differently makes another fall."""
 
 
 def scale_error(trial: Trial) -> float:
@@ -249,7 +249,7 @@ CASES = (
         name="small-discs",
         theme=THEME,
         title="Discs of 10 m to 1 mm, dropped from 1 m",
-        why="An overlap that nobody sees in a house is all of a grain.",
+        why="An overlap that is too small to see in a house is a whole grain of sand.",
         law="At rest the centre is one radius above the floor.",
         scene=dropped_disc,
         measure=rest_height_error,
@@ -312,7 +312,7 @@ CASES = (
         name="mirror",
         theme=THEME,
         title="A pyramid that falls by a centimetre: left and right",
-        why="Whoever is visited first gets more.",
+        why="The body that is visited first gets more.",
         law="What begins as its mirror image stays so.",
         scene=mirror_pyramid,
         measure=asymmetry,

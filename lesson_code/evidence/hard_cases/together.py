@@ -21,7 +21,7 @@ SEQUENTIAL = {"solver": "auto", "impacts": "sequential"}
 
 
 def cradle(moving: int, *, from_right: bool = False) -> Scene:
-    """Return five elastic balls in touch, of which so many come from one side at 1 m/s."""
+    """Return five elastic balls in touch; some of them come from one side at 1 m/s."""
     scene = disc_scenes.row_of_discs(5, -TOUCH)
     way = -1.0 if from_right else 1.0
     comes = range(5 - moving, 5) if from_right else range(moving)
@@ -131,7 +131,7 @@ CASES = (
         name="break-shot",
         theme=THEME,
         title="A cue ball between two touching balls, in both orders",
-        why="Whoever visits one ball first gives it more.",
+        why="The ball that is visited first is given more.",
         law="Symmetry, momentum, energy: the cue comes back with 1/5",
         scene=partial(disc_scenes.cue_between_two, upper_first=True),
         measure=break_error,

@@ -20,7 +20,7 @@ from lesson_code.reference.contact_closed_forms import Struck, impact_with_frict
 from lesson_code.simulation import simulate
 
 STEP = 1e-6
-"""s: an engine first moves the box for so long, and then finds it where the closed form has it."""
+"""s: an engine first moves the box for this time; then it is where the closed form has it."""
 
 OVERLAP = 1e-3
 """Of the box's smaller side: without an overlap an engine sees no contact."""

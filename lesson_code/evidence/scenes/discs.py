@@ -1,4 +1,4 @@
-"""Scenes of discs that chapter 04 looks at: rows, a shot between two balls, and a pool table.
+"""Scenes of discs: rows, a shot between two balls, and a pool table with its break.
 
 The table has the size of a 9-foot one, and its balls are pool balls, but smooth: without
 friction and cloth they go on for ever. Each cushion is a segment whose body is at its middle.
@@ -7,11 +7,7 @@ friction and cloth they go on for ever. Each cushion is a segment whose body is 
 from __future__ import annotations
 
 import math
-from typing import Any
 
-import numpy as np
-
-from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.geometry.shapes import Circle, Segment
 
@@ -22,7 +18,7 @@ BALL_RADIUS, BALL_MASS = 0.0286, 0.17
 """m and kg: a pool ball."""
 
 CUSHIONS = 4
-"""A table's scene holds so many cushions before its first ball."""
+"""How many cushions come before the first ball in a table's scene."""
 
 
 def row_of_discs(count: int, gap: float, *, last_first: bool = False) -> Scene:
@@ -91,40 +87,6 @@ def cue_between_two(*, upper_first: bool, overlap: float = 1e-9) -> Scene:
     )
 
 
-def scattered_balls(restitution: float, *, speed: float = 2.0, seed: int = 4) -> Scene:
-    """Return a table with 32 balls all over it, each moving its own way.
-
-    The directions are drawn without sine or cosine, whose last digits differ from machine to
-    machine: in a second of hits that would grow into another game.
-
-    Parameters
-    ----------
-    restitution : float
-        Of balls and cushions, 0 to 1.
-    speed : float
-        Of each ball, m/s.
-    seed : int
-        Draws the directions.
-
-    Examples
-    --------
-    >>> len(scattered_balls(1.0).bodies)
-    36
-    """
-    material = Material(restitution=restitution)
-    ways = np.random.default_rng(seed).uniform(-1, 1, (32, 2)).tolist()
-    places = [
-        (x, y)
-        for x in np.linspace(-0.42, 0.42, 8) * LENGTH
-        for y in np.linspace(-0.36, 0.36, 4) * WIDTH
-    ]
-    balls = [
-        _ball(place, _of_length(speed, x, y), material)
-        for place, (x, y) in zip(places, ways, strict=True)
-    ]
-    return Scene([*_cushions(material), *balls])
-
-
 def rack_break(restitution: float, *, speed: float = 6.0, gap: float = 1e-3) -> Scene:
     """Return a table with fifteen balls in a triangle, and a cue ball on its way to them.
 
@@ -149,39 +111,22 @@ def rack_break(restitution: float, *, speed: float = 6.0, gap: float = 1e-3) -> 
         for row in range(5)
         for place in range(row + 1)
     ]
-    cue = _ball((-LENGTH / 4, 0.0), (speed, 0.0), material)
+    cue = pool_ball((-LENGTH / 4, 0.0), (speed, 0.0), material)
     return Scene(
-        [*_cushions(material), cue, *(_ball(place, (0.0, 0.0), material) for place in triangle)]
+        [*cushions(material), cue, *(pool_ball(place, (0.0, 0.0), material) for place in triangle)]
     )
 
 
-def balls_on_table(run: Run) -> Any:
-    """Return how many of a table's balls have their centre between the cushions, shape (F,).
-
-    Examples
-    --------
-    >>> from lesson_code import simulate
-    >>> balls_on_table(simulate(rack_break(0.95), duration=0.0)).tolist()
-    [16]
-    """
-    x, y = np.moveaxis(np.abs(run.positions[:, CUSHIONS:]), -1, 0)
-    return ((x < LENGTH / 2) & (y < WIDTH / 2)).sum(axis=1)
-
-
-def _of_length(length: float, x: float, y: float) -> tuple[float, float]:
-    """Return the vector of a length that points the way of (x, y)."""
-    factor = length / math.sqrt(x * x + y * y)
-    return factor * x, factor * y
-
-
-def _ball(place: tuple[float, float], velocity: tuple[float, float], material: Material) -> Body:
+def pool_ball(
+    place: tuple[float, float], velocity: tuple[float, float], material: Material
+) -> Body:
     """Return a pool ball."""
     return Body(
         Circle(BALL_RADIUS), mass=BALL_MASS, position=place, velocity=velocity, material=material
     )
 
 
-def _cushions(material: Material) -> list[Body]:
+def cushions(material: Material) -> list[Body]:
     """Return the bottom, top, left and right cushion."""
     x, y = LENGTH / 2, WIDTH / 2
     across, along = Segment((-x, 0.0), (x, 0.0)), Segment((0.0, -y), (0.0, y))

@@ -17,7 +17,7 @@ from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.scenes.discs import CUSHIONS, rack_break
 from lesson_code.evidence.scenes.events import ELASTIC, WALLS
 from lesson_code.evidence.scenes.gas import ENERGY, MASS, gas_of
-from lesson_code.evidence.scenes.known_answers import GRAVITY, HALF_LENGTH
+from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, HALF_LENGTH
 from lesson_code.evidence.scenes.speed import (
     COVERED,
     DT,
@@ -50,13 +50,13 @@ BOUNCE = 0.75**2
 """Restitution of a pile; its root is exact, so that pymunk's product can be the same."""
 
 LONG = 1e5
-"""s: what is told of the length of runs where it matters; none is ever so long."""
+"""s: the duration that the plan is told where it matters; no run is as long."""
 
 WARM_UP, STEPS_TO_SLEEP = 60, round(4 * QUIET_TIME / DT)
 """Steps before a measurement; a stack comes to rest, and has then to be quiet for QUIET_TIME."""
 
 Tells: TypeAlias = Callable[[Any], None]
-"""Tells pymunk's space what a scene wants of it."""
+"""Sets in pymunk's space what a scene needs there."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ class EffectPair:
 def gases() -> dict[str, Scene]:
     """Return gases without friction, that need few effects, by what they are.
 
-    Between walls with corners the engine has to reckon with outlines.
+    Between walls with corners the engine has to consider outlines.
     """
     return {"discs in a box of circles": between_circles(), "discs in a box": gas()}
 
@@ -234,20 +234,20 @@ def _changed(scene: Scene, change: Callable[[Body], Body]) -> Scene:
 
 
 def _faster(body: Body, times: float) -> Body:
-    """Return a body that moves so many times as fast."""
+    """Return a body whose velocity is multiplied."""
     vx, vy = body.velocity
     return replace(body, velocity=(times * vx, times * vy))
 
 
 def _ignore(_touch: Any) -> None:
-    """Hear of a contact."""
+    """Take notice of a contact, and do nothing."""
 
 
 def _let_sleep(space: Any) -> None:
-    """Let pymunk put to sleep what has been quiet for as long as in our engine."""
+    """Make pymunk put bodies to sleep that have been quiet for as long as in our engine."""
     space.sleep_time_threshold = QUIET_TIME
 
 
 def _hear(space: Any) -> None:
-    """Let pymunk tell of every contact."""
+    """Make pymunk report every contact."""
     space.on_collision(None, None, post_solve=lambda *_: None)

@@ -1,4 +1,4 @@
-"""Scenes of chapter 07: fast balls at a thin wall, and discs that can be simulated exactly.
+"""Scenes of events: fast balls at a thin wall, and discs that can be simulated exactly.
 
 Everything is elastic and smooth unless it says otherwise, and no gravity acts but on the ball that
 bounces to rest. Walls come first in a scene: :data:`WALLS` of them where there is a box.
@@ -22,7 +22,7 @@ GRAVITY = 10.0
 """m/s^2, downwards: a round number, so that results can be checked by hand."""
 
 WALLS = 4
-"""A box is made of so many segments: bottom, top, left, right."""
+"""Segments that make a box: bottom, top, left, right."""
 
 ROD_ARM = 1.5
 """m: from the middle of a turning rod to the ball that it hits."""
@@ -175,7 +175,7 @@ def error_in_the_box(run: Run) -> Any:
 
 
 def bouncing_to_rest(restitution: float, height: float = 1.0) -> Scene:
-    """Return a level floor and a ball, 1 m wide, with so much room below it; it is body 1."""
+    """Return a level floor, and a ball, 1 m wide, whose lowest point is `height` above it, m."""
     material = Material(restitution=restitution)
     floor = Body(Segment((-5, 0), (5, 0)), material=material)
     ball = Body(Circle(0.5), mass=1.0, position=(0, 0.5 + height), material=material)

@@ -26,7 +26,7 @@ import numpy as np
 from lesson_code.engine.core.constants import SLOP
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.scenes.gas import gas_of
-from lesson_code.evidence.scenes.known_answers import (
+from lesson_code.evidence.scenes.rigid_bodies import (
     GRAVITY,
     HALF_LENGTH,
     box_pyramid,
@@ -98,10 +98,6 @@ class SpeedScene:
         The step, s.
     warm_up : int
         Steps before the measurement.
-    shows : str
-        What it shows, in a sentence.
-    effects : tuple of str
-        What has to be simulated in it.
     lasts : int, optional
         Steps after the warm-up in which it still shows that; then it has to be built anew. None:
         it lasts as long as one likes.
@@ -116,8 +112,6 @@ class SpeedScene:
     scene: Scene
     dt: float
     warm_up: int
-    shows: str
-    effects: tuple[str, ...]
     lasts: int | None = None
 
     @property
@@ -128,33 +122,36 @@ class SpeedScene:
 
 
 def gas(count: int, *, seed: int = 1) -> SpeedScene:
-    """Return elastic discs in a square box of four segments; they cover 0.3 of it."""
+    """Return elastic discs in a square box of four segments; they cover 0.3 of it.
+
+    Pairs are found among bodies that all move; contacts are few and short.
+    """
     return SpeedScene(
         f"gas of {count:,}",
         gas_of(count, COVERED, seed=seed),
         DT,
         STEPS_TO_MIX,
-        "Pairs are found among bodies that all move; contacts are few and short.",
-        ("restitution", "position_correction", "broad_phase"),
     )
 
 
 def dense_gas(count: int, *, seed: int = 1) -> SpeedScene:
-    """Return elastic discs in a square box of four segments; they cover 0.6 of it."""
+    """Return elastic discs in a square box of four segments; they cover 0.6 of it.
+
+    Collisions are so close to one another that several share a body in one step.
+    """
     return SpeedScene(
         f"dense gas of {count:,}",
         gas_of(count, DENSELY_COVERED, seed=seed),
         DT,
         STEPS_TO_MIX,
-        "Elastic collisions so close to one another that many share a body in one step.",
-        ("restitution", "position_correction", "broad_phase"),
     )
 
 
 def settled_discs(count: int) -> SpeedScene:
     """Return rough discs at rest in an open box, each in the gap between two below it.
 
-    Neighbours overlap by half of the slop: nothing has to fall before it is held.
+    Neighbours overlap by half of the slop: nothing has to fall before it is held. Each disc has
+    about six contacts that last.
 
     Parameters
     ----------
@@ -181,33 +178,27 @@ def settled_discs(count: int) -> SpeedScene:
         Scene([*box, *discs], gravity=(0, -GRAVITY)),
         DT,
         STEPS_TO_SETTLE,
-        "Every disc has about six contacts that last, and their impulses are remembered.",
-        RESTING,
     )
 
 
 def stack(count: int) -> SpeedScene:
-    """Return boxes that stand freely on each other."""
+    """Return boxes that stand freely on each other; the load is handed down box by box."""
     return SpeedScene(
         f"stack of {count}",
         _on_slab(box_stack(count, FRICTION)),
         DT,
         STEPS_TO_STAND,
-        "A load is handed down contact by contact, and must not bring the boxes down.",
-        RESTING,
         lasts=STEPS_STACK_LASTS,
     )
 
 
 def pyramid(rows: int) -> SpeedScene:
-    """Return boxes in rows, each one shorter than the one below."""
+    """Return boxes in rows, each one shorter than the one below; it keeps the solver busiest."""
     return SpeedScene(
         f"pyramid of {rows} rows",
         _on_slab(box_pyramid(rows, FRICTION, overlap=NESTED)),
         DT,
         STEPS_TO_SETTLE,
-        "Boxes with two contacts to each of four neighbours: the solver's share is the largest.",
-        RESTING,
     )
 
 
@@ -239,30 +230,47 @@ def bin_of_shapes(count: int, *, seed: int = 1) -> SpeedScene:
         Scene([*walls, *bodies], gravity=(0, -GRAVITY)),
         DT,
         STEPS_TO_FALL,
-        "Pairs of every kind of shape, in a heap that nobody has put in order.",
-        RESTING,
     )
 
 
-RESTING = (
-    "gravity",
-    "friction",
-    "rotation",
-    "position_correction",
-    "warm_starting",
-    "broad_phase",
-)
-"""What a heap needs."""
+BUILDERS: dict[str, Callable[[int], SpeedScene]] = {
+    "gas": gas,
+    "dense": dense_gas,
+    "settled": settled_discs,
+    "stack": stack,
+    "pyramid": pyramid,
+    "bin": bin_of_shapes,
+}
+"""What makes a scene, by its name on the command line; the size follows, as in "gas-100"."""
 
-SIZES: dict[Callable[[int], SpeedScene], tuple[int, ...]] = {
-    gas: (10, 100, 1_000, 10_000, 100_000),
-    dense_gas: (100, 1_000, 10_000),
-    settled_discs: (10, 100, 1_000, 10_000, 100_000),
-    stack: (10, 20),
-    pyramid: (10, 20, 50),
-    bin_of_shapes: (500, 2_000),
+SIZES: dict[str, tuple[int, ...]] = {
+    "gas": (10, 100, 1_000, 10_000, 100_000),
+    "dense": (100, 1_000, 10_000),
+    "settled": (10, 100, 1_000, 10_000, 100_000),
+    "stack": (10, 20),
+    "pyramid": (10, 20, 50),
+    "bin": (500, 2_000),
 }
 """The sizes in which each scene is measured."""
+
+
+def scene_named(name: str) -> SpeedScene:
+    """Return a scene of any size by its name.
+
+    Raises
+    ------
+    ValueError
+        There is no such scene.
+
+    Examples
+    --------
+    >>> scene_named("stack-12").name
+    'stack of 12'
+    """
+    kind, _, size = name.partition("-")
+    if kind not in BUILDERS or not size.isdigit() or int(size) < 1:
+        raise ValueError(f"scene must be one of {', '.join(BUILDERS)} with a size, got {name!r}")
+    return BUILDERS[kind](int(size))
 
 
 def _on_slab(scene: Scene) -> Scene:

@@ -6,7 +6,6 @@ moves the bodies and then resolves their contact, so an impact belongs to the *m
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
@@ -123,41 +122,6 @@ def normal_between(a: Disc, b: Disc) -> Any:
     """Return the unit normal from a to b, shape (2,); their centres must differ."""
     to_b = b.position - a.position
     return to_b / np.hypot(*to_b)
-
-
-def hit_wall(disc: Disc, normal: Vector, restitution: float, friction: float) -> Disc:
-    """Return a disc after it has hit a rough wall whose unit normal points to it.
-
-    The wall is a body of infinite mass; its size and place make no difference.
-
-    >>> disc = Disc(1.0, 0.5, np.array([0.0, 0.5]), np.array([3.0, -4.0]))
-    >>> disc = hit_wall(disc, np.array([0.0, 1.0]), restitution=0.5, friction=1.0)
-    >>> disc.velocity, disc.angular_velocity
-    (array([2., 2.]), -4.0)
-    """
-    wall = Disc(math.inf, 1.0, np.zeros(2), np.zeros(2))
-    return hit(wall, disc, normal, restitution, friction)[1]
-
-
-def bounce_with_spin(
-    velocity: Vector,
-    angular_velocity: float,
-    radius: float,
-    normal: Vector,
-    restitution: float,
-    friction: float,
-) -> tuple[Any, float]:
-    """Return velocity and angular velocity of a solid disc after it has hit a rough wall.
-
-    This is :func:`hit_wall` in numbers, as the exercise asks for it. The mass makes no
-    difference.
-
-    >>> bounce_with_spin(np.array([3.0, -4.0]), 0.0, 0.5, np.array([0.0, 1.0]), 0.5, 1.0)
-    (array([2., 2.]), -4.0)
-    """
-    disc = Disc(1.0, radius, np.zeros(2), velocity, angular_velocity)
-    after = hit_wall(disc, normal, restitution, friction)
-    return after.velocity, after.angular_velocity
 
 
 def scene_of(a: Disc, b: Disc, restitution: float, friction: float) -> Scene:

@@ -3,16 +3,13 @@
 ==============  =======================================================================
 module          what it does
 ==============  =======================================================================
-``engines``     gives one scene to each engine, all behind the same few methods
-``quality``     measures how deep bodies stand in each other, and what energy does
-``clock``       what they are compared by
+``engines``     gives one scene to each engine
+``quality``     measures how deep bodies overlap, and what energy does
 ``race``        runs the engines in turns, and times them
 ``piles``       looks for the least that lets a pile hold in each engine, and times that
 ``few_bodies``  compares the exact solver with pymunk at equal error
 ``processes``   measures in fresh processes: imports, first runs, memory
-``statistics``  medians, growth, and whether two runs are of equal quality
 ``targets``     what is wanted
-``limits``      whether it is reached, beyond the ratios of single scenes
 ``report``      all results, as tables or as one JSON object
 ``measure``     chooses what to measure, and does it
 ``profile``     the time of each stage of the engine in a scene

@@ -9,13 +9,17 @@ The exact solver's own error is that of a run forth and back again, which should
 
 from __future__ import annotations
 
+import math
 import statistics
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from lesson_code.engine.core.scene import Scene
+from lesson_code.evidence.engines import ExactStepper
+from lesson_code.evidence.orders import fit_order
 from lesson_code.evidence.scenes.events import (
     ball_in_a_box,
     error_after_return,
@@ -24,49 +28,37 @@ from lesson_code.evidence.scenes.events import (
 )
 from lesson_code.evidence.scenes.gas import gas_of
 from lesson_code.evidence.scenes.speed import SpeedScene
-from lesson_code.evidence.speed.clock import worked_seconds
-from lesson_code.evidence.speed.engines import ExactStepper, builder
-from lesson_code.evidence.speed.statistics import step_for_error
+from lesson_code.evidence.speed.engines import start
+from lesson_code.evidence.timing import in_turns, timed
 from lesson_code.simulation import simulate
 
 STEPS_A_SECOND = (60, 600, 6_000, 60_000, 600_000)
 """Of pymunk."""
 
 LONG = 1.0
-"""s: a run that takes longer is timed once; what disturbs it is a small part of it."""
+"""s: a run that takes longer is timed once."""
 
 LEAST_ERROR = 1e-16
 """m: an error of exactly 0 is luck."""
 
+LEAST_ORDER = 0.5
+"""Errors that fall more slowly with the time step are not extrapolated: chaos has the word."""
+
 
 @dataclass(frozen=True)
 class FewBodies:
-    """The exact solver and pymunk in a scene of few bodies.
+    """The exact solver and pymunk in a scene of few bodies."""
 
-    Attributes
-    ----------
-    name : str
-        Of the scene.
-    duration : float
-        s, simulated.
-    collisions : int
-        Within that time.
-    exact_seconds, exact_error : float
-        Median time, s; how far the farthest body is off, m.
-    steps_a_second : tuple of int
-        Of pymunk.
-    pymunk_seconds, pymunk_errors : tuple of float
-        For each of these: median time, s, and error, m.
-    """
+    derived: ClassVar = ("ratio_measured", "ratio_extrapolated")
 
     name: str
-    duration: float
-    collisions: int
-    exact_seconds: float
-    exact_error: float
-    steps_a_second: tuple[int, ...]
-    pymunk_seconds: tuple[float, ...]
-    pymunk_errors: tuple[float, ...]
+    duration: float  # s, simulated
+    collisions: int  # within that time
+    exact_seconds: float  # median
+    exact_error: float  # m: of the farthest body
+    steps_a_second: tuple[int, ...]  # of pymunk
+    pymunk_seconds: tuple[float, ...]  # for each of these, median
+    pymunk_errors: tuple[float, ...]  # m
 
     @property
     def ratio_measured(self) -> float:
@@ -75,11 +67,13 @@ class FewBodies:
 
     @property
     def ratio_extrapolated(self) -> float | None:
-        """The same with a step so fine that the errors would be equal, if they fall evenly."""
+        """The same with a step so fine that the errors would be equal; None: they hardly fall."""
         steps = [1 / rate for rate in self.steps_a_second]
-        errors = [max(error, LEAST_ERROR) for error in self.pymunk_errors]
-        wanted = step_for_error(steps, errors, max(self.exact_error, LEAST_ERROR))
-        return self.ratio_measured * steps[-1] / wanted if wanted > 0 else None
+        fit = fit_order(steps, [max(error, LEAST_ERROR) for error in self.pymunk_errors])
+        if fit.order < LEAST_ORDER:
+            return None
+        step = math.pow(max(self.exact_error, LEAST_ERROR) / fit.factor, 1 / fit.order)
+        return self.ratio_measured * steps[-1] / step
 
 
 SCENES: dict[str, tuple[Callable[[], Scene], float]] = {
@@ -91,26 +85,13 @@ SCENES: dict[str, tuple[Callable[[], Scene], float]] = {
 
 
 def measure_few_bodies(
-    repeats: int,
-    rates: tuple[int, ...] = STEPS_A_SECOND,
-    told: Callable[[str], None] = lambda _: None,
+    repeats: int, rates: tuple[int, ...] = STEPS_A_SECOND
 ) -> tuple[FewBodies, ...]:
-    """Compare the exact solver with pymunk in each scene.
-
-    Parameters
-    ----------
-    repeats : int
-        How often each is timed, >= 1.
-    rates : tuple of int
-        Pymunk's steps a second, the fewest first.
-    told : callable
-        Hears what is being done.
-    """
-    measured = []
-    for name, (scene, duration) in SCENES.items():
-        told(f"few bodies: {name}")
-        measured.append(_compare(name, scene(), duration, repeats, rates))
-    return tuple(measured)
+    """Compare the exact solver with pymunk at some steps a second, the fewest first."""
+    return tuple(
+        _compare(name, scene(), duration, repeats, rates)
+        for name, (scene, duration) in SCENES.items()
+    )
 
 
 def _compare(
@@ -119,42 +100,31 @@ def _compare(
     """Return the times and errors in one scene."""
     run = simulate(scene, duration, solver="exact")
     back = simulate(turned_back(run), duration, solver="exact", sample="end")
-    exact: list[float] = []
-    theirs: dict[int, list[float]] = {rate: [] for rate in rates}
-    errors = dict.fromkeys(rates, 0.0)
-    _time_exact(scene, duration)  # loads or compiles the program
-    for _ in range(repeats):
-        exact.append(_time_exact(scene, duration))
-        for rate in rates:
-            if max(theirs[rate], default=0.0) > LONG:
-                continue
-            seconds, places = _time_pymunk(scene, duration, rate)
-            theirs[rate].append(seconds)
-            errors[rate] = float(np.hypot(*(places - run.positions[-1]).T).max())
+    errors: dict[int, float] = {}
+
+    def exact() -> float:
+        stepper = ExactStepper(scene, duration)  # predicts the first events
+        return timed(lambda: stepper.advance(1)).worked
+
+    def pymunk(rate: int) -> float:
+        engine = start("pymunk, tree", SpeedScene("", scene, 1 / rate, warm_up=0))
+        seconds = timed(lambda: engine.advance(round(duration * rate))).worked
+        places = engine.states()[:, :2]
+        errors[rate] = float(np.hypot(*(places - run.positions[-1]).T).max())
+        return seconds
+
+    exact()  # loads or compiles the program
+    jobs: dict[int, Callable[[], float]] = {0: exact}
+    jobs |= {rate: lambda rate=rate: pymunk(rate) for rate in rates}  # type: ignore[misc]
+    times = in_turns(jobs, repeats, patience=LONG)
+    medians = {key: statistics.median(taken) for key, taken in times.items()}
     return FewBodies(
         name=name,
         duration=duration,
         collisions=len(run.contacts),
-        exact_seconds=statistics.median(exact),
+        exact_seconds=medians[0],
         exact_error=error_after_return(run, back),
         steps_a_second=rates,
-        pymunk_seconds=tuple(statistics.median(theirs[rate]) for rate in rates),
-        pymunk_errors=tuple(errors.values()),
+        pymunk_seconds=tuple(medians[rate] for rate in rates),
+        pymunk_errors=tuple(errors[rate] for rate in rates),
     )
-
-
-def _time_exact(scene: Scene, duration: float) -> float:
-    """Return how long the exact solver takes, s; the first events are foretold when it is built."""
-    stepper = ExactStepper(scene, duration)
-    start = worked_seconds()
-    stepper.advance(1)
-    return worked_seconds() - start
-
-
-def _time_pymunk(scene: Scene, duration: float, rate: int) -> tuple[float, np.ndarray]:
-    """Return how long pymunk takes, s, and where the bodies are then."""
-    speed_scene = SpeedScene("", scene, 1 / rate, 0, "", ())
-    engine = builder("pymunk, tree", speed_scene)()
-    start = worked_seconds()
-    engine.advance(round(duration * rate))
-    return worked_seconds() - start, engine.states()[:, :2]

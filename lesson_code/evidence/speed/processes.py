@@ -9,28 +9,31 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
 from lesson_code.engine.core.mixing import COMBINATIONS, Combination
-from lesson_code.evidence.scenes.speed import gas
-from lesson_code.evidence.speed.engines import PYMUNK, builder, bytes_of
-from lesson_code.evidence.speed.race import TRIED_STEPS
-from lesson_code.reference.pymunk_reference import PymunkStepper
+from lesson_code.evidence.scenes.speed import SpeedScene, gas
+from lesson_code.evidence.speed.engines import start
+from lesson_code.evidence.speed.race import bytes_of
+from lesson_code.evidence.timing import timed
 from lesson_code.reference.scene_mapping import own_values, refuse_heap
 
 HEAVY = ("numba", "matplotlib", "pygame", "pymunk")
 """Modules that are to be loaded only when they are used."""
 
-IMPORT = """
+FIRST_STEPS = 40
+"""After which the tables are as large as they become."""
+
+IMPORT = f"""
 import sys, time
 start = time.perf_counter()
 import lesson_code.simulation
 print(time.perf_counter() - start)
+print(*[m for m in {HEAVY} if m in sys.modules])
 """
 
 FIRST_RUN = """
@@ -47,72 +50,41 @@ print(resident_growth({count}))
 
 @dataclass(frozen=True)
 class Start:
-    """How long it takes until something runs, s; median where it is done more than once.
+    """How long it takes until something runs, s; median where it is done more than once."""
 
-    Attributes
-    ----------
-    importing : float
-        `import lesson_code.simulation`, in a fresh process.
-    loaded : tuple of str
-        Which of the heavy modules that has loaded: none is meant to be.
-    cold, kept : float or None
-        A process from its start to its end that runs 100 discs compiled: with nothing kept, and
-        with the programs that are kept. None: not measured.
-    """
-
-    importing: float
-    loaded: tuple[str, ...]
-    cold: float | None
-    kept: float | None
+    importing: float  # `import lesson_code.simulation`, in a fresh process
+    loaded: tuple[str, ...]  # which of the heavy modules that has loaded: none is meant to be
+    cold: float | None  # a process that runs 100 discs compiled, with nothing kept
+    kept: float | None  # the same with the programs that are kept; None: not measured
 
 
 @dataclass(frozen=True)
 class Memory:
-    """Memory for a gas.
-
-    Attributes
-    ----------
-    bodies : int
-        How many discs.
-    ours : float
-        All our tables, bytes a body.
-    pymunk : float or None
-        What pymunk makes the process grow by, resident, bytes a body. None: the system does not
-        tell.
-    """
+    """Memory for a gas, bytes a body."""
 
     bodies: int
-    ours: float
-    pymunk: float | None
+    ours: float  # all our tables
+    pymunk: float | None  # what the process grows by; None: the system does not tell
 
 
 def measure_start(repeats: int, *, cold: bool = True) -> Start:
-    """Measure imports, and first compiled runs.
-
-    Parameters
-    ----------
-    repeats : int
-        How often each is done, >= 1; a cold start only once.
-    cold : bool
-        Whether to compile a program with nothing kept, which takes some ten seconds.
-    """
-    code = IMPORT + f"print(*[m for m in {HEAVY} if m in sys.modules])"
-    _output(code)  # writes the byte code
-    lines = [_output(code).splitlines() for _ in range(repeats)]
-    importing = statistics.median(float(line[0]) for line in lines)
-    loaded = tuple(lines[-1][1].split()) if len(lines[-1]) > 1 else ()
+    """Measure imports, and first compiled runs unless that is not wanted: it takes ten seconds."""
+    _output(IMPORT)  # writes the byte code
+    told = [_output(IMPORT).split() for _ in range(repeats)]
+    importing = statistics.median(float(seconds) for seconds, *_ in told)
+    loaded = tuple(told[-1][1:])
     if not cold:
         return Start(importing, loaded, None, None)
     with tempfile.TemporaryDirectory() as folder:
-        first, *later = (_seconds(FIRST_RUN, folder) for _ in range(1 + repeats))
+        kept = {FOLDER_VARIABLE: folder}
+        first, *later = (timed(lambda: _output(FIRST_RUN, kept)).wall for _ in range(1 + repeats))
     return Start(importing, loaded, first, statistics.median(later))
 
 
-def measure_memory(count: int, told: Callable[[str], None] = lambda _: None) -> Memory:
-    """Measure the memory for a gas of so many discs."""
-    told(f"memory of {count:,} discs")
-    engine = builder("sequential", gas(count))()
-    engine.advance(TRIED_STEPS)
+def measure_memory(count: int) -> Memory:
+    """Measure the memory for a gas of `count` discs."""
+    engine = start("sequential", gas(count))
+    engine.advance(FIRST_STEPS)
     growth = json.loads(_output(MEMORY.format(count=count)))
     theirs = None if growth is None else growth / count
     return Memory(count, (bytes_of(engine) or 0) / count, theirs)
@@ -133,12 +105,10 @@ def resident_growth(count: int) -> str:
     return json.dumps(None if before is None or after is None else after - before)
 
 
-def _running_space(scene: Any) -> Any:
+def _running_space(scene: SpeedScene) -> Any:
     """Return pymunk's space after some steps, and none of our own lists around it."""
-    engine = builder(PYMUNK[0], scene)()
-    engine.advance(TRIED_STEPS)
-    if not isinstance(engine, PymunkStepper):  # pragma: no cover - it was asked for
-        raise TypeError("pymunk must run")
+    engine: Any = start("pymunk, tree", scene)
+    engine.advance(FIRST_STEPS)
     return engine.space
 
 
@@ -151,26 +121,17 @@ def _resident() -> int | None:
     return int(file.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-def _output(code: str) -> str:
-    """Return what some code prints in a process of its own."""
+def _output(code: str, more: Mapping[str, str] | None = None) -> str:
+    """Return what some code prints in a process of its own, which may write byte code.
+
+    With the order to write none every start would read and translate all modules anew.
+    """
+    told = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
     done = subprocess.run(  # noqa: S603
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=_environment()
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=told | dict(more or {}),
     )
     return done.stdout.strip()
-
-
-def _seconds(code: str, folder: str) -> float:
-    """Return how long a process lives that runs some code, its programs kept in a folder, s."""
-    start = time.perf_counter()
-    subprocess.run(  # noqa: S603
-        [sys.executable, "-c", code], check=True, env=_environment() | {FOLDER_VARIABLE: folder}
-    )
-    return time.perf_counter() - start
-
-
-def _environment() -> dict[str, str]:
-    """Return this process's environment, but for the order to write no byte code.
-
-    Where it stands every start would read and translate all modules anew.
-    """
-    return {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}

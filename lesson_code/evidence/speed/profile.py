@@ -2,7 +2,7 @@
 
 The stages and their order are read from the program that a run is made of: what ``step`` calls with
 nothing but the world (with sub-steps: ``soft_part``), through the functions that only group them,
-and, indented, what these call in the same way. Each is compiled with an entrance of its own, and
+and, indented, what these call in the same way. Each is compiled with an entry of its own, and
 called several times from the same tables; the shortest time counts. Entering costs some
 microseconds, so that small scenes tell nothing.
 """
@@ -10,8 +10,8 @@ microseconds, so that small scenes tell nothing.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,13 +19,11 @@ from rich.table import Table
 
 from lesson_code.engine.compiled import compiled_function, link
 from lesson_code.engine.core.step import advance
-from lesson_code.evidence.scenes.speed import SIZES
-from lesson_code.evidence.speed.clock import worked_seconds
-from lesson_code.evidence.speed.engines import builder, refuse_without_compiler
-from lesson_code.evidence.speed.race import with_head_start
-
-VERSION = 1
-"""Version of the form that :meth:`Profile.as_dict` writes; it grows when a key changes."""
+from lesson_code.evidence.measurement import Measurement, digits, micro, table
+from lesson_code.evidence.scenes.speed import scene_named
+from lesson_code.evidence.speed.engines import refuse_without_compiler, start
+from lesson_code.evidence.speed.race import warm_up_of
+from lesson_code.evidence.timing import timed
 
 CALLS = 7
 """Of each stage; the shortest counts."""
@@ -39,81 +37,46 @@ GROUPS = ("prepare_part", "detect", "resolve", "sub_step", "post_process")
 
 @dataclass(frozen=True)
 class Stage:
-    """One stage, or a function within one.
+    """One stage, or a function within one."""
 
-    Attributes
-    ----------
-    name : str
-        Of the function.
-    depth : int
-        0 for a stage, 1 for what a stage calls.
-    calls : int
-        In a step.
-    seconds : float
-        For one call.
-    """
-
-    name: str
-    depth: int
-    calls: int
-    seconds: float
+    name: str  # of the function
+    depth: int  # 0 for a stage, 1 for what a stage calls
+    calls: int  # in a step
+    seconds: float  # for one call
 
 
 @dataclass(frozen=True)
-class Profile:
-    """What the stages take in a scene.
+class Profile(Measurement):
+    """What the stages take in a scene, in the order in which they run."""
 
-    Attributes
-    ----------
-    scene, solver : str
-        Which.
-    bodies, contacts : int
-        How many there are.
-    step_seconds : float
-        A whole step, many in one call.
-    stages : tuple of Stage
-        In the order in which they run.
-    """
+    command = "measure speed --profile"
 
     scene: str
     solver: str
     bodies: int
     contacts: int
-    step_seconds: float
+    step_seconds: float  # a whole step, many in one call
     stages: tuple[Stage, ...]
 
-    def as_dict(self) -> dict[str, Any]:
-        """Return all of it as one JSON object."""
-        return {"version": VERSION, "command": "measure speed --profile", **asdict(self)}
-
-    def as_table(self) -> Table:
-        """Return all of it as a table."""
+    def tables(self) -> Iterator[Table]:
+        """Yield the one table."""
+        columns: dict[str, Callable[[Stage], str]] = {
+            "stage": lambda stage: "  " * stage.depth + stage.name,
+            "calls a step": lambda stage: "" if stage.depth else str(stage.calls),
+            "ns a body": lambda stage: digits(1e9 * stage.seconds / self.bodies),
+            "ns a contact": lambda stage: (
+                digits(1e9 * stage.seconds / self.contacts) if self.contacts else ""
+            ),
+            "us a step": lambda stage: "" if stage.depth else micro(stage.calls * stage.seconds),
+        }
         counts = f"bodies {self.bodies:,}, contacts {self.contacts:,}"
-        table = Table(
-            *("stage", "calls a step", "ns a body", "ns a contact", "us a step"),
-            title=f"{self.scene}, {self.solver}: {counts}",
-            caption=f"A whole step, many in one call: {self.step_seconds * 1e6:,.1f} us.",
-        )
-        for stage in self.stages:
-            table.add_row(
-                "  " * stage.depth + stage.name,
-                str(stage.calls) if stage.depth == 0 else "",
-                f"{stage.seconds / self.bodies * 1e9:,.1f}",
-                f"{stage.seconds / self.contacts * 1e9:,.1f}" if self.contacts else "",
-                f"{stage.calls * stage.seconds * 1e6:,.1f}" if stage.depth == 0 else "",
-            )
-        return table
+        caption = f"A whole step, many in one call: {micro(self.step_seconds)} us."
+        title = f"{self.scene}, {self.solver}: {counts}"
+        yield table(title, columns, self.stages, caption=caption)
 
 
 def profile_scene(name: str, solver: str = "sequential") -> Profile:
-    """Measure what each stage takes in a scene.
-
-    Parameters
-    ----------
-    name : str
-        Of a scene with its size, such as "gas-1000", or any size of it.
-    solver : str
-        "sequential" or "substep".
+    """Measure what each stage of "sequential" or "substep" takes in a scene such as "gas-1000".
 
     Raises
     ------
@@ -123,12 +86,11 @@ def profile_scene(name: str, solver: str = "sequential") -> Profile:
         Nothing can be compiled here.
     """
     refuse_without_compiler()
-    speed_scene, own_steps = with_head_start(_scene_named(name))
-    engine: Any = builder(solver, speed_scene)()
-    engine.advance(own_steps)
-    start = worked_seconds()
-    engine.advance(own_steps)
-    step_seconds = (worked_seconds() - start) / own_steps
+    speed_scene = scene_named(name)
+    steps = warm_up_of(speed_scene)
+    engine: Any = start(solver, speed_scene)
+    engine.advance(steps)
+    step_seconds = timed(lambda: engine.advance(steps)).worked / steps
     source = link(advance, pipeline=engine.pipeline)
     world = engine.world
     world.state.dt = world.state.whole
@@ -155,7 +117,6 @@ def stage_calls(source: str, function: str) -> list[tuple[str, str]]:
 
 
 def _calls_in(tree: ast.AST, repeated: str) -> Iterator[tuple[str, str]]:
-    """Yield the calls within a part of a function."""
     for part in ast.iter_child_nodes(tree):
         times = repeated
         match part:
@@ -167,7 +128,7 @@ def _calls_in(tree: ast.AST, repeated: str) -> Iterator[tuple[str, str]]:
 
 
 def _measured(source: str, solver: str, world: Any) -> Iterator[Stage]:
-    """Yield the stages of a step with their times, and let each do its work on the world."""
+    """Yield the stages of a step with their times; each does its work on the world."""
     for name, repeated in _stages_of(source, STEPS[solver], ""):
         calls = int(np.prod([getattr(world.state, count) for count in repeated.split()]))
         within = [(inner, 1) for inner, _ in stage_calls(source, name)]
@@ -190,33 +151,17 @@ def _shortest(source: str, name: str, world: Any) -> float:
     """Return the shortest time of some calls, each from the same tables, s."""
     function = compiled_function(source, name)
     before = [np.copy(table) for table in world]
-    function(world)
     times = []
-    for _ in range(CALLS):
+    for _ in range(1 + CALLS):  # the first compiles
+        times.append(timed(lambda: function(world)).worked)
         _restore(world, before)
-        start = worked_seconds()
-        function(world)
-        times.append(worked_seconds() - start)
-    _restore(world, before)
     return min(times)
 
 
 def _restore(world: Any, before: list[Any]) -> None:
-    """Put the tables back to what they were."""
-    for table, copy in zip(world, before, strict=True):
-        if table.shape:
-            table[...] = copy
+    for rows, copy in zip(world, before, strict=True):
+        if rows.shape:
+            rows[...] = copy
         else:
             for field in copy.dtype.names:
-                setattr(table, field, copy[field].item())
-
-
-def _scene_named(name: str) -> Any:
-    """Return a scene by its name and size."""
-    from lesson_code.evidence.speed.measure import KEYS
-
-    builds = {key: build for build, key in KEYS.items() if build in SIZES}
-    kind, _, size = name.partition("-")
-    if kind not in builds or not size.isdigit() or int(size) < 1:
-        raise ValueError(f"profile must be one of {', '.join(builds)} with a size, got {name!r}")
-    return builds[kind](int(size))
+                setattr(rows, field, copy[field].item())

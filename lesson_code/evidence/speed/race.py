@@ -1,54 +1,38 @@
 """A race: every engine makes the same steps of the same scene, in turns, in one process.
 
-    1 our engine makes the steps of the warm-up that are too many for the others (a large gas)
-    2 each engine makes the rest of the warm-up itself; our first steps load or compile a program
-    3 in turns, each makes a batch of steps: many in one call, timed; what follows is not timed
-    4 after each batch: how deep the bodies stand in each other, and their energy
+    1 each engine warms up; our first step loads or compiles a program
+    2 in turns, each makes a batch of steps: many in one call, timed
+    3 after each batch: how deep the bodies overlap, and their energy
 
-So a disturbance of the machine meets all engines alike. A scene that does not last, such as a
-stack, is built and warmed up anew before each batch.
+A scene that does not last, such as a stack, is built and warmed up anew before each batch.
 """
 
 from __future__ import annotations
 
 import gc
-import math
 import statistics
-import time
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from typing import ClassVar
 
-from lesson_code.engine.core.scene import Scene, scene_at
+import numpy as np
+
+from lesson_code.engine.stepper import EngineStepper
+from lesson_code.evidence.engines import Engine
 from lesson_code.evidence.scenes.speed import SpeedScene
-from lesson_code.evidence.speed.clock import CPU_CLOCK_IS_FINE
-from lesson_code.evidence.speed.engines import (
-    PYMUNK,
-    Build,
-    Engine,
-    builder,
-    bytes_of,
-    engines_for,
-    let_go,
-)
-from lesson_code.evidence.speed.quality import (
-    Gauge,
-    Reading,
-    energy_to_lift,
-    states_of,
-)
-from lesson_code.evidence.speed.statistics import Quality, worse_in
+from lesson_code.evidence.speed.engines import OURS, PEERS, engines_for, start
+from lesson_code.evidence.speed.quality import Gauge, Quality, Reading, worse_in
+from lesson_code.evidence.speed.targets import target_of
+from lesson_code.evidence.timing import Seconds, steps_of_a_batch, timed
+from lesson_code.reference.pymunk_reference import PymunkStepper
 
 BODY_STEPS, FEWEST_STEPS = 2_000_000, 100
-"""Of the warm-up, that each engine makes itself: bodies times steps, but so many steps at least.
+"""Of the warm-up: no more bodies times steps, but this many steps at least.
 
 A pile begins as it is built: one of 100,000 discs has come to rest in ours after some 60 steps.
 """
 
-TRIED_STEPS = 40
-"""Steps of ours that show how long one takes, and how large the tables become."""
-
 BATCH_SECONDS = 0.02
-"""s: our sequential solver works at least so long in a batch, unless that is too many steps."""
+"""s: our sequential solver works about as long in a batch, unless that is too many steps."""
 
 MOST_STEPS, LEAST_STEPS = 2_000, 2
 """Of a batch."""
@@ -63,220 +47,155 @@ SHORT_BATCH_REPEATS = 3
 
 @dataclass(frozen=True)
 class Timing:
-    """What one engine did in a scene.
-
-    Attributes
-    ----------
-    engine : str
-        Its name.
-    seconds, cpu_seconds : float
-        For a step: median of the batches, by the clock and of the processor.
-    quality : Quality
-        Overlap and energy.
-    contacts_per_body : float
-        Contact points at the end, for each body that can move.
-    bytes_per_body : float or None
-        Of all tables; None for engines that are not ours.
-    first_call : float
-        s: its first step, with loading or compiling a program.
-    """
+    """What one engine did in a scene; medians of the batches."""
 
     engine: str
-    seconds: float
-    cpu_seconds: float
+    seconds: float  # for a step, by the clock on the wall
+    cpu_seconds: float  # for a step, of the processor
     quality: Quality
-    contacts_per_body: float
-    bytes_per_body: float | None
-    first_call: float
+    contacts_per_body: float  # points, for each body that can move
+    bytes_per_body: float | None  # of all tables; None for engines that are not ours
+    first_call: float  # s: its first step, with loading or compiling a program
 
     @property
     def compared(self) -> float:
-        """The time that is compared, s a step: by the clock that others do not disturb."""
-        return self.cpu_seconds if CPU_CLOCK_IS_FINE else self.seconds
+        """The time that is compared, s a step."""
+        return Seconds(self.seconds, self.cpu_seconds).worked
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """How many times longer a peer takes, in what we are worse, and what is wanted."""
+
+    derived: ClassVar = ("reached",)
+
+    scene: str
+    ours: str
+    peer: str
+    ratio: float
+    worse: tuple[str, ...]
+    wanted: float | None
+
+    @property
+    def reached(self) -> bool | None:
+        """Whether the target is reached at equal quality; None: there is none."""
+        return None if self.wanted is None else self.ratio >= self.wanted and not self.worse
 
 
 @dataclass(frozen=True)
 class Race:
-    """What all engines did in a scene.
+    """What all engines did in a scene, ours first."""
 
-    Attributes
-    ----------
-    key, name : str
-        Of the scene: for the command line, and in words.
-    bodies : int
-        That can move.
-    steps, batches : int
-        Steps of a batch, and how many batches there were.
-    timings : tuple of Timing
-        Ours first.
-    """
+    derived: ClassVar = ("ratios",)
 
-    key: str
-    name: str
-    bodies: int
-    steps: int
+    key: str  # of the scene, for the command line
+    name: str  # in words
+    bodies: int  # that can move
+    steps: int  # of a batch
     batches: int
-    timings: tuple[Timing, ...]
+    engines: tuple[Timing, ...]
+
+    @property
+    def kind(self) -> str:
+        """The scene without its size, as in "gas"."""
+        return self.key.split("-")[0]
 
     def timing(self, engine: str) -> Timing | None:
         """Return what an engine did; "pymunk" is the faster of its two; None: it did not run."""
-        names = PYMUNK if engine == "pymunk" else (engine,)
-        found = [timing for timing in self.timings if timing.engine in names]
+        found = [t for t in self.engines if t.engine.split(",")[0] == engine]
         return min(found, key=lambda timing: timing.compared, default=None)
 
-    def ratio(self, ours: str, peer: str) -> float | None:
-        """Return how many times longer a peer takes; None: one of the two did not run."""
+    def ratio(self, ours: str, peer: str) -> Ratio | None:
+        """Return how one of ours compares with a peer; None: one of the two did not run."""
         mine, theirs = self.timing(ours), self.timing(peer)
-        return theirs.compared / mine.compared if mine and theirs else None
+        if mine is None or theirs is None:
+            return None
+        worse = worse_in(mine.quality, theirs.quality)
+        wanted = target_of(self.key, ours, peer)
+        return Ratio(self.key, ours, peer, theirs.compared / mine.compared, worse, wanted)
 
-    def worse(self, ours: str, peer: str) -> tuple[str, ...]:
-        """Return in what our quality is worse than a peer's."""
-        mine, theirs = self.timing(ours), self.timing(peer)
-        return worse_in(mine.quality, theirs.quality) if mine and theirs else ()
+    @property
+    def ratios(self) -> list[Ratio]:
+        """Each of ours against each peer."""
+        found = [self.ratio(ours, peer) for ours in OURS for peer in PEERS]
+        return [ratio for ratio in found if ratio is not None]
 
 
 @dataclass
 class _Runner:
-    """One engine in a race, and what has been measured of it so far."""
+    """One engine in a race, and what has been measured so far."""
 
     name: str
-    build: Build
     engine: Engine
     first_call: float
-    seconds: list[float] = field(default_factory=list)
-    cpu_seconds: list[float] = field(default_factory=list)
+    times: list[Seconds] = field(default_factory=list)
     readings: list[Reading] = field(default_factory=list)
 
 
-def run_race(
-    key: str,
-    speed_scene: SpeedScene,
-    repeats: int,
-    told: Callable[[str], None] = lambda _: None,
-) -> Race:
-    """Let all engines that can take a scene make batches of steps in turns.
+def run_race(key: str, speed_scene: SpeedScene, repeats: int) -> Race:
+    """Run all engines that can take a scene, in batches: `repeats` of them.
 
-    Parameters
-    ----------
-    key : str
-        A name for the scene, such as "gas-100".
-    speed_scene : SpeedScene
-        The scene.
-    repeats : int
-        Batches, >= 1; several times as many where the scene does not last, or is a small gas.
-    told : callable
-        Hears what is being done.
+    There are several times as many where the scene does not last, or is a small gas.
     """
-    told(f"{speed_scene.name}: head start")
-    speed_scene, own_steps = with_head_start(speed_scene)
-    scene, gauge = speed_scene.scene, Gauge(speed_scene.scene)
-    runners = []
-    for name, build in engines_for(speed_scene).items():
-        told(f"{speed_scene.name}: {name} warms up")
-        runners.append(_warmed_up(name, build, own_steps))
-    steps = _steps_of_a_batch(speed_scene, runners[0], own_steps)
+    gauge, lasts = Gauge(speed_scene.scene), speed_scene.lasts is None
+    runners = [_warmed_up(name, speed_scene) for name in engines_for(speed_scene)]
+    trial = runners[0] if lasts else _warmed_up(runners[0].name, speed_scene)
+    most = speed_scene.lasts or MOST_STEPS
+    steps = steps_of_a_batch(trial.engine, BATCH_SECONDS, most, LEAST_STEPS)
+    batches = repeats * _batches_a_repeat(speed_scene)
+    gc.collect()
     gc.freeze()  # else each look for what can be thrown away takes longer than a batch
-    batches = repeats * _draws_for(speed_scene)
-    for batch in range(batches):
-        told(f"{speed_scene.name}: batch {batch + 1} of {batches}")
+    for _ in range(batches):
         for runner in runners:
-            if speed_scene.lasts is not None:
-                runner.engine = _started(runner.build, own_steps)
-            _run_batch(runner, steps)
+            if not lasts:
+                runner.engine = _warmed_up(runner.name, speed_scene).engine
+            runner.times.append(timed(lambda r=runner: r.engine.advance(steps)))  # type: ignore[misc]
         for runner in runners:
             runner.readings.append(gauge.read(runner.engine.states()))
     gc.unfreeze()
-    for runner in runners:
-        let_go(runner.engine)
-    bodies = sum(not body.is_static for body in scene.bodies)
-    started = gauge.energy(states_of(scene))
-    timings = tuple(_timing(runner, scene, bodies, started) for runner in runners)
-    return Race(key, speed_scene.name, bodies, steps, batches, timings)
+    bodies = sum(not body.is_static for body in speed_scene.scene.bodies)
+    engines = tuple(_timing(runner, gauge, bodies, steps) for runner in runners)
+    return Race(key, speed_scene.name, bodies, steps, batches, engines)
 
 
-def with_head_start(speed_scene: SpeedScene) -> tuple[SpeedScene, int]:
-    """Return a scene that our engine has advanced, and the steps that each engine makes itself.
-
-    Our engine advances a large gas. A pile begins as it is built: handed over, it would have lost
-    the impulses that carry it, and all of it would sink at once.
-    """
+def warm_up_of(speed_scene: SpeedScene) -> int:
+    """Return the steps that each engine makes before the measurement."""
     bodies = len(speed_scene.scene.bodies)
-    own = min(speed_scene.warm_up, max(FEWEST_STEPS, BODY_STEPS // bodies))
-    ahead = speed_scene.warm_up - own
-    if ahead == 0 or any(speed_scene.scene.gravity):
-        return speed_scene, own
-    engine = builder("sequential", speed_scene)()
-    engine.advance(ahead)
-    return replace(speed_scene, scene=scene_at(speed_scene.scene, engine.states())), own
+    return min(speed_scene.warm_up, max(FEWEST_STEPS, BODY_STEPS // bodies))
 
 
-def _draws_for(speed_scene: SpeedScene) -> int:
-    """Return how many times as many batches a scene needs."""
+def _warmed_up(name: str, speed_scene: SpeedScene) -> _Runner:
+    engine = start(name, speed_scene)
+    first_call = timed(lambda: engine.advance(1)).wall
+    engine.advance(warm_up_of(speed_scene) - 1)
+    return _Runner(name, engine, first_call)
+
+
+def _batches_a_repeat(speed_scene: SpeedScene) -> int:
     if speed_scene.lasts is not None:
         return SHORT_BATCH_REPEATS
     is_gas = not any(speed_scene.scene.gravity)
     return max(1, LOOKED_AT // len(speed_scene.scene.bodies)) if is_gas else 1
 
 
-def _started(build: Build, steps: int) -> Engine:
-    """Return an engine that has made its warm-up."""
-    engine = build()
-    engine.advance(steps)
-    return engine
-
-
-def _warmed_up(name: str, build: Build, steps: int) -> _Runner:
-    """Return an engine that has made its warm-up, and what its first step took."""
-    engine = build()
-    start = time.perf_counter()
-    engine.advance(1)
-    first_call = time.perf_counter() - start
-    engine.advance(steps - 1)
-    return _Runner(name, build, engine, first_call)
-
-
-def _steps_of_a_batch(speed_scene: SpeedScene, runner: _Runner, own_steps: int) -> int:
-    """Return how many steps a batch has: enough to be timed in our engine."""
-    most = MOST_STEPS if speed_scene.lasts is None else speed_scene.lasts
-    engine = runner.engine if speed_scene.lasts is None else _started(runner.build, own_steps)
-    tried = min(most, TRIED_STEPS)
-    start = time.perf_counter()
-    engine.advance(tried)
-    step = (time.perf_counter() - start) / tried
-    return min(most, max(LEAST_STEPS, math.ceil(BATCH_SECONDS / step)))
-
-
-def _run_batch(runner: _Runner, steps: int) -> None:
-    """Let an engine make a batch of steps, and take the time."""
-    gc.collect()
-    gc.disable()
-    cpu, start = time.process_time(), time.perf_counter()
-    runner.engine.advance(steps)
-    end, cpu_end = time.perf_counter(), time.process_time()
-    gc.enable()
-    runner.seconds.append((end - start) / steps)
-    runner.cpu_seconds.append((cpu_end - cpu) / steps)
-
-
-def _timing(runner: _Runner, scene: Scene, bodies: int, started: float) -> Timing:
-    """Return medians of what has been measured."""
+def _timing(runner: _Runner, gauge: Gauge, bodies: int, steps: int) -> Timing:
+    """Return the medians of what has been measured, and prepare the engine to be thrown away."""
     size = bytes_of(runner.engine)
-    energies = [reading.energy for reading in runner.readings]
-    contacts = statistics.median(reading.contacts for reading in runner.readings)
-    overlap = statistics.median(reading.depth for reading in runner.readings)
+    if isinstance(runner.engine, PymunkStepper):
+        runner.engine.forget_contacts()  # else it takes long to be thrown away
     return Timing(
         engine=runner.name,
-        seconds=statistics.median(runner.seconds),
-        cpu_seconds=statistics.median(runner.cpu_seconds),
-        quality=_quality(overlap, energies, started, energy_to_lift(scene)),
-        contacts_per_body=contacts / bodies,
+        seconds=statistics.median(taken.wall for taken in runner.times) / steps,
+        cpu_seconds=statistics.median(taken.cpu for taken in runner.times) / steps,
+        quality=gauge.quality(runner.readings),
+        contacts_per_body=statistics.median(r.contacts for r in runner.readings) / bodies,
         bytes_per_body=None if size is None else size / bodies,
         first_call=runner.first_call,
     )
 
 
-def _quality(overlap: float, energies: list[float], started: float, lift: float) -> Quality:
-    """Return a quality: a gas must keep its energy, a pile must have none of motion."""
-    if lift == 0.0:
-        return Quality(overlap, abs(energies[-1] / started - 1), "drift")
-    return Quality(overlap, statistics.median(energies) / lift, "left")
+def bytes_of(engine: Engine) -> int | None:
+    """Return the size of all tables of one of our engines; None where they are no arrays."""
+    if isinstance(engine, EngineStepper):
+        return sum(np.asarray(table).nbytes for table in engine.world)
+    return None

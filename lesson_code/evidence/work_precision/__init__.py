@@ -7,27 +7,26 @@ module         what it holds
 ``methods``    the methods and the settings that each is tried at
 ``counting``   work that does not depend on the machine
 ``measure``    errors, work and times of all points
-``result``     what was measured, as JSON, stored in the package too
-``orders``     orders of convergence, splits of sweeps, the cheapest method
-``tables``     the result as tables for the terminal
+``result``     what was measured, and what it says
 =============  ============================================================
 """
 
+from lesson_code.evidence.orders import Fit, fit_order
 from lesson_code.evidence.work_precision.measure import measure_accuracy
-from lesson_code.evidence.work_precision.orders import (
-    Fit,
+from lesson_code.evidence.work_precision.result import (
+    Point,
+    WorkPrecision,
     cheapest,
-    fit_order,
     in_words,
     order_of,
     orders,
     splits,
 )
-from lesson_code.evidence.work_precision.result import STORED, Point, WorkPrecision, store, stored
 from lesson_code.evidence.work_precision.scenes import PrecisionScene, scenes
 
+stored = WorkPrecision.stored
+
 __all__ = [
-    "STORED",
     "Fit",
     "Point",
     "PrecisionScene",
@@ -40,6 +39,5 @@ __all__ = [
     "orders",
     "scenes",
     "splits",
-    "store",
     "stored",
 ]

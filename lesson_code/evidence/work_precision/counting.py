@@ -15,6 +15,7 @@ A visit of the direct solver is a row in a system of equations, and costs more t
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 from lesson_code.engine.stepper import EngineStepper
@@ -31,10 +32,10 @@ from lesson_code.reference.pymunk_reference import PymunkStepper
 
 
 class Work(NamedTuple):
-    """Work of a whole run; -1: not known."""
+    """Work of a whole run; nan: not known."""
 
-    contact_solves: int = -1
-    pair_tests: int = -1
+    contact_solves: float = math.nan
+    pair_tests: float = math.nan
 
 
 def work_of(scene: PrecisionScene, method: Method, setting: Setting, *, compiled: bool) -> Work:

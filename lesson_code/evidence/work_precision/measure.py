@@ -1,28 +1,24 @@
-"""The measurement: errors first, work beside them, then times, in turns.
+"""The measurement: errors first, with the work beside them, then times, in turns.
 
-Errors are the same wherever they are computed: they may be shared out over processes or a cluster.
-Times are taken in this process alone, one after the other: one run of every point, then the next
-run of every point, so that a busy moment of the machine strikes all alike. The first run of each
-is a warm-up, whose time counts only where one run is so long that there is no second. What is left
-out of the time is the making of the tables; the exact solver's forecast at the start is part of its
-work.
+Errors are the same wherever they are computed: processes or a cluster may share them. Times are
+taken in this process alone. The first run of each point is a warm-up, whose time counts only where
+a run is so long that there is no second. Making the tables is not timed.
 """
 
 from __future__ import annotations
 
 import copy
-import importlib.metadata
 import math
-import platform
-import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from time import perf_counter
 from typing import Any, TypeAlias
 
 from rich.progress import track
 
+from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.stepper import EngineStepper
+from lesson_code.evidence.measurement import chosen, four_digits, machine, repeats_of
+from lesson_code.evidence.timing import in_turns, timed
 from lesson_code.evidence.work_precision.counting import Work, work_of
 from lesson_code.evidence.work_precision.methods import (
     COMPILED,
@@ -30,7 +26,6 @@ from lesson_code.evidence.work_precision.methods import (
     PLAIN,
     Method,
     Setting,
-    can_compile,
     exact_solver,
     methods_here,
     sampled,
@@ -41,18 +36,13 @@ from lesson_code.evidence.work_precision.scenes import PrecisionScene, scenes
 from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.parallel import map_tasks
 
-REPEATS = 7
-"""Runs of each point that are timed; the shortest counts."""
-
-LONG = 0.5
-"""s: after so much time spent on it, a point is not run again."""
-
 IN_A_ROW = 2
 """Runs of a point in its turn: the first brings its code back into the processor's caches, which
 the others have used meanwhile. That costs 0.1 ms, as much as the shortest runs."""
 
-ONCE = 2.0
-"""s: what takes longer is run a single time. Nothing that is done once matters beside that."""
+LONG, ONCE = 0.1, 2.0
+"""s: a point that takes longer is timed in one round, or is not run a second time at all. What is
+done once in a run does not matter beside that."""
 
 TOO_LONG_IN_PYTHON = 2.0
 """s: what would take longer is not run in plain Python, where there is compiled code too."""
@@ -77,7 +67,7 @@ def measure_accuracy(
     only: Sequence[str] = (),
     *,
     quick: bool = False,
-    repeats: int = REPEATS,
+    repeats: int | None = None,
     workers: int | None = 1,
     cluster: str | None = None,
     progress: bool = False,
@@ -90,8 +80,9 @@ def measure_accuracy(
         Names of scenes, or the beginnings of names; all where there is none.
     quick : bool
         Whether to measure the coarsest settings alone, and without a compiler.
-    repeats : int
-        Timed runs of each point, >= 1; fewer for those that take long.
+    repeats : int, optional
+        Rounds in which each point is timed, >= 1, 7 unless given; of each the shortest time counts.
+        What takes long is timed in one.
     workers, cluster
         As :func:`lesson_code.parallel.map_tasks` takes them, for the errors alone.
     progress : bool
@@ -102,10 +93,10 @@ def measure_accuracy(
     ValueError
         A name begins no scene's, or `repeats` is not >= 1.
     """
-    if repeats < 1:
-        raise ValueError(f"repeats must be >= 1, got {repeats}")
-    compiles = can_compile() and not quick
-    tasks = list(_tasks(chosen(only), quick, compiles))
+    count = repeats_of(repeats, quick=False)
+    wanted = [scenes()[name] for name in chosen(scenes(), only, str.startswith)]
+    compiles = not why_no_compiler() and not quick
+    tasks = list(_tasks(wanted, quick, compiles))
     found = map_tasks(
         find_error,
         tasks,
@@ -119,26 +110,15 @@ def measure_accuracy(
         for task, what in zip(tasks, found, strict=True)
         for point in _points(task, what, compiles)
     ]
-    timed: list[Point] = []
-    for name in dict.fromkeys(point.scene for point in points):
-        group = [p for p in points if p.scene == name]
-        timed += in_turns(group, repeats, progress, patience=HURRY if quick else 1.0)
-    return WorkPrecision(tuple(timed), repeats, machine())
+    groups = [[p for p in points if p.scene == name] for name in _names(points)]
+    patience = HURRY if quick else 1.0
+    shown = track(groups, "times", transient=True) if progress else groups
+    done = [p for group in shown for p in with_times(group, count, patience)]
+    return WorkPrecision(count, machine(), tuple(done))
 
 
-def chosen(only: Sequence[str]) -> list[PrecisionScene]:
-    """Return the scenes whose names begin so; all where nothing is said.
-
-    Raises
-    ------
-    ValueError
-        A name begins no scene's.
-    """
-    for name in only:
-        if not any(known.startswith(name) for known in scenes()):
-            raise ValueError(f"scene must be one of {', '.join(scenes())}, got {name!r}")
-    begins = tuple(only) or ("",)
-    return [scene for name, scene in scenes().items() if name.startswith(begins)]
+def _names(points: Iterable[Point]) -> list[str]:
+    return list(dict.fromkeys(point.scene for point in points))
 
 
 def find_error(task: Task) -> Found:
@@ -148,31 +128,12 @@ def find_error(task: Task) -> Found:
     try:
         run = sampled(scene, method, setting, compiled=compiled)
     except ValueError:
-        return math.inf, "refused", Work()
+        return math.nan, "refused", Work()
     except (FloatingPointError, RuntimeError):
-        return math.inf, scene.failure, Work()
+        return math.nan, scene.failure, Work()
     error = scene.error(run)
     work = work_of(scene, method, setting, compiled=compiled)
     return error, "" if error < scene.worthless else scene.failure, work
-
-
-def machine() -> dict[str, str]:
-    """Return what the measurement was made on."""
-    names = ("numpy", "numba", "pymunk", "Box2D")
-    return {
-        "python": platform.python_version(),
-        "system": sys.platform,
-        "processor": platform.machine(),
-        **{name.lower(): _version(name) for name in names},
-    }
-
-
-def _version(name: str) -> str:
-    """Return the version of a package, or that there is none."""
-    try:
-        return importlib.metadata.version(name)
-    except importlib.metadata.PackageNotFoundError:
-        return "not installed"
 
 
 def _tasks(wanted: Iterable[PrecisionScene], quick: bool, compiles: bool) -> Iterable[Task]:
@@ -202,48 +163,38 @@ def _points(task: Task, found: Found, compiles: bool) -> Iterable[Point]:
 # Times
 
 
-def in_turns(
-    points: Sequence[Point], repeats: int, progress: bool = False, patience: float = 1.0
-) -> list[Point]:
-    """Return points with their times: the shortest of some runs, one or two of each in turn."""
+def with_times(points: Sequence[Point], repeats: int, patience: float = 1.0) -> list[Point]:
+    """Return points with their times: the shortest of some runs, which they make in turns."""
     runs = {n: _prepared(p) for n, p in enumerate(points) if math.isfinite(p.error)}
-    first = {n: run() for n, run in runs.items()}  # a program is loaded here, for one
-    best = {n: taken if taken > patience * ONCE else math.inf for n, taken in first.items()}
-    spent = {n: 0.0 if math.isinf(best[n]) else math.inf for n in runs}
-    rounds = range(repeats)
-    for _ in track(rounds, points[0].scene, transient=True) if progress else rounds:
-        for n, run in runs.items():
-            if spent[n] < patience * LONG:
-                taken = [run() for _ in range(IN_A_ROW)]
-                best[n], spent[n] = min(best[n], *taken), spent[n] + sum(taken)
-    return [replace(p, seconds=best.get(n, math.nan)) for n, p in enumerate(points)]
+    times = in_turns(runs, 1)  # a program is loaded here, for one
+    again = {n: _in_a_row(run) for n, run in runs.items() if times[n][0] <= patience * ONCE}
+    times |= in_turns(again, repeats, patience=patience * LONG)
+    shortest = {n: min(taken) for n, taken in times.items()}
+    return [
+        replace(p, seconds=four_digits(shortest.get(n, math.nan))) for n, p in enumerate(points)
+    ]
+
+
+def _in_a_row(run: Callable[[], float]) -> Callable[[], float]:
+    return lambda: min(run() for _ in range(IN_A_ROW))
 
 
 def _prepared(point: Point) -> Callable[[], float]:
     """Return a function that makes a point's run from the start, and returns its time, s."""
     scene, method, setting = scenes()[point.scene], METHODS[point.method], point.setting
-    if method.name == "exact":
-        return lambda: _time_of_exact(scene)
+    if method.name == "exact":  # its predictions at the start are a part of its work
+        return lambda: timed(lambda: exact_solver(scene).advance(scene.duration)).wall
     steps = whole_parts(scene.duration, setting.dt)
     begin = stepper_at_the_start(scene, method, setting, compiled=point.code == COMPILED)
 
     def run() -> float:
         made = begin()
-        start = perf_counter()
         try:
-            made.advance(steps)
+            return timed(lambda: made.advance(steps)).wall
         except FloatingPointError:
-            return math.inf
-        return perf_counter() - start
+            return math.nan
 
     return run
-
-
-def _time_of_exact(scene: PrecisionScene) -> float:
-    """Return the time of an exact run, its forecasts at the start included, s."""
-    start = perf_counter()
-    exact_solver(scene).advance(scene.duration)
-    return perf_counter() - start
 
 
 def stepper_at_the_start(

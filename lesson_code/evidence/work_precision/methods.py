@@ -6,21 +6,17 @@ times are two.
 
 from __future__ import annotations
 
-import functools
-import importlib.util
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 from lesson_code.engine.core.constants import SLOP
 from lesson_code.engine.core.mixing import COMBINATIONS
 from lesson_code.engine.core.recording import record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.event_driven import ExactSolver, record_exact
-from lesson_code.engine.stepper import EngineStepper
+from lesson_code.evidence.engines import Stepper, has_box2d, stepper_for
 from lesson_code.evidence.work_precision.scenes import PrecisionScene
-from lesson_code.reference.box2d_reference import Box2DStepper
-from lesson_code.reference.pymunk_reference import PymunkStepper
 
 STEP = 1 / 60
 """s: the step in which sweeps are split."""
@@ -38,8 +34,6 @@ PARTS = ((1, 1), (2, 1), (4, 1), (10, 1))
 """Sub-steps of the naive solver, which sweeps once, and of the direct one, which need not."""
 
 COMPILED, PLAIN = "compiled", "Python"
-
-Stepping: TypeAlias = EngineStepper | PymunkStepper | Box2DStepper
 
 
 @dataclass(frozen=True, order=True)
@@ -123,16 +117,10 @@ METHODS = {
 
 def methods_here() -> list[Method]:
     """Return the methods that can run on this machine."""
-    return [m for m in METHODS.values() if m.name != "box2d" or importlib.util.find_spec("Box2D")]
+    return [m for m in METHODS.values() if m.name != "box2d" or has_box2d()]
 
 
-@functools.cache
-def can_compile() -> bool:
-    """Return whether our stages can be compiled on this machine."""
-    return importlib.util.find_spec("numba") is not None
-
-
-def stepper(scene: PrecisionScene, method: Method, setting: Setting, *, compiled: bool) -> Stepping:
+def stepper(scene: PrecisionScene, method: Method, setting: Setting, *, compiled: bool) -> Stepper:
     """Return a solver that advances a scene by steps, writing nothing down.
 
     Raises
@@ -140,20 +128,13 @@ def stepper(scene: PrecisionScene, method: Method, setting: Setting, *, compiled
     ValueError
         The method refuses the scene.
     """
-    settings: dict[str, Any] = {
-        "dt": setting.dt,
-        "iterations": setting.iterations,
-        "substeps": setting.substeps,
-        "combine": COMBINATIONS["workbook"],
-        "keep_impulses": False,
-    }
+    own: dict[str, Any] = {}
     if method.name == "pymunk":
-        return PymunkStepper(
-            scene.scene, slop=None if scene.own_slop else our_slop(scene), **settings
-        )
-    if method.name == "box2d":
-        return Box2DStepper(scene.scene, **settings)
-    return EngineStepper(scene.scene, solver=method.name, compiled=compiled, **settings)
+        own["slop"] = None if scene.own_slop else our_slop(scene)
+    elif method.name != "box2d":
+        own["compiled"] = compiled
+    sweeps = {"iterations": setting.iterations, "substeps": setting.substeps}
+    return stepper_for(method.name, scene.scene, dt=setting.dt, **sweeps, **own)
 
 
 def exact_solver(scene: PrecisionScene) -> ExactSolver:

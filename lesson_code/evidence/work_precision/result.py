@@ -1,4 +1,4 @@
-"""What was measured: one point for each method, code and setting; and its form as JSON.
+"""What was measured: a point for each method, code and setting; and what the points say.
 
 A point that has failed keeps its place: with its error, if it has one, and the word for what
 happened.
@@ -6,19 +6,25 @@ happened.
 
 from __future__ import annotations
 
-import json
 import math
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from lesson_code.evidence.work_precision.methods import Setting
+from rich.table import Table
 
-VERSION = 1
-"""Version of the form that :meth:`WorkPrecision.as_dict` writes; it grows when a key changes."""
+from lesson_code.evidence.measurement import Measurement, digits, rows_with, table
+from lesson_code.evidence.orders import Fit, fit_order
+from lesson_code.evidence.work_precision.methods import COMPILED, METHODS, Setting
+from lesson_code.evidence.work_precision.scenes import scenes
 
-STORED = Path(__file__).with_name("stored.json")
-"""A result that was measured once, for the notebook."""
+FLOOR = 1e-12
+"""Below this an error is rounding, and has no order."""
+
+FEWEST = 4
+"""Points through which an order is fitted: three halvings of the step."""
+
 
 Line: TypeAlias = tuple[str, str]
 """A method and its code."""
@@ -37,13 +43,13 @@ class Point:
     iterations, substeps : int
         In a step.
     error : float
-        In the scene's norm; ``math.inf`` where there is no answer at all.
+        In the scene's norm; nan where there is no answer at all.
     seconds : float
-        The shortest of the repeats, s; ``math.nan`` where nothing was timed.
-    contact_solves : int
-        Visits to a contact: contacts times sweeps, over the whole run. -1: not known.
-    pair_tests : int
-        Pairs whose outlines were compared, over the whole run. -1: not known.
+        The shortest of the repeats, s; nan where nothing was timed.
+    contact_solves : float
+        Visits to a contact: contacts times sweeps, over the whole run; nan: not known.
+    pair_tests : float
+        Pairs whose outlines were compared, over the whole run; nan: not known.
     failure : str
         What went wrong, in a word or two; "" where nothing did.
     """
@@ -56,8 +62,8 @@ class Point:
     substeps: int
     error: float
     seconds: float = math.nan
-    contact_solves: int = -1
-    pair_tests: int = -1
+    contact_solves: float = math.nan
+    pair_tests: float = math.nan
     failure: str = ""
 
     @property
@@ -77,22 +83,27 @@ class Point:
 
 
 @dataclass(frozen=True)
-class WorkPrecision:
+class WorkPrecision(Measurement):
     """All points of a measurement, and where and how it was made.
 
     Attributes
     ----------
-    points : tuple of Point
-        In the order in which they were measured.
     repeats : int
         How often each was timed, unless it was slow.
     machine : dict
-        Versions and the kind of processor.
+        As :func:`lesson_code.evidence.measurement.machine` returns it.
+    points : tuple of Point
+        In the order in which they were measured.
     """
 
-    points: tuple[Point, ...]
+    command = "measure accuracy"
+    version = 2
+    file = Path(__file__).with_name("stored.json")
+    rows = {"points": Point}  # noqa: RUF012 - a class variable of the base
+
     repeats: int
-    machine: dict[str, str]
+    machine: dict[str, Any]
+    points: tuple[Point, ...]
 
     @property
     def scenes(self) -> list[str]:
@@ -107,10 +118,7 @@ class WorkPrecision:
         ValueError
             It was not measured.
         """
-        found = [point for point in self.points if point.scene == scene]
-        if not found:
-            raise ValueError(f"scene must be one of {', '.join(self.scenes)}, got {scene!r}")
-        return found
+        return rows_with(self.points, scene=scene)
 
     def lines(self, scene: str) -> dict[Line, list[Point]]:
         """Return the points of a scene, line by line."""
@@ -118,16 +126,6 @@ class WorkPrecision:
         for point in self.of(scene):
             lines.setdefault(point.line, []).append(point)
         return lines
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return all of it as one JSON object; null stands for what is not known or not finite."""
-        return {
-            "version": VERSION,
-            "command": "measure accuracy",
-            "repeats": self.repeats,
-            "machine": self.machine,
-            "points": [_plain(asdict(point)) for point in self.points],
-        }
 
     def merged(self, other: WorkPrecision) -> WorkPrecision:
         """Return a result in which scenes measured anew stand in the place of the old ones."""
@@ -137,50 +135,116 @@ class WorkPrecision:
         points.sort(key=lambda point: order.index(point.scene))
         return replace(other, points=tuple(points))
 
+    def tables(self) -> Iterator[Table]:
+        """Yield a table for each scene, with the fitted orders below it."""
+        for name in self.scenes:
+            fits = orders(self, name)
+            fitted = [f"{method}, {code}: order {fit}" for (method, code), fit in fits.items()]
+            title = f"{name}: {scenes()[name].norm}"
+            yield table(title, COLUMNS, self.of(name), words=2, caption="\n".join(fitted))
 
-def from_dict(data: dict[str, Any]) -> WorkPrecision:
-    """Return the result that was written as a JSON object.
+
+COLUMNS: dict[str, Callable[[Point], str]] = {
+    "method": lambda point: point.method,
+    "code": lambda point: point.code,
+    "dt, s": lambda point: f"1/{1 / point.dt:.0f}" if point.dt > 0 else "none",
+    "sweeps": lambda point: f"{point.substeps} x {point.iterations}" if point.dt > 0 else "",
+    "error": lambda point: f"{_short(point.error)} {point.failure}".strip(),
+    "ms": lambda point: digits(point.milliseconds),
+    "visits": lambda point: digits(point.contact_solves),
+    "pairs": lambda point: digits(point.pair_tests),
+}
+"""Sweeps are sub-steps times iterations; visits are to contacts; pairs are those tested."""
+
+
+def _short(error: float) -> str:
+    return f"{error:.1e}" if math.isfinite(error) else ""
+
+
+def order_of(points: Iterable[Point]) -> Fit | None:
+    """Return the order of a line's points that have not failed and are no rounding.
+
+    None: there are too few of them, or they have no step.
+    """
+    used = [p for p in points if not p.failure and p.dt > 0 and p.error > FLOOR]
+    if len({point.dt for point in used}) < FEWEST:
+        return None
+    return fit_order([point.dt for point in used], [point.error for point in used])
+
+
+def orders(result: WorkPrecision, scene: str) -> dict[Line, Fit]:
+    """Return the order of each line of a scene that has one."""
+    fits = {line: order_of(points) for line, points in result.lines(scene).items()}
+    return {line: fit for line, fit in fits.items() if fit is not None}
+
+
+def sweeps_of(point: Point) -> int:
+    """Return how many times a step of a point visits all contacts."""
+    return point.setting.sweeps * METHODS[point.method].sweeps_an_iteration
+
+
+def splits(result: WorkPrecision, scene: str, sweeps: int) -> dict[str, list[Point]]:
+    """Return the points of each method with a number of sweeps in a step, by their sub-steps.
+
+    Each method once, in its fastest code.
+    """
+    found: dict[str, list[Point]] = {}
+    for (method, _), points in result.lines(scene).items():
+        equal = [point for point in points if sweeps_of(point) == sweeps]
+        if len(equal) > 1 and method not in found:
+            found[method] = sorted(equal, key=lambda point: point.substeps)
+    return found
+
+
+def cheapest(result: WorkPrecision, scene: str, error: float) -> Point | None:
+    """Return the point that reaches an error in the least time, or None: nothing does.
+
+    A setting counts only if all finer ones of its line are good enough too: one lucky hit is no
+    accuracy.
+
+    Parameters
+    ----------
+    result : WorkPrecision
+        What was measured.
+    scene : str
+        Its name.
+    error : float
+        How wrong it may be, in the scene's norm, > 0.
 
     Raises
     ------
     ValueError
-        It is of another version.
+        The scene was not measured, or the error is not > 0.
     """
-    if data.get("version") != VERSION:
-        raise ValueError(f"version must be {VERSION}, got {data.get('version')!r}")
-    points = tuple(Point(**_full(point)) for point in data["points"])
-    return WorkPrecision(points, data["repeats"], data["machine"])
+    if not error > 0:
+        raise ValueError(f"error must be > 0, got {error}")
+    good = [
+        point
+        for points in result.lines(scene).values()
+        for point in points
+        if math.isfinite(point.seconds) and _is_sure(point, points, error)
+    ]
+    return min(good, key=lambda point: point.seconds, default=None)
 
 
-def stored() -> WorkPrecision:
-    """Return the result that the package holds."""
-    return from_dict(json.loads(STORED.read_text(encoding="utf-8")))
+def _is_sure(point: Point, line: Sequence[Point], error: float) -> bool:
+    """Return whether a point and all that differ from it by a shorter step alone are that good."""
+    finer = [
+        other
+        for other in line
+        if other.dt <= point.dt
+        and (other.iterations, other.substeps) == (point.iterations, point.substeps)
+    ]
+    return all(not other.failure and other.error <= error for other in finer)
 
 
-def store(result: WorkPrecision, path: Path = STORED) -> None:
-    """Write a result, a line for each point."""
-    data = result.as_dict()
-    points = ",\n".join("  " + json.dumps(point) for point in data.pop("points"))
-    head = json.dumps(data, indent=1)[:-2]
-    path.write_text(f'{head},\n "points": [\n{points}\n ]\n}}\n', encoding="utf-8")
+def in_words(point: Point) -> str:
+    """Return what a point stands for: method, setting and time.
 
-
-MISSING = {"error": math.inf, "seconds": math.nan, "contact_solves": -1, "pair_tests": -1}
-"""What null stands for in a point."""
-
-
-def _plain(point: dict[str, Any]) -> dict[str, Any]:
-    """Return a point as JSON can hold it; times with four digits, for they have no more."""
-    seconds = float(f"{point['seconds']:.4g}")
-    return {key: _or_null(key, value) for key, value in {**point, "seconds": seconds}.items()}
-
-
-def _or_null(key: str, value: Any) -> Any:
-    """Return a value, or None where it is not known or not finite."""
-    unknown = isinstance(value, float) and not math.isfinite(value)
-    return None if key in MISSING and (unknown or value == -1) else value
-
-
-def _full(point: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a point, with null filled in."""
-    return {key: MISSING[key] if value is None else value for key, value in point.items()}
+    >>> in_words(Point("drop", "pymunk", "C", 0.0125, 10, 1, error=0.1, seconds=0.002))
+    'pymunk in C, 1/80 s, 1 x 10: 2 ms'
+    """
+    code = (
+        f"{point.method}, compiled" if point.code == COMPILED else f"{point.method} in {point.code}"
+    )
+    return f"{code}, {point.setting}: {point.milliseconds:.2g} ms"

@@ -30,7 +30,7 @@ from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.scenes import events as exact_scenes
 from lesson_code.evidence.scenes.gas import DIAMETER, disc_gas
-from lesson_code.evidence.scenes.known_answers import GRAVITY, sliding_disc
+from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, sliding_disc
 from lesson_code.evidence.scenes.speed import stack
 from lesson_code.reference.closed_forms import bouncing_ball
 from lesson_code.reference.event_closed_forms import blocks_at
@@ -47,7 +47,7 @@ MASS_RATIO = 100.0
 """Of the pi blocks: 31 collisions."""
 
 GAS_SIDE, GAS_COVERED, GAS_SEED = 5, 0.3, 1
-"""25 discs in a box; what they cover of it; what draws their velocities."""
+"""25 discs in a box; the share that they cover; what draws their velocities."""
 
 STACKED = 20
 """Boxes in the stack: pymunk's default of 10 sweeps lets it fall, 100 hold it."""

@@ -35,7 +35,7 @@ def line(method: str = "pymunk", code: str = "C") -> list[Point]:
 
 def result_of(*points: Point) -> WorkPrecision:
     """Return a made-up result."""
-    return WorkPrecision(points, repeats=7, machine={})
+    return WorkPrecision(repeats=7, machine={}, points=points)
 
 
 def drawn(ax: Axes, marker: str) -> list[tuple[float, float]]:
@@ -75,7 +75,7 @@ def test_fitted_order_is_drawn_and_written(ax: Axes) -> None:
 def test_failures_are_crosses_at_the_upper_edge(ax: Axes) -> None:
     """One at its time, and one that was never run at the left end."""
     fell = replace(line()[0], failure="lost", error=9.0)
-    refused = Point(BALL, "naive", "Python", 0.1, 1, 1, math.inf, failure="refused")
+    refused = Point(BALL, "naive", "Python", 0.1, 1, 1, math.nan, failure="refused")
     precision_plots.work_precision(ax, result_of(fell, refused, *line()[1:]), BALL)
     crosses = drawn(ax, "x")
     assert crosses == [(pytest.approx(1.0), precision_plots.EDGE), (0.03, precision_plots.EDGE)]

@@ -32,8 +32,8 @@ def marks(solver: str) -> Any:
     _, ax = style.figure()
     case_plots.over_the_bounds(ax, measured())
     label = case_plots.MARKS[solver][2]
-    (found,) = [c for c in ax.collections if c.get_label() == label]
-    return np.asarray(found.get_offsets())
+    (found,) = [line for line in ax.lines if line.get_label() == label]
+    return np.asarray(found.get_xydata())
 
 
 def test_held_is_left_of_the_line_and_over_is_right_of_it() -> None:

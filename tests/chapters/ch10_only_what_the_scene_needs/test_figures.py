@@ -22,7 +22,7 @@ ROWS = (
     EffectCost("friction", "pymunk", "", 8e-6, left_out=7e-6),
 )
 
-RESULT = EffectCosts(ROWS, None, repeats=7, machine={})
+RESULT = EffectCosts(repeats=7, machine={}, billiards=None, costs=ROWS)
 
 
 @pytest.fixture

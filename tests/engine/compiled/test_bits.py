@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
+from lesson_code.chapters.ch04_circles.scenes import scattered_balls
 from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE, folder
@@ -27,7 +28,7 @@ from lesson_code.engine.solvers.naive import SOLVER as NAIVE
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes import discs as disc_scenes
 from lesson_code.evidence.scenes import events as exact_scenes
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes import speed as speed_scenes
 from lesson_code.evidence.scenes.gas import disc_gas, gas_of
 from lesson_code.evidence.scenes.spinning_discs import Disc, scene_of
@@ -139,7 +140,7 @@ def spinning_pair() -> Scene:
 
 def turned_back() -> Scene:
     """Return balls that a plain run has left flying, with their velocities turned round."""
-    run = simulate(disc_scenes.scattered_balls(1.0), 1.0, solver="exact")
+    run = simulate(scattered_balls(1.0), 1.0, solver="exact")
     return exact_scenes.turned_back(run)
 
 
@@ -152,7 +153,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "dense gas": lambda: gas_of(30, 0.6, seed=2),
     "row of discs": lambda: disc_scenes.row_of_discs(5, 0.01),
     "cue between two": lambda: disc_scenes.cue_between_two(upper_first=True),
-    "scattered balls": lambda: disc_scenes.scattered_balls(0.9),
+    "scattered balls": lambda: scattered_balls(0.9),
     "rack break": lambda: disc_scenes.rack_break(0.95),
     "balls at a wall": lambda: exact_scenes.balls_at_wall(60.0, count=8, dt=DT),
     "turning rod": lambda: exact_scenes.turning_rod(20.0, phase=0.4, dt=DT),

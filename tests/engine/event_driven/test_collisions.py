@@ -13,7 +13,7 @@ from lesson_code.engine.core.mixing import combination
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.constants import HOP
 from lesson_code.evidence.scenes import events as exact_scenes
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 
 ROUNDING = 1e-12
 """A handful of impacts, each right to 1e-16 of numbers near 1."""

@@ -21,7 +21,7 @@ from lesson_code.evidence.scenes.events import (
     two_blocks,
 )
 from lesson_code.evidence.scenes.gas import gas_of
-from lesson_code.evidence.scenes.known_answers import disc_in_wedge
+from lesson_code.evidence.scenes.rigid_bodies import disc_in_wedge
 
 
 def crowd(

@@ -14,7 +14,7 @@ from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.solvers.substep import soften, way_apart
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.scenes import known_answers as scenes
+from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.rigid_body_closed_forms import slide_down
 
 ROUNDING = 1e-12

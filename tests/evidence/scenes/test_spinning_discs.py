@@ -14,7 +14,6 @@ from lesson_code.evidence.scenes.spinning_discs import (
     Disc,
     difference,
     hit,
-    hit_wall,
     normal_between,
     random_impacts,
     scene_of,
@@ -87,16 +86,6 @@ def test_hit_changes_no_disc_in_place() -> None:
     before = [disc.velocity.tolist() for disc in (a, b)]
     hit(a, b, normal_between(a, b), e, mu)
     assert [disc.velocity.tolist() for disc in (a, b)] == before
-
-
-def test_hit_wall_is_the_limit_of_a_heavy_disc() -> None:
-    """A disc of 1e9 kg is a wall to one of 1 kg, but for a part of 1e-9."""
-    disc = Disc(1.0, 0.5, np.array([0.0, 0.5]), np.array([3.0, -4.0]), 2.0)
-    heavy = Disc(1e9, 1.0, np.array([0.0, -1.0]), np.zeros(2))
-    n = np.array([0.0, 1.0])
-    at_wall, on_heavy = hit_wall(disc, n, 0.5, 0.2), hit(heavy, disc, n, 0.5, 0.2)[1]
-    assert at_wall.velocity == pytest.approx(on_heavy.velocity, abs=1e-7)
-    assert at_wall.angular_velocity == pytest.approx(on_heavy.angular_velocity, abs=1e-7)
 
 
 def test_scene_of_holds_both_discs_as_they_are() -> None:

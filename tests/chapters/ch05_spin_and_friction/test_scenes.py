@@ -1,21 +1,24 @@
-"""A body on a slope, in both engines, against the closed forms."""
+"""A body on a slope, in both engines, against the closed forms; and a disc at a wall."""
 
 from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from lesson_code import Circle, Polygon
 from lesson_code.chapters.ch05_spin_and_friction import wrong_answers as wrong
-from lesson_code.evidence.scenes.slopes import (
-    GRAVITY,
+from lesson_code.chapters.ch05_spin_and_friction.scenes import (
     acceleration,
     block_in_steps,
     coulomb,
+    hit_wall,
     on_slope,
     tipping_angle,
 )
+from lesson_code.evidence.scenes.slopes import GRAVITY
+from lesson_code.evidence.scenes.spinning_discs import Disc, hit
 from lesson_code.reference import rigid_body_closed_forms as closed
 
 ENGINES = ("sequential", "pymunk")
@@ -67,8 +70,8 @@ def test_body_begins_on_the_slope_at_rest() -> None:
     """Its lowest point touches, and nothing moves."""
     for shape, height in ((Circle(0.7), 0.7), (BOX, 0.25)):
         run = on_slope(shape, degrees=10, friction=0.5, duration=0.0)
-        assert run.positions[0, 0].tolist() == [0.0, height]
-        assert run.velocities[0, 0].tolist() == [0.0, 0.0]
+        assert run.positions[0, 1].tolist() == [0.0, height]
+        assert run.velocities[0, 1].tolist() == [0.0, 0.0]
 
 
 @pytest.mark.parametrize(("degrees", "friction"), [(30, 0.0), (30, 0.3), (10, 0.5), (0, 0.0)])
@@ -90,3 +93,13 @@ def test_dead_band_creeps_and_no_clamp_holds_on_ice() -> None:
     crept = block_in_steps(wrong.dead_band, 5, 0.5, duration=10.0)
     assert crept == pytest.approx(800 * 3 * gained / 240, abs=EXACT)
     assert block_in_steps(wrong.without_clamp, 30, 0.05, duration=10.0) == 0.0
+
+
+def test_hit_wall_is_the_limit_of_a_heavy_disc() -> None:
+    """A disc of 1e9 kg is a wall to one of 1 kg, but for a part of 1e-9."""
+    disc = Disc(1.0, 0.5, np.array([0.0, 0.5]), np.array([3.0, -4.0]), 2.0)
+    heavy = Disc(1e9, 1.0, np.array([0.0, -1.0]), np.zeros(2))
+    n = np.array([0.0, 1.0])
+    at_wall, on_heavy = hit_wall(disc, n, 0.5, 0.2), hit(heavy, disc, n, 0.5, 0.2)[1]
+    assert at_wall.velocity == pytest.approx(on_heavy.velocity, abs=1e-7)
+    assert at_wall.angular_velocity == pytest.approx(on_heavy.angular_velocity, abs=1e-7)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lesson_code.evidence.scenes.polygons import random_polygon
+from lesson_code.chapters.ch06_sat_and_manifolds.scenes import random_polygon
 
 
 @pytest.mark.parametrize("seed", range(30))

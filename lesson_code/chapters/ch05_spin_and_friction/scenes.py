@@ -1,0 +1,174 @@
+"""What chapter 05 looks at: a body on a rough slope, and a disc at a rough wall.
+
+The body on the slope rolls, slides, stays or tips, and is compared with closed forms.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.engine.core.run import Run
+from lesson_code.evidence.scenes.slopes import GRAVITY, STICKS, TIPPED, body_on_slope
+from lesson_code.evidence.scenes.spinning_discs import Disc, hit
+from lesson_code.formulas import friction_impulse
+from lesson_code.formulas.arithmetic import whole_parts
+from lesson_code.formulas.validation import Vector, finite, one_number
+from lesson_code.geometry.shapes import Circle, Polygon
+from lesson_code.simulation import simulate
+
+FrictionRule: TypeAlias = Callable[[float, float, float, float], float]
+"""Takes vt, m/s, jn, N s, the friction coefficient and k, 1/kg; returns jt, N s."""
+
+
+def on_slope(
+    shape: Circle | Polygon,
+    degrees: float,
+    friction: float,
+    *,
+    solver: str = "sequential",
+    iterations: int = 10,
+    duration: float = 1.0,
+) -> Run:
+    """Return the run of a body of 1 kg that is let go on a slope; it is body 1.
+
+    Parameters
+    ----------
+    shape, degrees, friction
+        As :func:`lesson_code.evidence.scenes.slopes.body_on_slope` takes them.
+    solver, iterations, duration
+        As :func:`lesson_code.simulate` takes them.
+
+    Examples
+    --------
+    >>> run = on_slope(Circle(0.5), degrees=30, friction=0.0)
+    >>> round(float(run.velocities[-1, 1, 0]), 9)
+    4.905
+    """
+    scene = body_on_slope(shape, degrees, friction)
+    return simulate(scene, duration, solver=solver, iterations=iterations)
+
+
+def acceleration(
+    shape: Circle | Polygon, degrees: float, friction: float, solver: str = "sequential"
+) -> float:
+    """Return how fast a body that is let go on a slope speeds up, m/s^2, over 1 s.
+
+    >>> round(acceleration(Circle(0.5), degrees=30, friction=1.0), 9)
+    3.27
+    """
+    return float(on_slope(shape, degrees, friction, solver=solver).velocities[-1, 1, 0])
+
+
+def tipping_angle(
+    width: float,
+    height: float,
+    *,
+    solver: str = "sequential",
+    iterations: int = 10,
+    within: float = 0.01,
+) -> float:
+    """Return on how steep a slope a box tips over that cannot slide, in degrees.
+
+    The interval from 1 to 60 degrees is halved until it is shorter than `within`; each time a
+    box is watched for 3 s.
+
+    >>> round(tipping_angle(1.0, 1.0, iterations=50, within=0.1))
+    45
+    """
+    w, h = width / 2, height / 2
+    box = Polygon([(-w, -h), (w, -h), (w, h), (-w, h)])
+    stands, tips = 1.0, 60.0
+    while tips - stands > within:
+        middle = (stands + tips) / 2
+        run = on_slope(box, middle, STICKS, solver=solver, iterations=iterations, duration=3.0)
+        if abs(run.angles[-1, 1]) > TIPPED:
+            tips = middle
+        else:
+            stands = middle
+    return tips
+
+
+def block_in_steps(
+    rule: FrictionRule, degrees: float, friction: float, *, duration: float, dt: float = 1 / 240
+) -> float:
+    """Return how far a block of 1 kg slides down a slope, stepped with a friction rule, m.
+
+    v += g sin(theta) dt,   v += jt / m with jn = m g cos(theta) dt,   x += v dt
+
+    The smallest loop in which a friction rule can go wrong: a block that cannot turn, at rest at
+    the start.
+
+    Parameters
+    ----------
+    rule : callable
+        Takes vt, jn, friction and k = 1/m, and returns jt: the rule of the exercise, or a wrong
+        model of it.
+    degrees : float
+        How steep the slope is.
+    friction : float
+        Friction coefficient, >= 0.
+    duration, dt : float
+        s; whole steps are made.
+
+    Examples
+    --------
+    >>> round(block_in_steps(coulomb, 30, 0.0, duration=2.0), 2)
+    9.83
+    >>> block_in_steps(coulomb, 30, 1.0, duration=2.0)
+    0.0
+    """
+    theta = np.radians(one_number("degrees", degrees, finite))
+    x = v = 0.0
+    for _ in range(whole_parts(duration, dt)):
+        v += GRAVITY * np.sin(theta) * dt
+        v += rule(v, GRAVITY * np.cos(theta) * dt, friction, 1.0)
+        x += v * dt
+    return float(x)
+
+
+def coulomb(vt: float, jn: float, friction: float, k: float) -> float:
+    """Return the friction impulse of a contact that yields by k, 1/kg: the exercise's form.
+
+    >>> coulomb(vt=3.0, jn=4.0, friction=0.5, k=0.5)
+    -2.0
+    """
+    return float(friction_impulse(vt, 1 / k, friction, jn))
+
+
+def hit_wall(disc: Disc, normal: Vector, restitution: float, friction: float) -> Disc:
+    """Return a disc after it has hit a rough wall whose unit normal points to it.
+
+    The wall is a body of infinite mass; its size and place make no difference.
+
+    >>> disc = Disc(1.0, 0.5, np.array([0.0, 0.5]), np.array([3.0, -4.0]))
+    >>> disc = hit_wall(disc, np.array([0.0, 1.0]), restitution=0.5, friction=1.0)
+    >>> disc.velocity, disc.angular_velocity
+    (array([2., 2.]), -4.0)
+    """
+    wall = Disc(math.inf, 1.0, np.zeros(2), np.zeros(2))
+    return hit(wall, disc, normal, restitution, friction)[1]
+
+
+def bounce_with_spin(
+    velocity: Vector,
+    angular_velocity: float,
+    radius: float,
+    normal: Vector,
+    restitution: float,
+    friction: float,
+) -> tuple[Any, float]:
+    """Return velocity and angular velocity of a solid disc after it has hit a rough wall.
+
+    This is :func:`hit_wall` in numbers, as the exercise asks for it. The mass makes no
+    difference.
+
+    >>> bounce_with_spin(np.array([3.0, -4.0]), 0.0, 0.5, np.array([0.0, 1.0]), 0.5, 1.0)
+    (array([2., 2.]), -4.0)
+    """
+    disc = Disc(1.0, radius, np.zeros(2), velocity, angular_velocity)
+    after = hit_wall(disc, normal, restitution, friction)
+    return after.velocity, after.angular_velocity
