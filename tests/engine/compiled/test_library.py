@@ -257,7 +257,7 @@ OVERLAPPING = """
 
 EDITS = {
     "a constant": ("core/constants.py", "PUSH_SHARE = 0.2\n", "PUSH_SHARE = 0.25\n"),
-    "a stage": ("core/motion.py", "-world.state.damping *", "-2.0 * world.state.damping *"),
+    "a stage": ("effects/damping.py", "-world.state.damping *", "-2.0 * world.state.damping *"),
 }
 
 
