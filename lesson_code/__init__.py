@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from lesson_code.engine.core.callbacks import Callbacks
-    from lesson_code.engine.core.mixing import Combination
+    from lesson_code.engine.core.mixing import MixingRule
     from lesson_code.engine.core.run import Run
     from lesson_code.engine.core.scene import Body, Material, Scene
     from lesson_code.evidence.ensembles import simulate_many
@@ -43,8 +43,8 @@ __all__ = [
     "Body",
     "Callbacks",
     "Circle",
-    "Combination",
     "Material",
+    "MixingRule",
     "Polygon",
     "Run",
     "Scene",
@@ -59,7 +59,7 @@ _WHERE = {
     "Body": "engine.core.scene",
     "Callbacks": "engine.core.callbacks",
     "Circle": "geometry.shapes",
-    "Combination": "engine.core.mixing",
+    "MixingRule": "engine.core.mixing",
     "Material": "engine.core.scene",
     "Polygon": "geometry.shapes",
     "Run": "engine.core.run",

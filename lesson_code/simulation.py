@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 import lesson_code.reference.solvers
-from lesson_code.engine.core.mixing import Combination, combination
+from lesson_code.engine.core.mixing import MixingRule, mixing_rule
 from lesson_code.engine.core.recording import Sample, step_times
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
@@ -32,7 +32,7 @@ def simulate(
     dt: float = 1 / 60,
     iterations: int | None = None,
     substeps: int | None = None,
-    combine: str | Combination = "workbook",
+    combine: str | MixingRule = "workbook",
     effects: Mapping[str, bool] | None = None,
     compiled: bool | None = None,
     impacts: str = "simultaneous",
@@ -68,7 +68,7 @@ def simulate(
     substeps : int, optional
         Equal parts that a step is made in, >= 1, each with its own contacts and sweeps; 1 unless
         given. For "substep": motions in a step, for which contacts are found once; 4 unless given.
-    combine : str or Combination
+    combine : str or MixingRule
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).
     effects : mapping from str to bool, optional
@@ -135,7 +135,7 @@ def simulate(
         dt=one_number("dt", dt, positive),
         iterations=None if iterations is None else _count("iterations", iterations),
         substeps=None if substeps is None else _count("substeps", substeps),
-        combine=combination(combine),
+        combine=mixing_rule(combine),
         effects=effects,
         compiled=compiled,
         options=_options(solver, impacts=impacts, restitution_law=restitution_law),

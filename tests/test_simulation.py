@@ -14,8 +14,8 @@ from lesson_code import (
     Body,
     Callbacks,
     Circle,
-    Combination,
     Material,
+    MixingRule,
     Polygon,
     Run,
     Scene,
@@ -155,8 +155,8 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"impacts": "sequential"}, "impacts must be 'simultaneous' unless solver is 'direct', got"),
     ({"restitution_law": "poisson"}, "restitution_law must be one of newton, energetic, got 'poi"),
     ({"restitution_law": "energetic"}, "restitution_law must be 'newton' unless solver is 'direc"),
-    ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a Combination"),
-    ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a Combination"),
+    ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a MixingRule"),
+    ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a MixingRule"),
     ({"combine": ["min", "max"]}, "combine must be one of workbook, pymunk, box2d or a Comb"),
     ({"sample": "all"}, "sample must be None, \"end\" or an array of times, got 'all'"),
     ({"sample": [0.5, 1.5]}, "sample must be <= duration = 1.0 s, got 1.5"),
@@ -368,5 +368,5 @@ def test_combination_of_own_rules_is_used_by_every_solver() -> None:
         for v, e in ((1, 0.5), (-1, 0.8))
     ]
     for solver in DOUBLE:
-        run = simulate(Scene(bodies), 1.0, solver=solver, combine=Combination("mean", "min"))
+        run = simulate(Scene(bodies), 1.0, solver=solver, combine=MixingRule("mean", "min"))
         np.testing.assert_allclose(run.velocities[-1, :, 0], [-0.65, 0.65], rtol=ROUNDING)

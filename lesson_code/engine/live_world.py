@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
@@ -58,7 +58,7 @@ class LiveWorld:
         The time step, s.
     iterations : int
         Sweeps over the contacts in a step.
-    combine : Combination
+    combine : MixingRule
         How a pair's coefficients come from its bodies'.
     callbacks : Callbacks
         Told after each step which pairs have begun to touch, touch, or have parted. The step is
@@ -90,7 +90,7 @@ class LiveWorld:
         damping: float = 0.0,
         dt: float = TIME_STEP,
         iterations: int = 10,
-        combine: Combination = Combination(),  # noqa: B008 - it never changes
+        combine: MixingRule = MixingRule(),  # noqa: B008 - it never changes
         callbacks: Callbacks = Callbacks(),  # noqa: B008 - it never changes
     ) -> None:
         self.gravity, self.damping, self.dt = gravity, damping, dt

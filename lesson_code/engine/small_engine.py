@@ -93,9 +93,9 @@ def move(body: Mover, gravity: Vector, dt: float) -> None:
 def pairs_near(bodies: list[Mover]) -> Iterator[tuple[Mover, Mover]]:
     """Yield the pairs whose circles around them overlap, one of which can be pushed."""
     for a, b in combinations(bodies, 2):
-        reach = a.body.shape.bounding_radius + b.body.shape.bounding_radius
+        radius_sum = a.body.shape.bounding_radius + b.body.shape.bounding_radius
         way = b.position - a.position
-        if dot(way, way) < reach**2 and a.inv_m + b.inv_m > 0:
+        if dot(way, way) < radius_sum**2 and a.inv_m + b.inv_m > 0:
             yield a, b
 
 

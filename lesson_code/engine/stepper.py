@@ -21,8 +21,8 @@ from lesson_code.engine.compiled import (
     compiled_function,
     link,
 )
-from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.capacity import add_capacity
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, record
@@ -127,7 +127,7 @@ class EngineStepper:
         Sweeps over the contacts in each sub-step.
     substeps : int
         Parts of a step; some solvers find contacts once for all of them.
-    combine : Combination
+    combine : MixingRule
         How a pair's coefficients come from its bodies'.
     options : mapping from str to str
         Choices that the solver offers, such as "impacts".
@@ -170,7 +170,7 @@ class EngineStepper:
         dt: float,
         iterations: int,
         substeps: int,
-        combine: Combination,
+        combine: MixingRule,
         options: Mapping[str, str] = NO_OPTIONS,
         keep_impulses: bool = True,
         compiled: bool | None = False,
@@ -317,7 +317,7 @@ class EngineStepper:
             if self._compiled:
                 self._compile()
         self._take_impulses()
-        self.world = make_room(self.world)
+        self.world = add_capacity(self.world)
 
     def _compile(self) -> None:
         """Compile the stages.

@@ -8,7 +8,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.stepper import EngineStepper
@@ -36,7 +36,7 @@ class ExactStepper:
 
     def __init__(self, scene: Scene, dt: float) -> None:
         self._dt, self._steps = dt, 0
-        self.solver = ExactSolver(scene, combine=Combination(), keep_impulses=False, compiled=True)
+        self.solver = ExactSolver(scene, combine=MixingRule(), keep_impulses=False, compiled=True)
 
     def advance(self, steps: int) -> None:
         """Advance by some steps."""
@@ -79,7 +79,7 @@ def stepper_for(
         "dt": dt,
         "iterations": iterations,
         "substeps": substeps,
-        "combine": Combination(),
+        "combine": MixingRule(),
         "keep_impulses": False,
         **own,
     }

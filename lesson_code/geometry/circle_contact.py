@@ -14,7 +14,7 @@ from lesson_code.geometry.rows import Corner, ManifoldRow, PlacedBody, following
 from lesson_code.geometry.sat import TIE, least_overlap, lengths_involved
 
 FAR = 1.0 + 1e-15
-"""Of the square of the reach: beyond it there is no overlap, and no root needs to be taken."""
+"""Of the square of the radius sum: beyond it there is no overlap, and no root needs to be taken."""
 
 
 def collide_circles(a: PlacedBody, b: PlacedBody, m: ManifoldRow) -> None:
@@ -25,11 +25,11 @@ def collide_circles(a: PlacedBody, b: PlacedBody, m: ManifoldRow) -> None:
     d leads from A's centre to B's. Coincident centres get the normal (1, 0).
     """
     m.count = 0
-    dx, dy, reach = b.x - a.x, b.y - a.y, a.radius + b.radius
-    if dx * dx + dy * dy > FAR * reach * reach:
+    dx, dy, radius_sum = b.x - a.x, b.y - a.y, a.radius + b.radius
+    if dx * dx + dy * dy > FAR * radius_sum * radius_sum:
         return
     distance, nx, ny = direction(dx, dy, 1.0, 0.0)
-    penetration = reach - distance
+    penetration = radius_sum - distance
     if penetration > 0.0:
         fill_single(m, nx, ny, nx * a.radius, ny * a.radius, b.radius, penetration)
 
@@ -44,8 +44,8 @@ def collide_outline_circle(
     end. A segment has two edges, its left side first; it pushes a centre on it to the left.
     """
     overlap, edge = least_overlap(corners, a, b)
-    reach = a.radius + b.radius
-    if overlap + reach <= 0.0:
+    radius_sum = a.radius + b.radius
+    if overlap + radius_sum <= 0.0:
         return
     px, py = b.x - a.x, b.y - a.y
     if a.corner_count == 2 and is_on_line(px, py, corners[edge], corners[following(a, edge)]):
@@ -58,7 +58,7 @@ def collide_outline_circle(
     if inside or from_start >= 0.0 >= from_end:
         shift = a.radius + overlap  # from the centre along n to A's surface
         ax, ay = px + face.nx * shift, py + face.ny * shift
-        fill_single(m, face.nx, face.ny, ax, ay, b.radius, overlap + reach)
+        fill_single(m, face.nx, face.ny, ax, ay, b.radius, overlap + radius_sum)
     else:
         push_from_corner(m, a, face, face if from_start < 0.0 else end, b)
 

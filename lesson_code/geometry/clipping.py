@@ -14,7 +14,7 @@ symbol    meaning                                                           unit
 ========  ================================================================  =====
 n, t      unit normal from A to B; tangent, n turned by +90 degrees         -
 s         place along t, seen from A's position                             m
-reach     sum of both roundings                                             m
+r         sum of both roundings                                             m
 depth     overlap of the rounded outlines along n                           m
 ========  ================================================================  =====
 """
@@ -34,25 +34,25 @@ def collide_outlines(
 ) -> None:
     """Fill the manifold of two outlines, whose count is 0 when this is called."""
     overlap, nx, ny, edge, is_of_a = minimum_translation(corners, a, b)
-    reach = a.radius + b.radius
-    if overlap + reach <= 0.0:
+    radius_sum = a.radius + b.radius
+    if overlap + radius_sum <= 0.0:
         return
     edge_a = edge if is_of_a else facing_edge(corners, a, nx, ny)
     edge_b = facing_edge(corners, b, -nx, -ny) if is_of_a else edge
     rounding_error = TIE * lengths_involved(a, b, corners[edge_a], corners[edge_b])
-    if reach > 0.0 and overlap <= rounding_error:
+    if radius_sum > 0.0 and overlap <= rounding_error:
         gap_x, gap_y = nearest_gap(corners, a, edge_a, b, edge_b)
         gap, to_b_x, to_b_y = direction(gap_x, gap_y, nx, ny)
         if gap + overlap > rounding_error:  # farther than the face is: corner against corner
             nx, ny, overlap = to_b_x, to_b_y, -gap
             edge_a = facing_edge(corners, a, nx, ny)
             edge_b = facing_edge(corners, b, -nx, -ny)
-    if overlap + reach > 0.0:
+    if overlap + radius_sum > 0.0:
         m.nx, m.ny = nx, ny
         cut_to_shared(corners, a, edge_a, b, edge_b, m)
     if m.count > 0:
         measure_penetrations(a, b, m)
-        keep_overlapping(m, overlap + reach)
+        keep_overlapping(m, overlap + radius_sum)
 
 
 def facing_edge(corners: Sequence[Corner], body: PlacedBody, nx: float, ny: float) -> int:

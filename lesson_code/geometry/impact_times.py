@@ -22,7 +22,7 @@ symbol    meaning                                                             un
 ========  ==================================================================  =======
 d, v, a   position, velocity and acceleration of the (second) circle's        m, m/s,
           centre, seen from the other body                                    m/s^2
-reach     sum of the radii: the distance between centres that touch           m
+r         sum of the radii: the distance between centres that touch           m
 gap       distance between the surfaces, negative when they overlap           m
 n         outward unit normal of a face                                       -
 ========  ==================================================================  =======
@@ -95,17 +95,17 @@ def line_impact_time(gap: float, v: float, a: float) -> float:
 
 
 def circle_impact_time(
-    dx: float, dy: float, vx: float, vy: float, ax: float, ay: float, reach: float
+    dx: float, dy: float, vx: float, vy: float, ax: float, ay: float, radius_sum: float
 ) -> float:
     """Return when two circles touch and come nearer.
 
-    abs(d + v t + a t^2 / 2) = reach
+    abs(d + v t + a t^2 / 2) = radius_sum
 
     Parameters
     ----------
     dx, dy, vx, vy, ax, ay : float
         Position, velocity and acceleration of the second centre, seen from the first; m, s.
-    reach : float
+    radius_sum : float
         Sum of the radii, m, >= 0.
 
     Returns
@@ -130,8 +130,8 @@ def circle_impact_time(
     1.0
     """
     if ax * ax + ay * ay == 0.0:
-        return straight_impact_time(dx, dy, vx, vy, reach)
-    return parabola_impact_time(dx, dy, vx, vy, ax, ay, reach, -1.0)
+        return straight_impact_time(dx, dy, vx, vy, radius_sum)
+    return parabola_impact_time(dx, dy, vx, vy, ax, ay, radius_sum, -1.0)
 
 
 def circle_outline_impact_time(
@@ -147,9 +147,9 @@ def circle_outline_impact_time(
 ) -> tuple[float, int]:
     """Return when a circle touches a polygon or segment that does not turn, and where.
 
-    The circle's centre touches the outline rounded by reach = radius + the outline's own radius:
-    flat faces, shifted outwards by the reach, with a circle about every corner. The impact is the
-    earliest with a face or a corner that is the nearest part of the outline then.
+    The circle's centre touches the outline rounded by radius_sum, the sum of both radii: flat
+    faces, shifted outwards by it, with a circle about every corner. The impact is the earliest
+    with a face or a corner that is the nearest part of the outline then.
 
     Parameters
     ----------
@@ -184,13 +184,13 @@ def circle_outline_impact_time(
     """
     if ax == 0.0 and ay == 0.0:
         return straight_outline_impact_time(corners, body, dx, dy, vx, vy, radius)
-    reach = radius + body.radius
+    radius_sum = radius + body.radius
     distance, feature = nearest_feature(corners, body, dx, dy)
-    if distance <= reach and is_approaching(corners, feature, dx, dy, vx, vy, ax, ay):
+    if distance <= radius_sum and is_approaching(corners, feature, dx, dy, vx, vy, ax, ay):
         return 0.0, feature
-    time, soonest = first_face_time(corners, body, dx, dy, vx, vy, ax, ay, reach)
+    time, soonest = first_face_time(corners, body, dx, dy, vx, vy, ax, ay, radius_sum)
     if soonest < time:  # else no corner can be hit before
-        time = min(time, first_corner_time(corners, body, dx, dy, vx, vy, ax, ay, reach))
+        time = min(time, first_corner_time(corners, body, dx, dy, vx, vy, ax, ay, radius_sum))
     if time < math.inf:
         px, py = path_point(dx, dy, vx, vy, ax, ay, time)
         _, feature = nearest_feature(corners, body, px, py)
@@ -206,7 +206,7 @@ def first_face_time(
     vy: float,
     ax: float,
     ay: float,
-    reach: float,
+    radius_sum: float,
 ) -> tuple[float, float]:
     """Return the earliest impact on a face, > 0, and a time before which nothing can be hit.
 
@@ -216,7 +216,7 @@ def first_face_time(
     time, soonest = math.inf, 0.0
     for k in range(body.first_corner, body.first_corner + body.corner_count):
         c = corners[k]
-        gap = (dx - c.x) * c.nx + (dy - c.y) * c.ny - reach
+        gap = (dx - c.x) * c.nx + (dy - c.y) * c.ny - radius_sum
         t = line_impact_time(gap, vx * c.nx + vy * c.ny, ax * c.nx + ay * c.ny)
         if gap > 0.0 and t > soonest:
             soonest = t
@@ -236,7 +236,7 @@ def first_corner_time(
     vy: float,
     ax: float,
     ay: float,
-    reach: float,
+    radius_sum: float,
 ) -> float:
     """Return the earliest impact on a corner, > 0.
 
@@ -246,11 +246,11 @@ def first_corner_time(
     time, is_accelerated = math.inf, ax * ax + ay * ay > 0.0
     for k in range(body.first_corner, body.first_corner + body.corner_count):
         c = corners[k]
-        t = circle_impact_time(dx - c.x, dy - c.y, vx, vy, ax, ay, reach)
+        t = circle_impact_time(dx - c.x, dy - c.y, vx, vy, ax, ay, radius_sum)
         if t < time and is_corner_hit(corners, body, c, dx, dy, vx, vy, ax, ay, t):
             time = t
         elif t < time and is_accelerated:
-            t = parabola_impact_time(dx - c.x, dy - c.y, vx, vy, ax, ay, reach, t)
+            t = parabola_impact_time(dx - c.x, dy - c.y, vx, vy, ax, ay, radius_sum, t)
             if t < time and is_corner_hit(corners, body, c, dx, dy, vx, vy, ax, ay, t):
                 time = t
     return time

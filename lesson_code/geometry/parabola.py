@@ -1,11 +1,11 @@
 """When two circles touch if one accelerates against the other: its path is then a parabola.
 
-f(t) = (d + v t + a t^2 / 2)^2 - reach^2 is a polynomial of degree 4. Its slope is twice the rate
-g(t) = p . u, with p and u the place and velocity at t: of degree 3. The slope of g is of degree 2,
-and its roots are known in closed form. They cut time into pieces in which g only grows or only
-falls and so has at most one root; the roots of g cut time into pieces in which f only grows or only
-falls. Thus the first fall of f through 0 is found in a bracket that holds it and no other root,
-however near they lie to each other.
+f(t) = (d + v t + a t^2 / 2)^2 - r^2, with r the sum of the radii, is a polynomial of degree 4. Its
+slope is twice the rate g(t) = p . u, with p and u the place and velocity at t: of degree 3. The
+slope of g is of degree 2, and its roots are known in closed form. They cut time into pieces in
+which g only grows or only falls and so has at most one root; the roots of g cut time into pieces in
+which f only grows or only falls. Thus the first fall of f through 0 is found in a bracket that
+holds it and no other root, however near they lie to each other.
 
 ========  ==================================================================  =======
 symbol    meaning                                                             unit
@@ -13,7 +13,7 @@ symbol    meaning                                                             un
 d, v, a   position, velocity and acceleration of the second centre,           m, m/s,
           seen from the first, at t = 0; a is not 0                           m/s^2
 p, u      place and velocity at t: d + v t + a t^2 / 2 and v + a t            m, m/s
-f         p^2 - reach^2, negative when the circles overlap                    m^2
+f         p^2 - r^2, negative when the circles overlap                        m^2
 g         p . u, negative when they come nearer; half the slope of f          m^2/s
 ========  ==================================================================  =======
 """
@@ -37,7 +37,7 @@ def parabola_impact_time(
     vy: float,
     ax: float,
     ay: float,
-    reach: float,
+    radius_sum: float,
     since: float,
 ) -> float:
     """Return when two circles with a relative acceleration first touch and come nearer.
@@ -52,10 +52,10 @@ def parabola_impact_time(
     for end in turning_times(dx, dy, vx, vy, ax, ay):
         middle = 0.5 * (start + end)
         if start < end and start > since and rate(dx, dy, vx, vy, ax, ay, middle) < 0.0:
-            if overlap_square(dx, dy, vx, vy, ax, ay, reach, start) <= 0.0:
+            if overlap_square(dx, dy, vx, vy, ax, ay, radius_sum, start) <= 0.0:
                 return start
-            if overlap_square(dx, dy, vx, vy, ax, ay, reach, end) < 0.0:
-                return touching_time(dx, dy, vx, vy, ax, ay, reach, start, end)
+            if overlap_square(dx, dy, vx, vy, ax, ay, radius_sum, end) < 0.0:
+                return touching_time(dx, dy, vx, vy, ax, ay, radius_sum, start, end)
         start = end
     return math.inf
 
@@ -155,14 +155,14 @@ def touching_time(
     vy: float,
     ax: float,
     ay: float,
-    reach: float,
+    radius_sum: float,
     low: float,
     high: float,
 ) -> float:
     """Return the root of f between two times between which the circles come nearer, s."""
     t = 0.5 * (low + high)
     for _ in range(MOST_STEPS):
-        f = overlap_square(dx, dy, vx, vy, ax, ay, reach, t)
+        f = overlap_square(dx, dy, vx, vy, ax, ay, radius_sum, t)
         if f > 0.0:
             low = t
         else:
@@ -194,23 +194,23 @@ def overlap_square(
     vy: float,
     ax: float,
     ay: float,
-    reach: float,
+    radius_sum: float,
     t: float,
 ) -> float:
-    """Return f = p^2 - reach^2, with as few digits lost as the numbers allow.
+    """Return f = p^2 - r^2, with as few digits lost as the numbers allow.
 
     Early on p = d + s is known best by its change s = v t + a t^2 / 2, and
-    f = (abs(d) - reach) (abs(d) + reach) + s . (2 d + s). Later it is the distance that counts:
-    f = (abs(p) - reach) (abs(p) + reach).
+    f = (abs(d) - r) (abs(d) + r) + s . (2 d + s). Later it is the distance that counts:
+    f = (abs(p) - r) (abs(p) + r), with r the sum of the radii.
     """
     sx, sy = t * (vx + 0.5 * t * ax), t * (vy + 0.5 * t * ay)
-    if abs(sx) + abs(sy) < reach:
+    if abs(sx) + abs(sy) < radius_sum:
         distance = math.sqrt(dx * dx + dy * dy)
         change = sx * (2.0 * dx + sx) + sy * (2.0 * dy + sy)
-        return (distance - reach) * (distance + reach) + change
+        return (distance - radius_sum) * (distance + radius_sum) + change
     px, py = dx + sx, dy + sy
     distance = math.sqrt(px * px + py * py)
-    return (distance - reach) * (distance + reach)
+    return (distance - radius_sum) * (distance + radius_sum)
 
 
 def rate(dx: float, dy: float, vx: float, vy: float, ax: float, ay: float, t: float) -> float:

@@ -129,10 +129,10 @@ def safe_time(
 
 def wait_for_bounds(a: Outline, b: Outline, at: Moment, motion: Motion, target: float) -> float:
     """Return when the circles that hold the bodies at any angle meet, s; 0 if they overlap."""
-    reach = a.radius + b.radius + motion.size_a + motion.size_b + max(target, 0.0)
-    if at.dx * at.dx + at.dy * at.dy <= reach * reach:
+    radius_sum = a.radius + b.radius + motion.size_a + motion.size_b + max(target, 0.0)
+    if at.dx * at.dx + at.dy * at.dy <= radius_sum * radius_sum:
         return 0.0
-    return straight_impact_time(at.dx, at.dy, motion.vx, motion.vy, reach)
+    return straight_impact_time(at.dx, at.dy, motion.vx, motion.vy, radius_sum)
 
 
 def face_time(

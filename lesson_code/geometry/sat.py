@@ -218,7 +218,7 @@ def least_overlap(corners: Sequence[Corner], a: PlacedBody, b: PlacedBody) -> tu
     A's edge is the zero, so that numbers are small where shapes nearly touch: A ends at 0.
     """
     dx, dy = b.x - a.x, b.y - a.y
-    reach = a.radius + b.radius
+    radius_sum = a.radius + b.radius
     least, edge = math.inf, -1
     for k in range(a.first_corner, a.first_corner + a.corner_count):
         c = corners[k]
@@ -227,7 +227,7 @@ def least_overlap(corners: Sequence[Corner], a: PlacedBody, b: PlacedBody) -> tu
         overlap = exit_distance(0.0, (dx - c.x) * nx + (dy - c.y) * ny + low_b)
         if overlap < least:
             least, edge = overlap, k
-            if least + reach <= 0.0:
+            if least + radius_sum <= 0.0:
                 break
     return least, edge
 

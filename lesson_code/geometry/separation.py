@@ -56,10 +56,10 @@ def separation_rows(
 
     The direction, of two numbers, is the unit normal from A to B.
     """
-    reach = a.radius + b.radius
+    radius_sum = a.radius + b.radius
     if a.corner_count == 0 and b.corner_count == 0:
         distance, nx, ny = direction(at.dx, at.dy, 1.0, 0.0)
-        return distance - reach, nx, ny
+        return distance - radius_sum, nx, ny
     gap_a, edge_a = best_face(corners, a, b, at)
     back = seen_from_b(at)
     gap_b, edge_b = best_face(corners, b, a, back)
@@ -68,7 +68,7 @@ def separation_rows(
     else:
         gap, nx, ny = from_face(corners, b, a, back, gap_b, edge_b)
         nx, ny = 0.0 - nx, 0.0 - ny
-    return gap - reach, nx, ny
+    return gap - radius_sum, nx, ny
 
 
 def seen_from_b(at: Moment) -> Moment:

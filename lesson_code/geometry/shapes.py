@@ -9,7 +9,7 @@ property            meaning                                                   un
 area                of the shape; 0 for a segment without thickness           m^2
 centroid            where the centre of mass of a plate of this shape lies    m
 inertia_per_mass    moment of inertia about the centroid, for 1 kg            m^2
-extent              smallest width: a door this wide lets it through          m
+min_width           smallest width: a door this wide lets it through          m
 bounding_radius     distance from the body's position to the farthest point   m
 outline             the corners, counter-clockwise; none for a circle         m
 rounding            how far the shape reaches beyond its outline              m
@@ -82,7 +82,7 @@ class Circle:
         return float(disc_inertia(1.0, self.radius))
 
     @property
-    def extent(self) -> float:
+    def min_width(self) -> float:
         """Smallest width, m: the diameter."""
         return 2 * self.radius
 
@@ -163,7 +163,7 @@ class Polygon:
         return float(polygon_inertia(1.0, self.vertices))
 
     @cached_property
-    def extent(self) -> float:
+    def min_width(self) -> float:
         """Smallest width, m. Between parallel lines a polygon is narrowest with an edge on one."""
         ends = self.outline[1:] + self.outline[:1]
         normals = (outward_normal(*a, *b) for a, b in zip(self.outline, ends, strict=True))
@@ -254,7 +254,7 @@ class Segment:
         return float((rectangle * of_rectangle + discs * of_discs) / (rectangle + discs))
 
     @property
-    def extent(self) -> float:
+    def min_width(self) -> float:
         """Smallest width, m: the thickness, or the length where there is no thickness."""
         return 2 * self.radius or self.length
 

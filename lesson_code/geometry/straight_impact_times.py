@@ -29,14 +29,15 @@ def straight_face_time(gap: float, v: float) -> float:
     return gap / -v if gap > 0.0 else 0.0
 
 
-def straight_impact_time(dx: float, dy: float, vx: float, vy: float, reach: float) -> float:
+def straight_impact_time(dx: float, dy: float, vx: float, vy: float, radius_sum: float) -> float:
     """Return when two circles without relative acceleration touch and come nearer.
 
-    t = c / (-b + sqrt(b^2 - v^2 c)),   b = d . v,   c = d^2 - reach^2
+    t = c / (-b + sqrt(b^2 - v^2 c)),   b = d . v,   c = d^2 - r^2
 
     This form of the root adds two positive numbers. Both differences of squares are taken as
-    products, c = (abs(d) - reach) (abs(d) + reach) and, with d x v = abs(v) times the distance at
-    which the centres would pass, b^2 - v^2 c = (reach abs(v))^2 - (d x v)^2 likewise.
+    products, c = (abs(d) - r) (abs(d) + r) with r the sum of the radii and, with d x v = abs(v)
+    times the distance at which the centres would pass, b^2 - v^2 c = (r abs(v))^2 - (d x v)^2
+    likewise.
 
     >>> straight_impact_time(4.0, 0.0, -2.0, 0.0, 1.0)
     1.5
@@ -45,14 +46,14 @@ def straight_impact_time(dx: float, dy: float, vx: float, vy: float, reach: floa
     if b >= 0.0:
         return math.inf
     distance = math.sqrt(dx * dx + dy * dy)
-    if distance <= reach:
+    if distance <= radius_sum:
         return 0.0
     passing = abs(dx * vy - dy * vx)
-    touching = reach * math.sqrt(vx * vx + vy * vy)
+    touching = radius_sum * math.sqrt(vx * vx + vy * vy)
     if passing >= touching:
         return math.inf
     root = math.sqrt((touching - passing) * (touching + passing))
-    return (distance - reach) * (distance + reach) / (root - b)
+    return (distance - radius_sum) * (distance + radius_sum) / (root - b)
 
 
 def straight_outline_impact_time(
@@ -75,14 +76,14 @@ def straight_outline_impact_time(
     >>> straight_outline_impact_time(corners, floor, 0.0, 2.625, 0.0, -1.0, 0.625)
     (2.0, 0)
     """
-    reach = radius + body.radius
+    radius_sum = radius + body.radius
     distance, feature = nearest_feature(corners, body, dx, dy)
-    if distance <= reach:
+    if distance <= radius_sum:
         comes = is_approaching(corners, feature, dx, dy, vx, vy, 0.0, 0.0)
         return 0.0 if comes else math.inf, feature
-    time, soonest = first_straight_face_time(corners, body, dx, dy, vx, vy, reach)
+    time, soonest = first_straight_face_time(corners, body, dx, dy, vx, vy, radius_sum)
     if soonest < time:  # else no corner can be hit before
-        time = min(time, first_straight_corner_time(corners, body, dx, dy, vx, vy, reach))
+        time = min(time, first_straight_corner_time(corners, body, dx, dy, vx, vy, radius_sum))
     if time < math.inf:
         _, feature = nearest_feature(corners, body, dx + time * vx, dy + time * vy)
     return time, feature
@@ -95,13 +96,13 @@ def first_straight_face_time(
     dy: float,
     vx: float,
     vy: float,
-    reach: float,
+    radius_sum: float,
 ) -> tuple[float, float]:
     """Return what :func:`first_face_time` does for a circle without acceleration."""
     time, soonest = math.inf, 0.0
     for k in range(body.first_corner, body.first_corner + body.corner_count):
         c = corners[k]
-        gap = (dx - c.x) * c.nx + (dy - c.y) * c.ny - reach
+        gap = (dx - c.x) * c.nx + (dy - c.y) * c.ny - radius_sum
         if gap > 0.0:
             t = straight_face_time(gap, vx * c.nx + vy * c.ny)
             soonest = max(soonest, t)
@@ -119,13 +120,13 @@ def first_straight_corner_time(
     dy: float,
     vx: float,
     vy: float,
-    reach: float,
+    radius_sum: float,
 ) -> float:
     """Return the earliest impact on a corner, > 0, of a circle without acceleration."""
     time = math.inf
     for k in range(body.first_corner, body.first_corner + body.corner_count):
         c = corners[k]
-        t = straight_impact_time(dx - c.x, dy - c.y, vx, vy, reach)
+        t = straight_impact_time(dx - c.x, dy - c.y, vx, vy, radius_sum)
         if t < time and is_corner_hit(corners, body, c, dx, dy, vx, vy, 0.0, 0.0, t):
             time = t
     return time

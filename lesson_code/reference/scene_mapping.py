@@ -23,29 +23,29 @@ from typing import TypeAlias
 
 from lesson_code.engine.core import capacity as room
 from lesson_code.engine.core.broad_phase import bound
-from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, Combination, combined
+from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, MixingRule, mixed
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 
 Pairs: TypeAlias = set[tuple[float, float]]
 
 
-def coefficients(combine: Combination, a: Material, b: Material) -> tuple[float, float]:
+def coefficients(combine: MixingRule, a: Material, b: Material) -> tuple[float, float]:
     """Return the restitution and the friction of a pair, by our rule.
 
     Examples
     --------
-    >>> coefficients(Combination("min", "max"), Material(0.4, 0.5), Material(0.8))
+    >>> coefficients(MixingRule("min", "max"), Material(0.4, 0.5), Material(0.8))
     (0.4, 0.5)
     """
     return (
-        combined(RULES[combine.restitution], *_held(a.restitution, b.restitution)),
-        combined(RULES[combine.friction], *_held(a.friction, b.friction)),
+        mixed(RULES[combine.restitution], *_held(a.restitution, b.restitution)),
+        mixed(RULES[combine.friction], *_held(a.friction, b.friction)),
     )
 
 
 def own_values(
-    bodies: Sequence[Body], ours: Combination, theirs: Combination
+    bodies: Sequence[Body], ours: MixingRule, theirs: MixingRule
 ) -> list[tuple[float, float]] | None:
     """Return a restitution and a friction for each body that make another rule equal to ours.
 
@@ -55,9 +55,9 @@ def own_values(
     ----------
     bodies : sequence of Body
         All bodies of a scene.
-    ours : Combination
+    ours : MixingRule
         How a pair's coefficients are to come from its bodies'.
-    theirs : Combination
+    theirs : MixingRule
         What the other engine makes of the values that it is given.
 
     Returns
@@ -72,7 +72,7 @@ def own_values(
     >>> from lesson_code.geometry.shapes import Circle, Segment
     >>> floor = Body(Segment((-5, 0), (5, 0)))
     >>> ball = Body(Circle(1.0), mass=1.0, material=Material(0.5, 0.25))
-    >>> own_values([floor, ball], Combination(), Combination("product", "product"))
+    >>> own_values([floor, ball], MixingRule(), MixingRule("product", "product"))
     [(1.0, 1.0), (0.5, 0.25)]
     """
     restitution = _values(
@@ -100,7 +100,7 @@ def refuse_heap(scene: Scene) -> None:
     ValueError
         The bodies are heaped into one another.
     """
-    world = world_of(scene, dt=1.0, iterations=0, combine=Combination())
+    world = world_of(scene, dt=1.0, iterations=0, combine=MixingRule())
     bound(world)
     room.refuse_heap(len(world.bodies), BROAD_PHASES[broad_phase_for(scene)](world))
 
@@ -111,7 +111,7 @@ def _values(
     """Return a value for each body's coefficient with which their rule is ours."""
     pairs = _pairs_that_meet(stated, [body.is_static for body in bodies])
     for given in _candidates(set(stated)):
-        if all(combined(ours, a, b) == combined(theirs, given[a], given[b]) for a, b in pairs):
+        if all(mixed(ours, a, b) == mixed(theirs, given[a], given[b]) for a, b in pairs):
             return [given[value] for value in stated]
     return None
 

@@ -395,10 +395,10 @@ for turning in (5.0, 20.0, 40.0):
 # that we can write down: a straight line, or with gravity a parabola. So there is nothing to
 # compute until the next collision. An **event-driven** simulation goes from one to the next:
 #
-# 1. For every disc, foretell its next event: the earliest of all its times of impact.
+# 1. For every disc, predict its next event: the earliest of all its times of impact.
 # 2. Take the earliest event of all. (A *heap* has it on top.)
 # 3. Move the discs that take part to that time, and let them bounce.
-# 4. Their other forecasts no longer hold: make them anew. All other discs fly on as foretold.
+# 4. Their other forecasts no longer hold: make them anew. All other discs fly on as predicted.
 #
 # `solver="exact"` does this, and `sample` says at which times we would like to see the state. With
 # `None` they are the events themselves.
@@ -448,8 +448,8 @@ for speed in (1.0, 1e3, 1e6):
 # %%
 for digits in range(5):
     run = simulate(exact_scenes.two_blocks(100.0**digits), 1e5, solver="exact", sample="end")
-    foretold = event_closed_forms.block_collisions(100.0**digits)
-    check(f"M = 100^{digits}: collisions", len(run.contacts), foretold)
+    predicted = event_closed_forms.block_collisions(100.0**digits)
+    check(f"M = 100^{digits}: collisions", len(run.contacts), predicted)
     energy = run.kinetic_energy[-1] / run.kinetic_energy[0]
     check("   energy left", energy, 1, tolerance=1e-10)
 
@@ -709,7 +709,7 @@ show(
 )
 
 # %% [markdown]
-# With many discs, each collision makes the forecasts of two discs stale, and no others. To foretell
+# With many discs, each collision makes the forecasts of two discs stale, and no others. To predict
 # a disc's next event only its neighbourhood is looked at: the box is divided into **cells**, and to
 # cross from one to the next is an event too. So the cost of a collision hardly grows with the
 # number of discs.

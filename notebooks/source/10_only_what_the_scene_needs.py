@@ -151,7 +151,7 @@ show(
 #   arm.
 # - **outlines:** if a body has corners. **Manifolds:** if two such bodies can meet. A circle
 #   touches at one point.
-# - **seams:** if two bodies are static. One alone has no seam.
+# - **internal_edges:** if two bodies are static. One alone has no seam.
 # - **continuous:** if a body may move by half its width in a step. A slower one cannot jump over
 #   anything.
 # - **collisions:** if two bodies can meet. **Warm starting** and **position correction** go with

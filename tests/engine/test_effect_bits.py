@@ -24,7 +24,7 @@ from lesson_code.engine.compiled import compiled_function, link
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import Pipeline, SolverStages
 from lesson_code.engine.core.step import rigid_part
 from lesson_code.engine.effects.choice import EFFECTS, capabilities
@@ -223,7 +223,7 @@ SPARED: dict[str, Callable[[int], Spared]] = {
     "broad_phase": lambda seed: Spared(crowd(seed)),
     "outlines": lambda seed: Spared(crowd(seed, cornered=False, cornered_walls=False)),
     "manifolds": lambda seed: Spared(crowd(seed, cornered=False)),
-    "seams": lambda seed: Spared(crowd(seed, walls=1)),
+    "internal_edges": lambda seed: Spared(crowd(seed, walls=1)),
     "continuous": lambda seed: Spared(just_slow_enough(seed)),
     "restitution": lambda seed: Spared(crowd(seed, restitution=False)),
     "friction": lambda seed: Spared(crowd(seed, friction=False)),
@@ -348,7 +348,7 @@ def test_stage_of_an_effect_that_is_forced_on_is_in_the_program(effect: str) -> 
 
 def at_work(scene: Scene, **settings: Any) -> EngineStepper:
     """Return the sequential solver at work."""
-    usual = {"dt": DT, "iterations": 10, "substeps": 1, "combine": Combination()}
+    usual = {"dt": DT, "iterations": 10, "substeps": 1, "combine": MixingRule()}
     return EngineStepper(scene, **{"solver": "sequential", **usual, **settings})
 
 

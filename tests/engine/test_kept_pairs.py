@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs, bound
 from lesson_code.engine.core.candidate_pairs import find_pairs
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.tables import BROAD_PHASES, world_of
 from lesson_code.engine.stepper import EngineStepper
@@ -26,9 +26,9 @@ def counting(way: Callable[[World], int], calls: list[int]) -> Callable[[World],
 def two_discs() -> World:
     """Return two discs 1.5 m apart, in boxes with a margin of 5 cm, their pairs found."""
     discs = [Body(Circle(0.5), mass=1, position=(x, 0)) for x in (0, 1.5)]
-    world = world_of(Scene(discs), 0.01, 1, Combination())
+    world = world_of(Scene(discs), 0.01, 1, MixingRule())
     world.state.pairs_wanted = 1
-    world = make_room(world)
+    world = add_capacity(world)
     assert find_pairs(world, all_pairs)
     return world
 
@@ -61,7 +61,7 @@ def test_pairs_that_had_no_room_are_found_when_there_is() -> None:
     world.bodies[1].x = 0.9
     assert not find_pairs(world, all_pairs)
     assert not find_pairs(world, all_pairs)
-    world = make_room(world)
+    world = add_capacity(world)
     assert find_pairs(world, all_pairs)
     assert world.state.pair_count == 1
 
@@ -99,7 +99,7 @@ def test_run_with_pairs_that_are_kept_has_the_bits_of_one_that_finds_them_in_eve
     measured: list[Any] = []
     for forget in (False, True):
         stepper = EngineStepper(
-            scene, solver=solver, dt=1 / 60, iterations=4, substeps=2, combine=Combination()
+            scene, solver=solver, dt=1 / 60, iterations=4, substeps=2, combine=MixingRule()
         )
         calls: list[int] = []
         way = counting(stepper.pipeline.broad_phase, calls)
@@ -123,7 +123,7 @@ def test_pairs_of_a_heap_at_rest_are_never_found_again() -> None:
     for name in BROAD_PHASES:
         calls: list[int] = []
         stepper = EngineStepper(
-            scene, solver="sequential", dt=1 / 60, iterations=4, substeps=1, combine=Combination()
+            scene, solver="sequential", dt=1 / 60, iterations=4, substeps=1, combine=MixingRule()
         )
         way = counting(BROAD_PHASES[name], calls)
         stepper.pipeline = stepper.pipeline._replace(broad_phase=way)
@@ -137,7 +137,7 @@ def test_pairs_of_a_look_ahead_are_not_those_of_the_step() -> None:
     wall = Body(Segment((5, -1), (5, 1)))
     stepper = EngineStepper(
         Scene([ball, wall]), solver="sequential", dt=1 / 60, iterations=4, substeps=1,
-        combine=Combination(),
+        combine=MixingRule(),
     )  # fmt: skip
     stepper.advance(1)
     drawn = [(body.min_x, body.max_x) for body in stepper.world.bodies]

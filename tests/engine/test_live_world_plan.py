@@ -11,7 +11,15 @@ from lesson_code.engine.effects.question import Question
 from lesson_code.engine.live_world import LiveWorld
 
 ALWAYS = {
-    *("collisions", "outlines", "manifolds", "seams", "continuous", "restitution", "friction"),
+    *(
+        "collisions",
+        "outlines",
+        "manifolds",
+        "internal_edges",
+        "continuous",
+        "restitution",
+        "friction",
+    ),
     *("rotation", "gravity", "damping", "warm_starting", "position_correction", "impulse_record"),
 }
 """What every live world reckons with."""

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.tables import BROAD_PHASES
 from lesson_code.engine.stepper import EngineStepper
@@ -16,7 +16,7 @@ from lesson_code.engine.stepper import EngineStepper
 def engine(scene: Scene, **settings: Any) -> EngineStepper:
     """Return the engine at work, with the usual settings but for some."""
     usual = {"solver": "sequential", "dt": 1 / 60, "iterations": 10, "substeps": 1}
-    return EngineStepper(scene, combine=Combination(), **(usual | settings))
+    return EngineStepper(scene, combine=MixingRule(), **(usual | settings))
 
 
 def heap() -> Scene:

@@ -8,14 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Scene
+from lesson_code import Body, Circle, MixingRule, Scene
 from lesson_code.engine.core.constants import FEWEST_FOR_STRIDE, PART_OF_SWEEP, SLOP, STRIDE
 from lesson_code.engine.core.contact_frame import (
     apply_impulses,
-    apply_push,
-    missing_push,
+    apply_pseudo_impulse,
+    missing_pseudo_velocity,
     missing_velocity,
-    push_velocity,
+    pseudo_velocity,
     set_frame,
     velocity_at,
 )
@@ -106,20 +106,20 @@ def test_push_does_to_push_velocities_what_an_impulse_does_to_velocities(
     """And leaves the velocities alone: no overlap turns into speed."""
     ready(c, a, b)
     before = [numbers(row, "vx", "vy", "w") for row in (a, b)]
-    apply_push(c, a, b, j)
-    assert push_velocity(c, a, b) == pytest.approx(j / c.normal_mass, rel=ROUNDING, abs=ROUNDING)
+    apply_pseudo_impulse(c, a, b, j)
+    assert pseudo_velocity(c, a, b) == pytest.approx(j / c.normal_mass, rel=ROUNDING, abs=ROUNDING)
     assert [numbers(row, "vx", "vy", "w") for row in (a, b)] == before
 
 
 @given(bodies, bodies, contacts)
 def test_what_is_missing_is_counted_from_the_target(a: BodyRow, b: BodyRow, c: ContactRow) -> None:
     """Negative: they do not part fast enough yet. The velocities of motion do not count as push."""
-    c.push_speed = 2.5
-    a.push_vx, b.push_w = 1.5, -0.5
+    c.pseudo_speed = 2.5
+    a.pseudo_vx, b.pseudo_w = 1.5, -0.5
     vn = velocity_along(ready(c, a, b), a, b, normal_of(c))
     assert missing_velocity(c, a, b) == pytest.approx(vn - c.target_vn, abs=ROUNDING)
     pushed = -1.5 * c.nx - 0.5 * (c.bx * c.ny - c.by * c.nx)
-    assert missing_push(c, a, b) == pytest.approx(pushed - 2.5, abs=ROUNDING)
+    assert missing_pseudo_velocity(c, a, b) == pytest.approx(pushed - 2.5, abs=ROUNDING)
 
 
 @given(bodies, bodies, contacts, components, components)
@@ -170,13 +170,13 @@ COUNTS = [
 
 def with_contacts(count: int) -> World:
     """Return tables with so many contacts; those that are blocks are still to be marked."""
-    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
+    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, MixingRule())
     world.contacts.extend(ContactRow(a=0, b=1, feature=k) for k in range(count))
     world.state.contact_count = count
     return world
 
 
-VISITS = ("solve_contact", "solve_manifold", "solve_push", "solve_pushes")
+VISITS = ("solve_contact", "solve_manifold", "solve_pseudo_velocity", "solve_pseudo_velocities")
 
 
 def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[str, list[int]]:
@@ -191,7 +191,7 @@ def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[st
 
 
 @pytest.mark.parametrize(
-    ("sweep", "visit"), [("solve", "solve_contact"), ("correct", "solve_push")]
+    ("sweep", "visit"), [("solve", "solve_contact"), ("correct", "solve_pseudo_velocity")]
 )
 @pytest.mark.parametrize("count", COUNTS)
 def test_sweep_visits_every_contact_once(
@@ -236,8 +236,8 @@ def test_sweep_solves_the_two_points_of_a_block_together(
     assert sorted(solved["solve_manifold"]) == firsts
     assert sorted(solved["solve_contact"]) == alone
     pushed = visits(monkeypatch, world, "correct")
-    assert sorted(pushed["solve_pushes"]) == firsts
-    assert sorted(pushed["solve_push"]) == alone
+    assert sorted(pushed["solve_pseudo_velocities"]) == firsts
+    assert sorted(pushed["solve_pseudo_velocity"]) == alone
 
 
 @pytest.mark.parametrize("discs", [500, 1_000])
@@ -254,7 +254,7 @@ def test_heap_of_discs_comes_to_rest_with_half_the_usual_sweeps(discs: int) -> N
         solver="sequential",
         iterations=5,
         substeps=1,
-        combine=Combination(),
+        combine=MixingRule(),
         keep_impulses=False,
         compiled=True,
     )

@@ -77,19 +77,21 @@ def test_circles_hardly_apart_centres_have_a_unit_normal(distance: float) -> Non
     ("gap", "hit"), [(0, False), (GAP, False), (-GAP, True)], ids=["touch", "apart", "overlap"]
 )
 @pytest.mark.parametrize(
-    ("shape", "reach"),
+    ("shape", "radius_sum"),
     [(Circle(2), 3.0), (BOX, 3.0), (WALL, 3.25), (BOX, None), (WALL, None)],
     ids=["circle", "box, side", "wall, end", "box, corner", "wall, end obliquely"],
 )
 def test_circle_near_miss_is_decided(
-    shape: Shape, reach: float | None, gap: float, hit: bool
+    shape: Shape, radius_sum: float | None, gap: float, hit: bool
 ) -> None:
     """Touching is no contact, nor is a nanometre of gap; a nanometre of overlap is one."""
-    if reach is None:  # from the corner (2, 1), or the end (2, 0) and its 0.25 m, along (0.6, 0.8)
+    if (
+        radius_sum is None
+    ):  # from the corner (2, 1), or the end (2, 0) and its 0.25 m, along (0.6, 0.8)
         from_x, from_y, radius = (2, 1, 1.0) if shape is BOX else (2, 0, 1.25)
         at = (from_x + 0.6 * (radius + gap), from_y + 0.8 * (radius + gap), 0.0)
     else:
-        at = (reach + gap, 0.0, 0.0)
+        at = (radius_sum + gap, 0.0, 0.0)
     contact = collide(shape, (0, 0, 0), Circle(1), at)
     assert (contact is not None) == hit
     if contact is not None:

@@ -107,15 +107,17 @@ def test_contact_hand_worked_pushes_from_closest_point(
 @pytest.mark.parametrize("toward", [(0, 1), (0, -1)], ids=["left side", "right side"])
 def test_contact_exact_touch_is_none(toward: tuple[int, int], half_thickness: float) -> None:
     """Touching is not overlapping; one bit closer is (conventions, part C)."""
-    reach = 2.0 + half_thickness
-    inside = math.nextafter(reach, 0)
-    touching = circle_against_segment((1, toward[1] * reach), 2.0, (0, 0), (4, 0), half_thickness)
+    radius_sum = 2.0 + half_thickness
+    inside = math.nextafter(radius_sum, 0)
+    touching = circle_against_segment(
+        (1, toward[1] * radius_sum), 2.0, (0, 0), (4, 0), half_thickness
+    )
     overlapping = circle_against_segment(
         (1, toward[1] * inside), 2.0, (0, 0), (4, 0), half_thickness
     )
     assert touching is None
     assert overlapping is not None
-    assert overlapping[1] == reach - inside
+    assert overlapping[1] == radius_sum - inside
 
 
 def test_contact_far_behind_a_wall_is_none() -> None:

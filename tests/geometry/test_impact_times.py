@@ -91,7 +91,7 @@ def test_line_time_small_gap_keeps_all_its_digits() -> None:
 
 
 @pytest.mark.parametrize(
-    ("d", "v", "a", "reach", "time"),
+    ("d", "v", "a", "radius_sum", "time"),
     [
         pytest.param((4, 0), (-2, 0), (0, 0), 1, 1.5, id="head-on"),
         pytest.param((5, 4), (-1, 0), (0, 0), 5, 2, id="3-4-5"),
@@ -123,11 +123,11 @@ def test_circle_time_hand_worked(
     d: tuple[float, float],
     v: tuple[float, float],
     a: tuple[float, float],
-    reach: float,
+    radius_sum: float,
     time: float,
 ) -> None:
     """Times with few digits, and every kind of start."""
-    assert circle_impact_time(*map(float, (*d, *v, *a)), float(reach)) == pytest.approx(
+    assert circle_impact_time(*map(float, (*d, *v, *a)), float(radius_sum)) == pytest.approx(
         time, abs=FEW_ROUNDINGS
     )
 

@@ -112,14 +112,14 @@ def test_hop_on_a_disc_of_any_height_lasts_two_v_over_g(height: float) -> None:
 
 @given(state, st.floats(0, 2), st.floats(0.1, 3))
 def test_overlap_square_is_exact_but_for_rounding(
-    motion: tuple[float, ...], t: float, reach: float
+    motion: tuple[float, ...], t: float, radius_sum: float
 ) -> None:
     """Both ways to f agree with fractions, to a rounding of the places times the size."""
-    dx, dy, vx, vy, ax, ay, at, r = (Fraction(x) for x in (*motion, t, reach))
+    dx, dy, vx, vy, ax, ay, at, r = (Fraction(x) for x in (*motion, t, radius_sum))
     px, py = dx + vx * at + ax * at**2 / 2, dy + vy * at + ay * at**2 / 2
     expected = float(px**2 + py**2 - r**2)
-    scale = 4 + reach + 4 * t + 2 * t * t
-    measured = overlap_square(*motion, reach, t)
+    scale = 4 + radius_sum + 4 * t + 2 * t * t
+    measured = overlap_square(*motion, radius_sum, t)
     assert measured == pytest.approx(expected, abs=FEW_ROUNDINGS * scale**2)
 
 
@@ -133,11 +133,11 @@ def test_approaches_that_began_before_are_left_out() -> None:
     assert parabola_impact_time(*motion, second) == math.inf
 
 
-@pytest.mark.parametrize("reach", [0.5, 1e-3, 1e-9])
-def test_touching_time_small_target_is_met(reach: float) -> None:
+@pytest.mark.parametrize("radius_sum", [0.5, 1e-3, 1e-9])
+def test_touching_time_small_target_is_met(radius_sum: float) -> None:
     """Let go 5 m above the centre of a disc of any size: sqrt(2 (5 - r) / g)."""
-    measured = touching_time(0.0, 5.0, 0.0, 0.0, 0.0, -10.0, reach, 0.0, 1.0)
-    assert measured == pytest.approx(math.sqrt((5 - reach) / 5), rel=FEW_ROUNDINGS, abs=0)
+    measured = touching_time(0.0, 5.0, 0.0, 0.0, 0.0, -10.0, radius_sum, 0.0, 1.0)
+    assert measured == pytest.approx(math.sqrt((5 - radius_sum) / 5), rel=FEW_ROUNDINGS, abs=0)
 
 
 @pytest.mark.parametrize(

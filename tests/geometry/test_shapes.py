@@ -86,28 +86,28 @@ def test_box_inertia_is_a_twelfth_of_the_squares(width: float, height: float) ->
     box = Polygon.box(width, height)
     assert box.inertia_per_mass == pytest.approx((width**2 + height**2) / 12, rel=ROUNDING)
     assert box.area == pytest.approx(width * height, rel=ROUNDING)
-    assert box.extent == pytest.approx(min(width, height), rel=ROUNDING)
+    assert box.min_width == pytest.approx(min(width, height), rel=ROUNDING)
     assert box.bounding_radius == pytest.approx(math.hypot(width, height) / 2, rel=ROUNDING)
 
 
 @pytest.mark.parametrize(
-    ("polygon", "extent"),
+    ("polygon", "min_width"),
     [
         pytest.param(Polygon.regular(3, 1.0), 1.5, id="triangle: its height"),
         pytest.param(Polygon.regular(6, 1.0), math.sqrt(3), id="hexagon: across the flats"),
         pytest.param(Polygon([(0, 0), (3, 0), (0, 4)]), 2.4, id="3-4-5: its shortest height"),
     ],
 )
-def test_extent_of_a_polygon_is_its_smallest_width(polygon: Polygon, extent: float) -> None:
+def test_extent_of_a_polygon_is_its_smallest_width(polygon: Polygon, min_width: float) -> None:
     """The width is smallest with one edge against a wall."""
-    assert polygon.extent == pytest.approx(extent, abs=ROUNDING)
+    assert polygon.min_width == pytest.approx(min_width, abs=ROUNDING)
 
 
 def test_circle_is_as_closed_forms_say() -> None:
     """Area pi r^2, inertia r^2 / 2, diameter and radius."""
     circle = Circle(2)
     assert circle.area == pytest.approx(4 * math.pi, abs=ROUNDING)
-    assert (circle.inertia_per_mass, circle.extent, circle.bounding_radius) == (2.0, 4.0, 2.0)
+    assert (circle.inertia_per_mass, circle.min_width, circle.bounding_radius) == (2.0, 4.0, 2.0)
 
 
 def test_thin_segment_is_a_rod() -> None:
@@ -115,7 +115,7 @@ def test_thin_segment_is_a_rod() -> None:
     rod = Segment((1, 2), (4, 6))
     assert (rod.area, rod.length, rod.centroid) == (0.0, 5.0, (2.5, 4.0))
     assert rod.inertia_per_mass == pytest.approx(25 / 12, abs=ROUNDING)
-    assert (rod.extent, rod.bounding_radius) == (5.0, math.hypot(4, 6))
+    assert (rod.min_width, rod.bounding_radius) == (5.0, math.hypot(4, 6))
 
 
 @given(length=st.floats(0.01, 10), radius=st.floats(0.01, 10))
@@ -138,7 +138,7 @@ def test_thick_segment_inertia_is_the_integral(length: float, radius: float) -> 
 def test_thick_segment_reaches_beyond_its_ends() -> None:
     """Half the thickness is added on all sides; the thickness is the smallest width."""
     capsule = Segment((-3, 0), (0, 4), 0.5)
-    assert (capsule.extent, capsule.bounding_radius, capsule.rounding) == (1.0, 4.5, 0.5)
+    assert (capsule.min_width, capsule.bounding_radius, capsule.rounding) == (1.0, 4.5, 0.5)
 
 
 @pytest.mark.parametrize("shape", [Circle(1), Polygon.box(1, 2), Segment((0, 0), (1, 0))])

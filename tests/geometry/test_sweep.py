@@ -226,10 +226,10 @@ def test_time_of_small_and_large_shapes_is_that_of_their_model(scale: float) -> 
         assert measured == pytest.approx(expected, rel=1e-11)
 
 
-def sampled_time(d: Any, v: Any, reach: float, duration: float) -> float | None:
+def sampled_time(d: Any, v: Any, radius_sum: float, duration: float) -> float | None:
     """Return the first of 11 samples of a frame at which two discs overlap: the usual mistake."""
     for k in range(11):
-        if np.hypot(*(d + v * duration * k / 10)) < reach:
+        if np.hypot(*(d + v * duration * k / 10)) < radius_sum:
             return duration * k / 10
     return None
 
@@ -259,18 +259,18 @@ def test_ten_samples_a_frame_miss_hits_and_are_late(stride: float) -> None:
     their reach.
     """
     rng = np.random.default_rng(20_240_705)
-    duration, reach = 1 / 60, 1.0
-    speed = 10 * stride * reach / duration
+    duration, radius_sum = 1 / 60, 1.0
+    speed = 10 * stride * radius_sum / duration
     missed, lateness = 0, []
     a, b = Circle(0.4), Circle(0.6)
     for _ in range(PATHS):
-        d = np.array((rng.uniform(-8 * stride, -2 * stride), rng.uniform(-1, 1))) * reach
+        d = np.array((rng.uniform(-8 * stride, -2 * stride), rng.uniform(-1, 1))) * radius_sum
         v = np.array((speed, 0.0))
-        if min(np.hypot(*d), np.hypot(*(d + v * duration))) <= reach:
+        if min(np.hypot(*d), np.hypot(*(d + v * duration))) <= radius_sum:
             continue
         time = time_of_impact(a, STILL, STILL, b, (*d, 0), (*v, 0), duration)
         assert time is not None
-        sample = sampled_time(d, v, reach, duration)
+        sample = sampled_time(d, v, radius_sum, duration)
         missed += sample is None
         if sample is not None:
             lateness.append((sample - time) / duration)

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from lesson_code.engine.core.contact_motion import contact_velocity
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.rows import BodyRow
 from lesson_code.engine.core.scene import Body, Scene
@@ -86,7 +86,7 @@ class ChipmunkReplica:
     """
 
     def __init__(self, scene: Scene, dt: float, iterations: int = 10) -> None:
-        self.world = world_of(scene, dt, iterations, combination("pymunk"))
+        self.world = world_of(scene, dt, iterations, mixing_rule("pymunk"))
         self._segments = {
             n: _ends(body)
             for n, body in enumerate(scene.bodies)
@@ -164,8 +164,8 @@ class ChipmunkReplica:
         """Correct one contact; friction and normal impulse see the same relative velocity."""
         a, b = self._bodies(pair)
         n, t = c.normal, _perpendicular(c.normal)
-        push1 = contact_velocity((a.push_vx, a.push_vy), a.push_w, c.r1)
-        push2 = contact_velocity((b.push_vx, b.push_vy), b.push_w, c.r2)
+        push1 = contact_velocity((a.pseudo_vx, a.pseudo_vy), a.pseudo_w, c.r1)
+        push2 = contact_velocity((b.pseudo_vx, b.pseudo_vy), b.pseudo_w, c.r2)
         v = _relative_velocity(a, b, c)
         vbn = dot((push2[0] - push1[0], push2[1] - push1[1]), n)
         j_bias, jn, jt = c.j_bias, c.jn, c.jt
@@ -190,10 +190,10 @@ class ChipmunkReplica:
         """Change the velocities that undo the overlap."""
         a, b = self._bodies(pair)
         x, y = c.normal[0] * j, c.normal[1] * j
-        a.push_vx, a.push_vy = a.push_vx - x * a.inv_m, a.push_vy - y * a.inv_m
-        b.push_vx, b.push_vy = b.push_vx + x * b.inv_m, b.push_vy + y * b.inv_m
-        a.push_w -= a.inv_i * cross(c.r1, (x, y))
-        b.push_w += b.inv_i * cross(c.r2, (x, y))
+        a.pseudo_vx, a.pseudo_vy = a.pseudo_vx - x * a.inv_m, a.pseudo_vy - y * a.inv_m
+        b.pseudo_vx, b.pseudo_vy = b.pseudo_vx + x * b.inv_m, b.pseudo_vy + y * b.inv_m
+        a.pseudo_w -= a.inv_i * cross(c.r1, (x, y))
+        b.pseudo_w += b.inv_i * cross(c.r2, (x, y))
 
 
 def _ends(body: Body) -> tuple[Vector, Vector]:

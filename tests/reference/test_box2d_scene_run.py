@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.box2d_reference import Box2DStepper, fixtures
 from lesson_code.reference.rigid_body_closed_forms import slide_to_roll
@@ -36,7 +36,7 @@ def run_of(scene: Scene, duration: float, **settings: Any) -> Run:
 
 def stepper(scene: Scene, combine: str = "workbook", **settings: Any) -> Box2DStepper:
     """Return Box2D at work on a scene, in steps of 1/60 s."""
-    usual = {"dt": DT, "iterations": 8, "substeps": 1, "combine": combination(combine)}
+    usual = {"dt": DT, "iterations": 8, "substeps": 1, "combine": mixing_rule(combine)}
     return Box2DStepper(scene, **(usual | settings))
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Scene, Segment, simulate
 from lesson_code.chapters.ch07_time_of_impact.scenes import in_the_middle
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.evidence.scenes import events as exact_scenes
 from lesson_code.evidence.scenes import gas
@@ -32,7 +32,7 @@ BALL_IN_BOX = 1e-13
 """m, after 10 reflections in 10 s: each turns the last digit of a time into 1e-15 m."""
 
 ZENO = 1e-12
-"""s: 138 flights, each foretold to half the clock's last digit of 9e-16 s; and what is left of the
+"""s: 138 flights, each predicted to half the clock's last digit of 9e-16 s; and what is left of the
 series when the ball is laid down: 2 v / (g (1 - e)) = 4e-13 s."""
 
 LAID_DOWN = 3e-16
@@ -54,7 +54,7 @@ MORE_DIGITS = {10**12: 3141592, 10**14: 31415926}
 
 def collisions(scene: Scene, until: float) -> int:
     """Return how many collisions there are until a time, s, or until nothing happens any more."""
-    solver = ExactSolver(scene, combine=combination("workbook"), keep_impulses=False, compiled=None)
+    solver = ExactSolver(scene, combine=mixing_rule("workbook"), keep_impulses=False, compiled=None)
     solver.advance(until)
     return solver.collisions
 
@@ -114,7 +114,7 @@ def test_ball_in_a_box_can_be_asked_at_any_time() -> None:
 def test_bouncing_ball_rests_after_infinitely_many_bounces(restitution: float) -> None:
     """At sqrt(2 h / g) (1 + e) / (1 - e): 4.02492 s for e = 0.8; then nothing happens any more."""
     solver = ExactSolver(
-        exact_scenes.bouncing_to_rest(restitution), combine=combination("workbook")
+        exact_scenes.bouncing_to_rest(restitution), combine=mixing_rule("workbook")
     )
     times = []
     while (time := solver.next_collision(1e9)) is not None:
@@ -128,7 +128,7 @@ def test_bouncing_ball_rests_after_infinitely_many_bounces(restitution: float) -
 def test_bouncing_ball_of_high_restitution_rests_too(restitution: float) -> None:
     """Its last bounces are shorter than the clock's last digit can tell."""
     solver = ExactSolver(
-        exact_scenes.bouncing_to_rest(restitution), combine=combination("workbook")
+        exact_scenes.bouncing_to_rest(restitution), combine=mixing_rule("workbook")
     )
     expected = rest_time(1.0, restitution, 10.0)
     solver.advance(expected * (1 - 1e-8))

@@ -191,7 +191,7 @@ def test_contact_of_polygons_is_pymunk_s(polygon_pairs: list[tuple[Placed, Place
         translation = mtv(in_world(a), in_world(b))
         assert translation is not None
         assert max(contact.penetrations) == pytest.approx(translation[1], abs=DEPTH)
-        contained += translation[1] > min(a[0].extent, b[0].extent)
+        contained += translation[1] > min(a[0].min_width, b[0].min_width)
     assert contained > 500
 
 

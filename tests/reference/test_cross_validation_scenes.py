@@ -157,12 +157,12 @@ def test_box_that_lands_flat_leaves_flat(width: float, height: float) -> None:
 
 
 def test_pymunk_leaves_a_tall_box_turning_after_a_flat_landing() -> None:
-    """10 sweeps of a 1 x 10 box: the error that the rate of convergence foretells, some percent."""
+    """10 sweeps of a 1 x 10 box: the error that the rate of convergence predicts, some percent."""
     scene = scenes.box_landing_flat(1, 10, 1.0, 0.5)
     theirs = simulate(scene, 1 / 60, solver="pymunk", sample="end")
     exact = flat_landing(1, 10, 1.0, 0.5)[0]
-    foretold = flat_landing(1, 10, 1.0, 0.5, sweeps=10)[0]
-    assert theirs.velocities[-1, 1, 1] == pytest.approx(foretold, rel=1e-6)
+    predicted = flat_landing(1, 10, 1.0, 0.5, sweeps=10)[0]
+    assert theirs.velocities[-1, 1, 1] == pytest.approx(predicted, rel=1e-6)
     assert abs(theirs.velocities[-1, 1, 1] - exact) > 1e-2
 
 

@@ -12,7 +12,7 @@ import pymunk
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.reference.pymunk_reference import PymunkStepper
 
 from . import chipmunk_replica
@@ -53,7 +53,7 @@ def discs_in_a_box(count: int) -> Scene:
 def test_trajectory_in_pymunks_order_is_bit_equal(count: int, seconds: int, contacts: int) -> None:
     """Position, angle, velocity and spin of every disc, in every step: not one bit differs."""
     scene = discs_in_a_box(count)
-    theirs = PymunkStepper(scene, dt=DT, iterations=10, substeps=1, combine=combination("pymunk"))
+    theirs = PymunkStepper(scene, dt=DT, iterations=10, substeps=1, combine=mixing_rule("pymunk"))
     ours = ChipmunkReplica(scene, DT)
     for step in range(seconds * 60):
         theirs.advance(1)
@@ -65,7 +65,7 @@ def test_trajectory_in_pymunks_order_is_bit_equal(count: int, seconds: int, cont
 def test_order_of_contacts_is_part_of_the_result() -> None:
     """The same replica, its contacts visited backwards, is soon somewhere else."""
     scene = discs_in_a_box(12)
-    theirs = PymunkStepper(scene, dt=DT, iterations=10, substeps=1, combine=combination("pymunk"))
+    theirs = PymunkStepper(scene, dt=DT, iterations=10, substeps=1, combine=mixing_rule("pymunk"))
     ours = ChipmunkReplica(scene, DT)
     for _ in range(600):
         theirs.advance(1)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes.discs import row_of_discs
 from lesson_code.reference.pymunk_reference import PymunkStepper
@@ -20,7 +20,7 @@ ROUNDING = 1e-12
 
 def stepper(scene: Scene, combine: str = "workbook", **settings: Any) -> PymunkStepper:
     """Return pymunk at work on a scene, in steps of 1/60 s."""
-    usual = {"dt": 1 / 60, "iterations": 10, "substeps": 1, "combine": combination(combine)}
+    usual = {"dt": 1 / 60, "iterations": 10, "substeps": 1, "combine": mixing_rule(combine)}
     return PymunkStepper(scene, **(usual | settings))
 
 

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Material, Segment
-from lesson_code.engine.core.mixing import COMBINATIONS, RULES, combined
+from lesson_code import Body, Circle, Material, MixingRule, Segment
+from lesson_code.engine.core.mixing import MIXING_RULES, RULES, mixed
 from lesson_code.reference.scene_mapping import coefficients, own_values
 
 COEFFICIENTS = st.one_of(st.none(), st.sampled_from([0.0, 0.25, 0.3, 0.5625, 1.0]))
@@ -27,11 +27,11 @@ def bodies_of(materials: list[Material], static: int = 1) -> list[Body]:
 @given(
     st.lists(st.builds(Material, COEFFICIENTS, COEFFICIENTS), min_size=2, max_size=5),
     st.integers(0, 2),
-    st.sampled_from(list(COMBINATIONS.values())),
-    st.sampled_from([COMBINATIONS["pymunk"], COMBINATIONS["box2d"]]),
+    st.sampled_from(list(MIXING_RULES.values())),
+    st.sampled_from([MIXING_RULES["pymunk"], MIXING_RULES["box2d"]]),
 )
 def test_values_that_are_given_make_every_pair_ours(
-    materials: list[Material], static: int, ours: Combination, theirs: Combination
+    materials: list[Material], static: int, ours: MixingRule, theirs: MixingRule
 ) -> None:
     """Whatever the materials: where values are found, their rule makes of them what ours does."""
     bodies = bodies_of(materials, static)
@@ -41,8 +41,8 @@ def test_values_that_are_given_make_every_pair_ours(
     for (a, given_a), (b, given_b) in combinations(zip(bodies, values, strict=True), 2):
         if not (a.is_static and b.is_static):
             made = (
-                combined(RULES[theirs.restitution], given_a[0], given_b[0]),
-                combined(RULES[theirs.friction], given_a[1], given_b[1]),
+                mixed(RULES[theirs.restitution], given_a[0], given_b[0]),
+                mixed(RULES[theirs.friction], given_a[1], given_b[1]),
             )
             assert made == coefficients(ours, a.material, b.material)
 
@@ -62,4 +62,4 @@ def test_values_of_common_scenes(
     materials: list[Material], engine: str, expected: list[tuple[float, float]] | None
 ) -> None:
     """Of our rule, the smaller and the geometric mean, worked by hand."""
-    assert own_values(bodies_of(materials), Combination(), COMBINATIONS[engine]) == expected
+    assert own_values(bodies_of(materials), MixingRule(), MIXING_RULES[engine]) == expected

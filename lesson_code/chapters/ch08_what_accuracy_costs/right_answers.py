@@ -35,7 +35,7 @@ def to_the_base_of_the_steps(dt_1: float, error_1: float, dt_2: float, error_2: 
 
 @alternative("8.2")
 def by_halving_an_interval(dt_1: float, error_1: float, dt_2: float, error_2: float) -> float:
-    """The exponent for which the error is foretold: sought by bisection, without a logarithm."""
+    """The exponent for which the error is predicted: sought by bisection, without a logarithm."""
     ratio, wanted = dt_1 / dt_2, error_1 / error_2
     low, high = -60.0, 60.0
     for _ in range(200):

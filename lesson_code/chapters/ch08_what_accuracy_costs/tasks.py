@@ -261,7 +261,7 @@ def distances(arguments: Arguments, _answer: Any) -> str:
     return f"Distances, m: {written(np.hypot(*(places - right).T).tolist())}."
 
 
-def foretold(arguments: Arguments, answer: Any) -> str:
+def predicted(arguments: Arguments, answer: Any) -> str:
     """Say what the order that was returned would make of the second error."""
     dt_1, error_1, dt_2, error_2 = arguments
     if not isinstance(answer, int | float) or abs(answer) > MOST_ORDER:
@@ -271,7 +271,7 @@ def foretold(arguments: Arguments, answer: Any) -> str:
 
 
 MOST_ORDER = 20
-"""With a larger answer nothing is foretold: the numbers would overflow."""
+"""With a larger answer nothing is predicted: the numbers would overflow."""
 
 
 def sweeps_of_the_rows(arguments: Arguments, _answer: Any) -> str:
@@ -315,7 +315,7 @@ TASKS = (
             Criterion("the longer step second", the_other_way_round),
             Criterion("errors that grow", not_converging),
         ),
-        explain=foretold,
+        explain=predicted,
     ),
     Task(
         id="8.3",

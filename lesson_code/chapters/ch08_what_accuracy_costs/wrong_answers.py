@@ -115,9 +115,9 @@ def two_kinds_of_logarithm(steps: Vector, errors: Vector) -> tuple[float, float]
     return float(slope), math.exp(shift)
 
 
-@wrong_model("8.3", "Which of the two do you foretell: the error from the step, or the reverse?")
+@wrong_model("8.3", "Which of the two do you predict: the error from the step, or the reverse?")
 def step_over_error(steps: Vector, errors: Vector) -> tuple[float, float]:
-    """The line foretells the step from the error."""
+    """The line predicts the step from the error."""
     slope, shift = np.polyfit(np.log(errors), np.log(steps), 1)
     return float(slope), float(np.exp(shift))
 

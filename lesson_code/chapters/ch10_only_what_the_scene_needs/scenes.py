@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.hard_cases.loads import SUNK
@@ -56,7 +56,7 @@ def asleep_in_time(scene: Scene, duration: float) -> tuple[NDArray[np.float64], 
         dt=DT,
         iterations=10,
         substeps=1,
-        combine=Combination(),
+        combine=MixingRule(),
         duration=seconds,
     )
     steps = round(seconds / DT)

@@ -41,9 +41,9 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
 
     Examples
     --------
-    >>> from lesson_code import Combination, Scene
+    >>> from lesson_code import MixingRule, Scene
     >>> from lesson_code.engine.core.tables import world_of
-    >>> world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+    >>> world = world_of(Scene(), dt=0.1, iterations=1, combine=MixingRule())
     >>> as_arrays(world, "pair.b += box.cell_x").pairs.dtype.names
     ('b',)
     """

@@ -83,7 +83,9 @@ def bound(world: World, effects: Effects = EVERY_EFFECT) -> None:
         left, low, right, high = box_of(world, body, effects)
         margin = 0.0
         if body.inv_m > 0.0:
-            margin = clamp(STEPS_AHEAD * way, LEAST_MARGIN * body.extent, MOST_MARGIN * body.extent)
+            margin = clamp(
+                STEPS_AHEAD * way, LEAST_MARGIN * body.min_width, MOST_MARGIN * body.min_width
+            )
         body.min_x, body.max_x = left - margin, right + margin
         body.min_y, body.max_y = low - margin, high + margin
 

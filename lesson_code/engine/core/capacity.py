@@ -33,7 +33,7 @@ FEWEST_ROWS = 16
 """Rows that a table grows to at least."""
 
 
-def make_room(world: World) -> World:
+def add_capacity(world: World) -> World:
     """Return the tables, each that was too small with the rows it needs and some to grow into.
 
     Raises

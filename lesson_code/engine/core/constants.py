@@ -15,13 +15,13 @@ FINE_SLOP = 5e-4
 At 0 its resting contacts too would open and close in turn.
 """
 
-SEAM = 1e-6
+INTERNAL_EDGE_TOLERANCE = 1e-6
 """Of a body's width: a step of the floor that is lower is none, but the rounding of its pieces.
 
 At 0 a floor whose pieces are a rounding error apart is rough; at 0.01 bodies pass over real steps.
 """
 
-PUSH_SHARE = 0.2
+BAUMGARTE_FACTOR = 0.2
 """Of the overlap beyond the slop: how much is undone in one step.
 
 At 1 a pile pushes itself apart, because each contact corrects the whole fault for itself; at

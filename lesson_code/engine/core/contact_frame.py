@@ -72,14 +72,14 @@ def tangent_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     return along + (b.w * c.rb_x_t - a.w * c.ra_x_t)
 
 
-def push_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
+def pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     """Return the relative normal velocity of the position correction, m/s."""
-    return central_push_velocity(c, a, b) + (b.push_w * c.rb_x_n - a.push_w * c.ra_x_n)
+    return central_pseudo_velocity(c, a, b) + (b.pseudo_w * c.rb_x_n - a.pseudo_w * c.ra_x_n)
 
 
-def central_push_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
+def central_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     """Return the same of bodies that do not turn."""
-    return (b.push_vx - a.push_vx) * c.nx + (b.push_vy - a.push_vy) * c.ny
+    return (b.pseudo_vx - a.pseudo_vx) * c.nx + (b.pseudo_vy - a.pseudo_vy) * c.ny
 
 
 def missing_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
@@ -87,9 +87,9 @@ def missing_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     return normal_velocity(c, a, b) - c.target_vn
 
 
-def missing_push(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
+def missing_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     """Return the same for the velocities of the position correction."""
-    return push_velocity(c, a, b) - c.push_speed
+    return pseudo_velocity(c, a, b) - c.pseudo_speed
 
 
 def apply_impulses(c: ContactRow, a: BodyRow, b: BodyRow, jn: float, jt: float) -> None:
@@ -110,13 +110,13 @@ def apply_central_impulse(c: ContactRow, a: BodyRow, b: BodyRow, jn: float) -> N
     exchange(a, b, jn * c.nx, jn * c.ny)
 
 
-def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
+def apply_pseudo_impulse(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
     """Change the velocities of the position correction by an impulse along the normal, N s."""
     wa, wb = -j * c.ra_x_n * a.inv_i, j * c.rb_x_n * b.inv_i
     exchange_pushes_and_turn(a, b, j * c.nx, j * c.ny, wa, wb)
 
 
-def apply_central_push(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
+def apply_central_pseudo_impulse(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
     """Change them where the bodies do not turn."""
     exchange_pushes(a, b, j * c.nx, j * c.ny)
 

@@ -45,10 +45,10 @@ def exchange_and_turn(
 
 def exchange_pushes(a: BodyRow, b: BodyRow, jx: float, jy: float) -> None:
     """Do the same to the velocities of the position correction, where neither turns."""
-    a.push_vx -= jx * a.inv_m
-    a.push_vy -= jy * a.inv_m
-    b.push_vx += jx * b.inv_m
-    b.push_vy += jy * b.inv_m
+    a.pseudo_vx -= jx * a.inv_m
+    a.pseudo_vy -= jy * a.inv_m
+    b.pseudo_vx += jx * b.inv_m
+    b.pseudo_vy += jy * b.inv_m
 
 
 def exchange_pushes_and_turn(
@@ -56,5 +56,5 @@ def exchange_pushes_and_turn(
 ) -> None:
     """Do the same to them, and to their angular velocities, rad/s."""
     exchange_pushes(a, b, jx, jy)
-    a.push_w += wa
-    b.push_w += wb
+    a.pseudo_w += wa
+    b.pseudo_w += wb

@@ -37,7 +37,7 @@ class Island(NamedTuple):
     on_a: Floats  # G in the columns of body a, shape (2m, 3)
     on_b: Floats
     inverse_masses: Floats  # W, shape (n, 3)
-    compliance: Floats  # K, shape (2m, 2m), 1/kg
+    delassus: Floats  # K, shape (2m, 2m), 1/kg
     friction: Floats  # mu, shape (m,)
 
 
@@ -86,9 +86,9 @@ def island_of(world: World, contacts: list[ContactRow]) -> Island:
     of_a = np.array([place[c.a] for c in contacts] * 2)
     of_b = np.array([place[c.b] for c in contacts] * 2)
     on_a, on_b = _directions(contacts, world.bodies)
-    compliance = _compliance(of_a, of_b, on_a, on_b, w)
+    delassus = _delassus(of_a, of_b, on_a, on_b, w)
     friction = np.array([c.friction for c in contacts])
-    return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, compliance, friction)
+    return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, delassus, friction)
 
 
 def velocities(island: Island) -> Floats:
@@ -96,9 +96,9 @@ def velocities(island: Island) -> Floats:
     return _at_contacts(island, np.array([(body.vx, body.vy, body.w) for body in island.bodies]))
 
 
-def push_velocities(island: Island) -> Floats:
+def pseudo_velocities(island: Island) -> Floats:
     """Return the same for the velocities of the position correction."""
-    pushes = [(body.push_vx, body.push_vy, body.push_w) for body in island.bodies]
+    pushes = [(body.pseudo_vx, body.pseudo_vy, body.pseudo_w) for body in island.bodies]
     return _at_contacts(island, np.array(pushes))
 
 
@@ -110,12 +110,12 @@ def apply_impulses(island: Island, x: Floats) -> None:
         body.w += w
 
 
-def apply_pushes(island: Island, x: Floats) -> None:
+def apply_pseudo_impulses(island: Island, x: Floats) -> None:
     """Change the velocities of the position correction likewise."""
     for body, (vx, vy, w) in zip(island.bodies, _changes(island, x), strict=True):
-        body.push_vx += vx
-        body.push_vy += vy
-        body.push_w += w
+        body.pseudo_vx += vx
+        body.pseudo_vy += vy
+        body.pseudo_w += w
 
 
 def _at_contacts(island: Island, v: Floats) -> Floats:
@@ -152,7 +152,7 @@ def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> tu
     return np.column_stack((-dx, -dy, -ra_x_d)), np.column_stack((dx, dy, rb_x_d))
 
 
-def _compliance(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Floats) -> Floats:
+def _delassus(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Floats) -> Floats:
     """Return K: each body that can be pushed couples all the rows that it has a part in."""
     k = np.zeros((len(of_a), len(of_a)))
     rows, of, on = np.tile(np.arange(len(of_a)), 2), np.append(of_a, of_b), np.vstack((on_a, on_b))

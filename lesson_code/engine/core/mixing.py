@@ -33,7 +33,7 @@ UNSPECIFIED = -1.0
 
 
 @dataclass(frozen=True)
-class Combination:
+class MixingRule:
     """A rule for the restitution of a pair, and one for its friction.
 
     Attributes
@@ -48,7 +48,7 @@ class Combination:
 
     Examples
     --------
-    >>> Combination(restitution="max", friction="min").friction
+    >>> MixingRule(restitution="max", friction="min").friction
     'min'
     """
 
@@ -64,16 +64,16 @@ class Combination:
                 )
 
 
-COMBINATIONS = {
-    "workbook": Combination(),
-    "pymunk": Combination("product", "product"),
-    "box2d": Combination("max", "geometric_mean"),
+MIXING_RULES = {
+    "workbook": MixingRule(),
+    "pymunk": MixingRule("product", "product"),
+    "box2d": MixingRule("max", "geometric_mean"),
 }
-"""The combinations of the engines one may want to compare with, by name."""
+"""The mixing rules of the engines one may want to compare with, by name."""
 
 
-def combination(combine: str | Combination) -> Combination:
-    """Return a combination, which may be given by its name.
+def mixing_rule(combine: str | MixingRule) -> MixingRule:
+    """Return a mixing rule, which may be given by its name.
 
     Raises
     ------
@@ -82,24 +82,24 @@ def combination(combine: str | Combination) -> Combination:
 
     Examples
     --------
-    >>> combination("box2d").restitution
+    >>> mixing_rule("box2d").restitution
     'max'
     """
-    if isinstance(combine, Combination):
+    if isinstance(combine, MixingRule):
         return combine
-    if combine not in tuple(COMBINATIONS):
+    if combine not in tuple(MIXING_RULES):
         raise ValueError(
-            f"combine must be one of {', '.join(COMBINATIONS)} or a Combination, got {combine!r}"
+            f"combine must be one of {', '.join(MIXING_RULES)} or a MixingRule, got {combine!r}"
         )
-    return COMBINATIONS[combine]
+    return MIXING_RULES[combine]
 
 
-def combined(rule: int, a: float, b: float) -> float:
+def mixed(rule: int, a: float, b: float) -> float:
     """Return the pair's coefficient by a rule; a negative one is left to the other body.
 
     Where both are left open the pair's is 0.
 
-    >>> combined(MIN, 0.5, 0.8), combined(PRODUCT, 0.5, UNSPECIFIED)
+    >>> mixed(MIN, 0.5, 0.8), mixed(PRODUCT, 0.5, UNSPECIFIED)
     (0.5, 0.5)
     """
     if a < 0 and b < 0:

@@ -20,23 +20,23 @@ def move(world: World, effects: Effects = EVERY_EFFECT) -> None:
     for number, body in enumerate(world.bodies):
         if body.waits or (effects.sleeping and body.is_asleep):
             continue
-        body.x += (body.vx + body.push_vx) * dt
-        body.y += (body.vy + body.push_vy) * dt
+        body.x += (body.vx + body.pseudo_vx) * dt
+        body.y += (body.vy + body.pseudo_vy) * dt
         if not math.isfinite(body.x + body.y):
             world.state.lost_body = number
             return
         if effects.rotation and not turn_on(world, body, dt):
             world.state.lost_body = number
             return
-        body.push_vx = 0.0
-        body.push_vy = 0.0
+        body.pseudo_vx = 0.0
+        body.pseudo_vy = 0.0
 
 
 def turn_on(world: World, body: BodyRow, dt: float) -> bool:
     """Turn a body by its angular velocity; return whether its angle is still a number."""
-    spin = body.w + body.push_w
+    spin = body.w + body.pseudo_w
     body.angle += spin * dt
-    body.push_w = 0.0
+    body.pseudo_w = 0.0
     if not math.isfinite(body.angle):
         return False
     if spin != 0.0 and body.corner_count > 0:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.core.mixing import combined
+from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.seams import drop_seams
+from lesson_code.engine.effects.internal_edges import drop_internal_edges
 from lesson_code.engine.effects.sleeping import is_idle, wake
 from lesson_code.geometry.circle_contact import collide_circles
 from lesson_code.geometry.manifold import collide_rows, collide_with_circle
@@ -13,7 +13,7 @@ from lesson_code.geometry.rows import ManifoldRow
 
 
 def find_contacts(world: World, effects: Effects = EVERY_EFFECT) -> bool:
-    """Write the contacts of all candidate pairs, in the order of the pairs, without seams.
+    """Write the contacts of all candidate pairs, in the order of the pairs, without internal edges.
 
     Returns whether the table had room for them.
     """
@@ -21,8 +21,8 @@ def find_contacts(world: World, effects: Effects = EVERY_EFFECT) -> bool:
         wake_touched(world, effects)
     if not find_overlaps(world, effects):
         return False
-    if effects.seams:
-        drop_seams(world, effects)
+    if effects.internal_edges:
+        drop_internal_edges(world, effects)
     return True
 
 
@@ -61,11 +61,11 @@ def find_overlaps(world: World, effects: Effects) -> bool:
             contact.a, contact.b = pair.a, pair.b
             if effects.restitution:
                 rule = state.restitution_rule
-                contact.restitution = combined(rule, a.restitution, b.restitution)
+                contact.restitution = mixed(rule, a.restitution, b.restitution)
             if effects.friction:
-                contact.friction = combined(state.friction_rule, a.friction, b.friction)
+                contact.friction = mixed(state.friction_rule, a.friction, b.friction)
             write_point(contact, m, point)
-            if effects.seams and (a.inv_m == 0.0 or b.inv_m == 0.0):
+            if effects.internal_edges and (a.inv_m == 0.0 or b.inv_m == 0.0):
                 world.static_contacts[state.static_count].index = count
                 state.static_count += 1
             count += 1
@@ -96,4 +96,4 @@ def write_point(contact: ContactRow, m: ManifoldRow, point: int) -> None:
         contact.penetration, contact.feature = m.penetration1, m.feature1
     contact.normal_impulse = 0.0
     contact.tangent_impulse = 0.0
-    contact.push_impulse = 0.0
+    contact.pseudo_impulse = 0.0

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.broad_phase import bound
 from lesson_code.engine.core.candidate_pairs import seek_pairs
-from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.capacity import add_capacity
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.motion import turn_with_angle
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.pipeline import BroadPhase
@@ -20,7 +20,7 @@ from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 
-EVERY_OVERLAP = EVERY_EFFECT._replace(seams=False)
+EVERY_OVERLAP = EVERY_EFFECT._replace(internal_edges=False)
 """What overlaps are measured with: where a floor has a seam, two overlaps are two."""
 
 
@@ -28,7 +28,7 @@ def deepest_overlaps(
     scene: Scene, positions: NDArray[np.float64], angles: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Return the depth of the deepest overlap in each of F states, shape (F,), m."""
-    world = world_of(scene, dt=1.0, iterations=0, combine=Combination())
+    world = world_of(scene, dt=1.0, iterations=0, combine=MixingRule())
     broad_phase = BROAD_PHASES[broad_phase_for(scene)]
     depths = np.zeros(len(positions))
     for frame in range(len(positions)):
@@ -36,7 +36,7 @@ def deepest_overlaps(
             body.x, body.y = positions[frame, n].tolist()
             body.angle = float(angles[frame, n])
         while (depth := measure_overlaps(world, broad_phase, EVERY_OVERLAP, in_metres)) < 0.0:
-            world = make_room(world)
+            world = add_capacity(world)
         depths[frame] = depth
     return depths
 
@@ -52,7 +52,7 @@ def in_metres(world: World, c: ContactRow) -> float:  # noqa: ARG001
 
 def in_widths(world: World, c: ContactRow) -> float:
     """Return the depth of a contact as a share of the smaller body's width."""
-    return c.penetration / min(world.bodies[c.a].extent, world.bodies[c.b].extent)
+    return c.penetration / min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
 
 
 def measure_overlaps(

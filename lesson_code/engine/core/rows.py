@@ -25,9 +25,9 @@ class BodyRow:
     w: float = 0.0  # rad/s, counter-clockwise
     inv_m: float = 0.0  # 1/kg, 0 for a body that nothing can push
     inv_i: float = 0.0  # 1/(kg m^2), 0 for a body that nothing can turn
-    push_vx: float = 0.0  # m/s, moves the body out of an overlap in the next step, then is 0
-    push_vy: float = 0.0
-    push_w: float = 0.0  # rad/s, likewise
+    pseudo_vx: float = 0.0  # m/s, moves the body out of an overlap in the next step, then is 0
+    pseudo_vy: float = 0.0
+    pseudo_w: float = 0.0  # rad/s, likewise
 
     x: float = 0.0  # m, centre of mass
     y: float = 0.0
@@ -35,7 +35,7 @@ class BodyRow:
     sin: float = 0.0
     angle: float = 0.0  # rad, counter-clockwise
     radius: float = 0.0  # m, of a circle, or a segment's half thickness; 0 for a polygon
-    extent: float = 0.0  # m, smallest width; the scale for what overlap is small
+    min_width: float = 0.0  # m, smallest width; the scale for what overlap is small
     first_corner: int = 0  # where the outline begins in the table of corners
     corner_count: int = 0  # 0 circle, 2 segment, 3 and more polygon
 
@@ -50,7 +50,7 @@ class BodyRow:
     is_restless: bool = False  # of an island's first body: whether one of its bodies is not still
     restitution: float = -1.0  # negative: left to the other body
     friction: float = -1.0  # negative: left to the other body
-    reach: float = 0.0  # m, distance of its farthest point from the centre of mass
+    bounding_radius: float = 0.0  # m, distance of its farthest point from the centre of mass
     quiet: float = 0.0  # s, for how long it has been still
     island: int = 0  # the first body of the island that it belongs to (sleep.py)
 
@@ -109,8 +109,8 @@ class ContactRow:
     ra_x_n: float = 0.0  # m, lever arm on a about its centre of mass, of an impulse along n
     rb_x_n: float = 0.0  # m, on b
     normal_mass: float = 0.0  # kg, effective mass along the normal
-    push_speed: float = 0.0  # m/s, speed at which the overlap is still to be undone
-    push_impulse: float = 0.0  # N s, >= 0, of the position correction; never enters v
+    pseudo_speed: float = 0.0  # m/s, speed at which the overlap is still to be undone
+    pseudo_impulse: float = 0.0  # N s, >= 0, of the position correction; never enters v
 
     ra_x_t: float = 0.0  # m, of an impulse along the tangent, which is n turned by +90 degrees
     rb_x_t: float = 0.0  # m
@@ -122,11 +122,11 @@ class ContactRow:
     tangent_impulse: float = 0.0  # N s, received by b along the tangent so far
 
     is_block: bool = False  # whether this row and the next are solved together: one manifold
-    block_mass: float = 0.0  # kg, in a block: 1 m/s at this point alone needs so many N s here
-    shared_mass: float = 0.0  # kg, and so many at the other
-    compliance: float = 0.0  # 1/kg, in a block: the velocity at this point from 1 N s here
-    coupling: float = 0.0  # 1/kg, in a block: the velocity at one point from 1 N s at the other
-    tangent_coupling: float = 0.0  # 1/kg, in a block: the same along the tangent
+    block_mass: float = 0.0  # kg, in a block: inverse of K, N s here for 1 m/s at this point alone
+    shared_mass: float = 0.0  # kg, and N s at the other point
+    k_own: float = 0.0  # 1/kg, in a block: Delassus matrix, velocity here from 1 N s here
+    k_cross: float = 0.0  # 1/kg, off its diagonal: here from 1 N s at the other point
+    k_cross_tangent: float = 0.0  # 1/kg, the same along the tangent
 
     ax: float = 0.0  # m, lever arm on a: from its centre of mass to the point on its surface
     ay: float = 0.0
@@ -135,7 +135,7 @@ class ContactRow:
     penetration: float = 0.0  # m, > 0
     restitution: float = 0.0  # of the pair
     feature: int = 0  # which features of the shapes touch; the same in the next step
-    is_covered: bool = False  # whether it is with an edge inside a floor (seams.py)
+    is_covered: bool = False  # whether it is with an edge inside a floor (internal_edges.py)
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
     case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
 
@@ -214,7 +214,7 @@ class State:
     gravity_y: float = 0.0
     damping: float = 0.0  # 1/s
     iterations: int = 0  # sweeps over the contacts in a step
-    restitution_rule: int = 0  # how the pair's value comes from two bodies' (combination.py)
+    restitution_rule: int = 0  # how the pair's value comes from two bodies' (mixing.py)
     friction_rule: int = 0
     cell_size: float = 1.0  # m, of the grid
     slot_count: int = 1  # slots of the grid, a power of two

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import MakePart, SolverStages
 from lesson_code.engine.core.recording import Sample
 from lesson_code.engine.core.run import Run
@@ -39,7 +39,7 @@ class Request:
     dt: float
     iterations: int | None
     substeps: int | None
-    combine: Combination
+    combine: MixingRule
     effects: Mapping[str, bool] | None
     compiled: bool | None
     options: Mapping[str, str]

@@ -32,11 +32,11 @@ from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.effects.continuous import choose_part
 from lesson_code.engine.effects.impulse_record import (
-    has_room_for_record,
+    has_capacity_for_record,
     record_impulses,
     record_resting,
 )
-from lesson_code.engine.effects.sleeping import everything_sleeps, has_room_for_sleep, let_sleep
+from lesson_code.engine.effects.sleeping import everything_sleeps, has_capacity_for_sleep, let_sleep
 
 
 def advance(world: World, pipeline: Pipeline) -> bool:
@@ -102,9 +102,9 @@ def detect(world: World, pipeline: Pipeline) -> bool:
         return False
     if not find_contacts(world, effects):
         return False
-    if effects.sleeping and not has_room_for_sleep(world):
+    if effects.sleeping and not has_capacity_for_sleep(world):
         return False
-    if pipeline.effects.impulse_record and not has_room_for_record(world):
+    if pipeline.effects.impulse_record and not has_capacity_for_record(world):
         return False
     if pipeline.listener is not None:
         pipeline.listener.before_impulses(world)
@@ -147,7 +147,7 @@ def rest(world: World, pipeline: Pipeline) -> bool:
     state.time = (state.steps_done + 1) * state.whole
     state.contact_count = 0
     if pipeline.effects.impulse_record:
-        if not has_room_for_record(world):
+        if not has_capacity_for_record(world):
             return False
         record_resting(world)
     return True

@@ -18,7 +18,7 @@ from lesson_code.engine.core.constants import (
     LARGEST_IN_GRID,
     MOST_MARGIN,
 )
-from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, Combination
+from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, MixingRule
 from lesson_code.engine.core.motion import turn_with_angle
 from lesson_code.engine.core.pipeline import BroadPhase
 from lesson_code.engine.core.rows import BodyRow, BoxRow, IndexRow, PlaceRow, State, World
@@ -35,7 +35,7 @@ BROAD_PHASES: dict[str, BroadPhase] = {
 """The ways to find candidate pairs, by name."""
 
 
-def world_of(scene: Scene, dt: float, iterations: int, combine: Combination) -> World:
+def world_of(scene: Scene, dt: float, iterations: int, combine: MixingRule) -> World:
     """Return the tables of a scene, its bodies where they begin.
 
     Raises
@@ -112,20 +112,20 @@ def _row(body: Body, corners: list[Corner]) -> BodyRow:
         inv_i=0.0 if body.inertia is None else 1 / body.inertia,
         restitution=UNSPECIFIED if material.restitution is None else material.restitution,
         friction=UNSPECIFIED if material.friction is None else material.friction,
-        extent=math.inf if body.is_static else body.shape.extent,
-        reach=body.shape.bounding_radius,
+        min_width=math.inf if body.is_static else body.shape.min_width,
+        bounding_radius=body.shape.bounding_radius,
     )
 
 
 def _thickness(body: Body) -> float:
     """Return the smallest width of a body's matter, m; a line has none."""
-    return 2 * body.shape.radius if isinstance(body.shape, Segment) else body.shape.extent
+    return 2 * body.shape.radius if isinstance(body.shape, Segment) else body.shape.min_width
 
 
 def _cell_size(scene: Scene) -> float:
     """Return the width of a grid cell, m: the largest box's, the few much larger ones left out."""
     sizes = [
-        2 * body.shape.bounding_radius + 2 * MOST_MARGIN * body.shape.extent
+        2 * body.shape.bounding_radius + 2 * MOST_MARGIN * body.shape.min_width
         for body in scene.bodies
     ]
     if not sizes:

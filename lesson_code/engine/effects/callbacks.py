@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
-from lesson_code.engine.core.mixing import combined
+from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.core.rows import ContactRow, World
 from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.formulas.validation import non_negative, one_number, one_vector
@@ -136,7 +136,7 @@ def touches_in(
 def _of_pair(world: World, name: str, a: int, b: int) -> float:
     """Return a pair's coefficient from those of its bodies."""
     one, other = (_field(world.bodies[k], name) for k in (a, b))
-    return combined(getattr(world.state, f"{name}_rule"), one, other)
+    return mixed(getattr(world.state, f"{name}_rule"), one, other)
 
 
 def _field(row: Any, name: str) -> float:

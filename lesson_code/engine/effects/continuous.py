@@ -84,7 +84,7 @@ def fastest_way(scene: Scene, dt: float) -> tuple[float, float]:
 
 def _half_width(body: Body) -> float:
     """Return half of the smallest width of a body's matter, m."""
-    return body.shape.radius if isinstance(body.shape, Segment) else 0.5 * body.shape.extent
+    return body.shape.radius if isinstance(body.shape, Segment) else 0.5 * body.shape.min_width
 
 
 def _twice_energy(body: Body) -> float:
@@ -162,7 +162,7 @@ def rim_speed(body: BodyRow, effects: Effects) -> float:
     """Return how fast a body's farthest corner turns about its centre, m/s; a circle has none."""
     if not (effects.outlines and effects.rotation) or body.corner_count == 0:
         return 0.0
-    return abs(body.w) * body.reach
+    return abs(body.w) * body.bounding_radius
 
 
 def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
@@ -190,7 +190,7 @@ def bound_way(world: World, duration: float, effects: Effects = EVERY_EFFECT) ->
     bound(world, effects)
     for body in world.bodies:
         x, y = body.vx * duration, body.vy * duration
-        margin = min(rim_speed(body, effects) * duration, 2.0 * body.reach)
+        margin = min(rim_speed(body, effects) * duration, 2.0 * body.bounding_radius)
         body.min_x += min(x, 0.0) - margin
         body.max_x += max(x, 0.0) + margin
         body.min_y += min(y, 0.0) - margin
@@ -227,7 +227,7 @@ def is_turning(body: BodyRow) -> bool:
 
 def depth_into(a: BodyRow, b: BodyRow) -> float:
     """Return how deep two bodies are let overlap, so that their impact is seen, m."""
-    return IMPACT_DEPTH * SLOP * min(a.extent, b.extent)
+    return IMPACT_DEPTH * SLOP * min(a.min_width, b.min_width)
 
 
 def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:

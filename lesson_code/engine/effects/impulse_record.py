@@ -19,12 +19,12 @@ def rule(_question: Question) -> Finding:
 EFFECT = Effect(
     rule=rule,
     place=160,
-    functions=("has_room_for_record", "record_impulses"),
+    functions=("has_capacity_for_record", "record_impulses"),
     is_optional=True,
 )
 
 
-def has_room_for_record(world: World) -> bool:
+def has_capacity_for_record(world: World) -> bool:
     """Return whether the impulses of all contacts of this step fit into the table."""
     state = world.state
     wanted = state.contact_count + state.resting_count

@@ -10,11 +10,11 @@ from itertools import combinations_with_replacement
 from typing import NamedTuple, TypeAlias
 
 from lesson_code.engine.core.mixing import (
-    COMBINATIONS,
+    MIXING_RULES,
     RULES,
     UNSPECIFIED,
-    Combination,
-    combined,
+    MixingRule,
+    mixed,
 )
 from lesson_code.engine.core.scene import Scene
 
@@ -40,7 +40,7 @@ class Question:
         The time step, s.
     duration : float
         s; ``math.inf``: nobody knows yet.
-    combine : Combination
+    combine : MixingRule
         How a pair's coefficients come from its bodies'.
     """
 
@@ -48,7 +48,7 @@ class Question:
     solver: str = "sequential"
     dt: float = 1 / 60
     duration: float = math.inf
-    combine: Combination = COMBINATIONS["workbook"]
+    combine: MixingRule = MIXING_RULES["workbook"]
 
     def coefficients(self, name: str) -> list[float]:
         """Return the values of "restitution" or "friction" that the pairs of bodies can have.
@@ -65,7 +65,7 @@ class Question:
             for body in self.scene.bodies
         )
         return [
-            combined(rule, a, b)
+            mixed(rule, a, b)
             for (a, a_static), (b, b_static) in combinations_with_replacement(sorts, 2)
             if not (a_static and b_static)
             if (a, a_static) != (b, b_static) or sorts[a, a_static] > 1

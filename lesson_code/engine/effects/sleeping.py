@@ -19,9 +19,9 @@ from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.rows import BodyRow, ContactRow, MemoryRow, RestingRow, World
 from lesson_code.engine.effects import friction
+from lesson_code.engine.effects.internal_edges import pushed_body
 from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.engine.effects.restitution import smallest_restitution
-from lesson_code.engine.effects.seams import pushed_body
 
 
 def rule(question: Question) -> Finding:
@@ -71,7 +71,7 @@ def everything_sleeps(world: World) -> bool:
     return state.asleep_count == state.free_count and not state.has_moving_static
 
 
-def has_room_for_sleep(world: World) -> bool:
+def has_capacity_for_sleep(world: World) -> bool:
     """Return whether the contacts of all islands would find room in the table of those at rest."""
     state = world.state
     wanted = state.contact_count + state.resting_count
@@ -107,8 +107,10 @@ def note_quiet(world: World) -> bool:
 
 def is_still(body: BodyRow, most: float) -> bool:
     """Return whether no point of a body is faster than so much, m/s, and none is pushed."""
-    is_pushed = body.push_vx != 0.0 or body.push_vy != 0.0 or body.push_w != 0.0
-    return abs(body.vx) + abs(body.vy) + abs(body.w) * body.reach <= most and not is_pushed
+    is_pushed = body.pseudo_vx != 0.0 or body.pseudo_vy != 0.0 or body.pseudo_w != 0.0
+    return (
+        abs(body.vx) + abs(body.vy) + abs(body.w) * body.bounding_radius <= most and not is_pushed
+    )
 
 
 def disturb(world: World) -> None:

@@ -18,7 +18,7 @@ import math
 
 from lesson_code.engine.core.contact_motion import normal_of, tangent_of
 from lesson_code.engine.core.impulse_pair import MovingBody, exchange, exchange_and_turn
-from lesson_code.engine.core.mixing import combined
+from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.constants import CLOCK, LEAST_HOP, LEAST_LOSS, PLACE
@@ -63,9 +63,9 @@ def set_surfaces(
 ) -> None:
     """Set the restitution and the friction of a contact; those that are left out stay 0."""
     if effects.restitution:
-        c.restitution = combined(state.restitution_rule, a.restitution, b.restitution)
+        c.restitution = mixed(state.restitution_rule, a.restitution, b.restitution)
     if effects.friction:
-        c.friction = combined(state.friction_rule, a.friction, b.friction)
+        c.friction = mixed(state.friction_rule, a.friction, b.friction)
 
 
 def meet(state: ExactState, c: ContactRow, a: MovingBody, b: MovingBody, effects: Effects) -> None:

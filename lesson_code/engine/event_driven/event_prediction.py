@@ -39,34 +39,34 @@ from lesson_code.geometry.straight_impact_times import (
 )
 
 
-def foretell(tables: Tables, i: int, effects: Effects = EVERY_EFFECT) -> None:
+def predict(tables: Tables, i: int, effects: Effects = EVERY_EFFECT) -> None:
     """Find the next event of a disc, and queue it."""
     state, disc = tables.state, tables.discs[i]
     disc.event_time, disc.event_kind, disc.partner = math.inf, NOTHING, -1
     disc.border_time = math.inf
     if effects.gravity and disc.support >= 0 and not disc.held:
-        foretell_end_of_rest(tables, disc, effects)
+        predict_end_of_rest(tables, disc, effects)
     if not (effects.gravity and disc.held):
-        foretell_border(state, disc, effects)
-        foretell_obstacles(tables, disc, effects)
+        predict_border(state, disc, effects)
+        predict_obstacles(tables, disc, effects)
     around = 0 if math.isinf(state.cell_size) else 1
     for cell_y in range(disc.cell_y - around, disc.cell_y + around + 1):
         for cell_x in range(disc.cell_x - around, disc.cell_x + around + 1):
-            foretell_discs(tables, i, cell_x, cell_y, effects)
+            predict_discs(tables, i, cell_x, cell_y, effects)
     enter_event(tables.queue, i, min(disc.event_time, disc.border_time))
 
 
-def foretell_beyond(tables: Tables, i: int, side: int, effects: Effects = EVERY_EFFECT) -> None:
+def predict_beyond(tables: Tables, i: int, side: int, effects: Effects = EVERY_EFFECT) -> None:
     """Add what has come near to a disc that has just left its cell by a side."""
     disc = tables.discs[i]
     disc.border_time = math.inf
-    foretell_border(tables.state, disc, effects)
-    foretell_obstacles(tables, disc, effects)
+    predict_border(tables.state, disc, effects)
+    predict_obstacles(tables, disc, effects)
     ahead = 1 if side in (0, 2) else -1
     for beside in range(-1, 2):
         cell_x = disc.cell_x + (ahead if side < 2 else beside)
         cell_y = disc.cell_y + (beside if side < 2 else ahead)
-        foretell_discs(tables, i, cell_x, cell_y, effects)
+        predict_discs(tables, i, cell_x, cell_y, effects)
     enter_event(tables.queue, i, min(disc.event_time, disc.border_time))
 
 
@@ -91,14 +91,14 @@ def comes_before(kind: int, partner: int, disc: DiscRow) -> bool:
     return kind < disc.event_kind or (kind == disc.event_kind and partner < disc.partner)
 
 
-def foretell_end_of_rest(tables: Tables, disc: DiscRow, effects: Effects) -> None:
+def predict_end_of_rest(tables: Tables, disc: DiscRow, effects: Effects) -> None:
     """Find when a disc on a face stops sliding, and when the face ends."""
     if effects.friction:
         note(disc, disc.time + grip_time(tables, disc, effects), GRIP, disc.support, 0)
     note(disc, disc.time + time_to_end(tables, disc), END, disc.support, disc.face)
 
 
-def foretell_border(state: ExactState, disc: DiscRow, effects: Effects = EVERY_EFFECT) -> None:
+def predict_border(state: ExactState, disc: DiscRow, effects: Effects = EVERY_EFFECT) -> None:
     """Find when the disc's centre leaves its cell, and on which side."""
     x, y = place_at(disc, state.now, effects)
     vx, vy = velocity_at(disc, state.now, effects)
@@ -116,7 +116,7 @@ def foretell_border(state: ExactState, disc: DiscRow, effects: Effects = EVERY_E
                 disc.border_time, disc.border_side = time, side
 
 
-def foretell_discs(tables: Tables, i: int, cell_x: int, cell_y: int, effects: Effects) -> None:
+def predict_discs(tables: Tables, i: int, cell_x: int, cell_y: int, effects: Effects) -> None:
     """Find the first hit with a disc in a cell."""
     disc = tables.discs[i]
     j = tables.slots[slot_of(tables.state, cell_x, cell_y)].first_disc
@@ -139,22 +139,22 @@ def hit_time(
     vx, vy = velocity_at(disc, start, effects)
     other_vx, other_vy = velocity_at(other, start, effects)
     relative = other_x - x, other_y - y, other_vx - vx, other_vy - vy
-    reach = disc.radius + other.radius
+    radius_sum = disc.radius + other.radius
     if effects.gravity:
         pull = other.ax - disc.ax, other.ay - disc.ay
-        return start + impact_after(state, relative, pull, reach)
-    return start + straight_impact_after(state, relative, reach)
+        return start + impact_after(state, relative, pull, radius_sum)
+    return start + straight_impact_after(state, relative, radius_sum)
 
 
 def impact_after(
     state: ExactState,
     relative: tuple[float, float, float, float],
     pull: tuple[float, float],
-    reach: float,
+    radius_sum: float,
 ) -> float:
     """Return when two circles hit; those that touch and approach no faster than rounding do not."""
     (dx, dy, vx, vy), (ax, ay) = relative, pull
-    after = circle_impact_time(dx, dy, vx, vy, ax, ay, reach)
+    after = circle_impact_time(dx, dy, vx, vy, ax, ay, radius_sum)
     if after == 0.0 and not approaches(state, relative):
         is_pressed = dx * ax + dy * ay + vx * vx + vy * vy < 0.0
         return 0.0 if is_pressed else math.inf
@@ -162,11 +162,11 @@ def impact_after(
 
 
 def straight_impact_after(
-    state: ExactState, relative: tuple[float, float, float, float], reach: float
+    state: ExactState, relative: tuple[float, float, float, float], radius_sum: float
 ) -> float:
     """Return the same of circles that are not accelerated: nothing presses them together."""
     dx, dy, vx, vy = relative
-    after = straight_impact_time(dx, dy, vx, vy, reach)
+    after = straight_impact_time(dx, dy, vx, vy, radius_sum)
     return math.inf if after == 0.0 and not approaches(state, relative) else after
 
 
@@ -176,19 +176,19 @@ def approaches(state: ExactState, relative: tuple[float, float, float, float]) -
     return dx * vx + dy * vy < -state.still * math.sqrt(dx * dx + dy * dy)
 
 
-def foretell_obstacles(tables: Tables, disc: DiscRow, effects: Effects) -> None:
+def predict_obstacles(tables: Tables, disc: DiscRow, effects: Effects) -> None:
     """Find the first hit with an obstacle near the disc."""
     n = tables.slots[slot_of(tables.state, disc.cell_x, disc.cell_y)].first_near
     while n >= 0:
         near = tables.near[n]
         if near.cell_x == disc.cell_x and near.cell_y == disc.cell_y:
-            foretell_obstacle(tables, disc, near.obstacle, effects)
+            predict_obstacle(tables, disc, near.obstacle, effects)
         n = near.next_in_slot
     for row in tables.everywhere:
-        foretell_obstacle(tables, disc, row.index, effects)
+        predict_obstacle(tables, disc, row.index, effects)
 
 
-def foretell_obstacle(tables: Tables, disc: DiscRow, k: int, effects: Effects) -> None:
+def predict_obstacle(tables: Tables, disc: DiscRow, k: int, effects: Effects) -> None:
     """Find when the disc hits one obstacle; the one that it rests on is none."""
     if effects.gravity and k == disc.support:
         return
@@ -204,10 +204,10 @@ def post_time(tables: Tables, disc: DiscRow, k: int, effects: Effects) -> float:
     obstacle = tables.obstacles[k]
     dx, dy = seen_from(obstacle, disc)
     relative = dx, dy, disc.vx - obstacle.vx, disc.vy - obstacle.vy
-    reach = disc.radius + obstacle.radius
+    radius_sum = disc.radius + obstacle.radius
     if effects.gravity:
-        return impact_after(tables.state, relative, (disc.ax, disc.ay), reach)
-    return straight_impact_after(tables.state, relative, reach)
+        return impact_after(tables.state, relative, (disc.ax, disc.ay), radius_sum)
+    return straight_impact_after(tables.state, relative, radius_sum)
 
 
 def outline_time(tables: Tables, disc: DiscRow, k: int, effects: Effects) -> tuple[float, int]:

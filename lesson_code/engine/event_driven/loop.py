@@ -2,10 +2,10 @@
 
     1 the disc whose event comes first lives on to it
     2 the event happens: a hit, the end of sliding
-    3 the events of all discs whose motion has changed are foretold anew
+    3 the events of all discs whose motion has changed are predicted anew
 
-A disc knows only its own next event. If its partner's motion has changed since it was foretold,
-the event is stale: it is thrown away, and the disc's next event is foretold anew. Where a disc
+A disc knows only its own next event. If its partner's motion has changed since it was predicted,
+the event is stale: it is thrown away, and the disc's next event is predicted anew. Where a disc
 comes to a border of its cell before that, it goes on as it does, and looks into the new cells.
 
 What the scene does not call for is not in the loop (`effects`), nor the record unless it is kept.
@@ -27,7 +27,7 @@ from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
 from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
-from lesson_code.engine.event_driven.event_prediction import foretell, foretell_beyond
+from lesson_code.engine.event_driven.event_prediction import predict, predict_beyond
 from lesson_code.engine.event_driven.motion import move_to
 from lesson_code.engine.event_driven.rows import DISC, END, GRIP, OBSTACLE, DiscRow, Tables
 from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding
@@ -69,7 +69,7 @@ def advance_until(
 def begin(tables: Tables, effects: Effects = EVERY_EFFECT) -> None:
     """Foretell the first event of every disc."""
     for i in range(len(tables.discs)):
-        foretell(tables, i, effects)
+        predict(tables, i, effects)
     tables.state.has_begun = True
 
 
@@ -97,12 +97,12 @@ def next_event(
     state.now = max(state.now, time)
     if disc.border_time <= disc.event_time:
         cross_border(tables, i, disc.border_side)
-        foretell_beyond(tables, i, disc.border_side, effects)
+        predict_beyond(tables, i, disc.border_side, effects)
         return False
     if effects.gravity:
         count_event_in_piles(tables, disc)
     is_hit = happen(tables, i, effects, record)
-    foretell(tables, i, effects)
+    predict(tables, i, effects)
     state.collisions += is_hit
     return is_hit
 
@@ -132,7 +132,7 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
         if tables.discs[partner].changes != disc.partner_changes:
             return False  # stale: the partner has gone another way
         collide_discs(tables, i, partner, effects)
-        foretell(tables, partner, effects)
+        predict(tables, partner, effects)
     elif kind == OBSTACLE:
         collide_obstacle(tables, i, partner, disc.feature, effects)
     elif effects.gravity:

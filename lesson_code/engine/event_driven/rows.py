@@ -39,7 +39,7 @@ class DiscRow:
     event_kind: int = NOTHING
     partner: int = -1  # the other disc, or the obstacle
     feature: int = 0  # of the obstacle: an edge k, or the corner k as -1 - k
-    partner_changes: int = 0  # the partner's `changes` when the event was foretold
+    partner_changes: int = 0  # the partner's `changes` when the event was predicted
     border_side: int = 0  # by which side it leaves the cell: 0 right, 1 left, 2 up, 3 down
     body: int = 0  # its place in the scene
     inv_m: float = 0.0  # 1/kg
@@ -91,7 +91,7 @@ class ExactState:
     now: float = 0.0  # s, the time of the last event
     gravity_x: float = 0.0  # m/s^2
     gravity_y: float = 0.0
-    restitution_rule: int = 0  # how the pair's value comes from two bodies' (combination.py)
+    restitution_rule: int = 0  # how the pair's value comes from two bodies' (mixing.py)
     friction_rule: int = 0
     cell_size: float = 1.0  # m, width of a grid cell: no disc is wider; infinite: one cell
     slot_count: int = 1  # of the grid, a power of two
@@ -110,7 +110,7 @@ class ExactState:
 
     until: float = -math.inf  # s, later events are left alone
     stops_at_collision: bool = False  # whether to stop after the next one, too
-    has_begun: bool = False  # whether the first events have been foretold
+    has_begun: bool = False  # whether the first events have been predicted
     events_left: int = EVENTS_A_CALL  # after so many more the driver has a look
 
     collisions: int = 0  # since the driver has last counted them

@@ -23,7 +23,7 @@ from lesson_code.engine.compiled import (
     link,
 )
 from lesson_code.engine.core.capacity import longer
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.core.rows import ImpulseRow
@@ -68,7 +68,7 @@ class ExactSolver:
     ----------
     scene : Scene
         Discs, and obstacles that do not turn; see :func:`why_not`.
-    combine : Combination
+    combine : MixingRule
         How a pair's coefficients come from its bodies'.
     keep_impulses : bool
         Whether every impulse is written down.
@@ -102,7 +102,7 @@ class ExactSolver:
         self,
         scene: Scene,
         *,
-        combine: Combination,
+        combine: MixingRule,
         keep_impulses: bool = True,
         compiled: bool | None = False,
         duration: float = math.inf,
@@ -129,7 +129,7 @@ class ExactSolver:
         self._events_done = 0
         self.choice = Choice(False, "a small run")
         self._choose(len(self.tables.discs) * MOST_AHEAD)
-        self.advance(-1.0)  # no event yet, but all are foretold
+        self.advance(-1.0)  # no event yet, but all are predicted
 
     def plan(self, reason: str) -> Plan:
         """Return how the scene is run so far, with the reason for the choice of this solver."""

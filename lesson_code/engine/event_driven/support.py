@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from lesson_code.engine.core.mixing import combined
+from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.motion import seen_from
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, Tables
@@ -92,7 +92,7 @@ def share_held(k: float) -> float:
 def friction_of(tables: Tables, disc: DiscRow) -> float:
     """Return the friction coefficient of a disc and the obstacle it rests on."""
     obstacle = tables.obstacles[disc.support]
-    return combined(tables.state.friction_rule, obstacle.friction, disc.friction)
+    return mixed(tables.state.friction_rule, obstacle.friction, disc.friction)
 
 
 def slip_of(tables: Tables, disc: DiscRow, effects: Effects = EVERY_EFFECT) -> float:

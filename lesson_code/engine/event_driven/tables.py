@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.broad_phase import row_stride_for, slot_of, slots_for
-from lesson_code.engine.core.mixing import RULES, Combination
+from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.rows import BodyRow, ContactRow, IndexRow
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.tables import world_of
@@ -25,7 +25,7 @@ from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, S
 from lesson_code.engine.event_driven.support import let_go
 
 
-def tables_of(scene: Scene, combine: Combination, has_grid: bool = False) -> Tables:
+def tables_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -> Tables:
     """Return the tables of a scene, its discs where they begin; without a grid in one cell."""
     free = [n for n, body in enumerate(scene.bodies) if not body.is_static]
     fixed = [n for n, body in enumerate(scene.bodies) if body.is_static]
@@ -72,7 +72,7 @@ def _disc(number: int, row: BodyRow) -> DiscRow:
     )
 
 
-def _state(scene: Scene, combine: Combination, slots: int, has_grid: bool) -> ExactState:
+def _state(scene: Scene, combine: MixingRule, slots: int, has_grid: bool) -> ExactState:
     """Return the settings, the small speeds in proportion to those of the scene."""
     radii = [body.shape.bounding_radius for body in scene.bodies if not body.is_static]
     largest = max(radii, default=1.0)

@@ -1,7 +1,8 @@
 """Two points of one manifold, solved together: a complementarity problem of size two.
 
-With k11 and k22 for each point's own compliance (1 / effective mass) and k12 for their coupling,
-an impulse x at the points changes the normal velocities by K x. Wanted are totals x with
+K is the Delassus matrix: k11 and k22 are each point's own 1 / effective mass, and k12 is what an
+impulse at one point does to the velocity of the other. Impulses x at the points change the normal
+velocities by K x. Wanted are totals x with
 
     x >= 0,    w = b + K x >= 0,    x1 w1 = x2 w2 = 0
 
@@ -23,7 +24,7 @@ from typing import TypeAlias
 from lesson_code.engine.core.constants import LEAST_DETERMINANT
 from lesson_code.engine.core.contact_frame import (
     friction_impulse,
-    missing_push,
+    missing_pseudo_velocity,
     missing_velocity,
     velocity_at,
 )
@@ -37,19 +38,19 @@ Three: TypeAlias = tuple[float, float, float]
 def couple(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Compute K for two points, and its inverse unless they are as good as one."""
     turning = c.ra_x_n * d.ra_x_n * a.inv_i + c.rb_x_n * d.rb_x_n * b.inv_i
-    c.coupling = a.inv_m + b.inv_m + turning
-    c.compliance, d.compliance = 1 / c.normal_mass, 1 / d.normal_mass
-    c.is_block = 1 - c.coupling * c.coupling * c.normal_mass * d.normal_mass > LEAST_DETERMINANT
+    c.k_cross = a.inv_m + b.inv_m + turning
+    c.k_own, d.k_own = 1 / c.normal_mass, 1 / d.normal_mass
+    c.is_block = 1 - c.k_cross * c.k_cross * c.normal_mass * d.normal_mass > LEAST_DETERMINANT
     if c.is_block:
-        share = 1 / (c.compliance * d.compliance - c.coupling * c.coupling)
-        c.block_mass, d.block_mass = d.compliance * share, c.compliance * share
-        c.shared_mass = -c.coupling * share
+        share = 1 / (c.k_own * d.k_own - c.k_cross * c.k_cross)
+        c.block_mass, d.block_mass = d.k_own * share, c.k_own * share
+        c.shared_mass = -c.k_cross * share
 
 
 def couple_tangents(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Compute how friction at one point moves the other along the tangent."""
     turning = c.ra_x_t * d.ra_x_t * a.inv_i + c.rb_x_t * d.rb_x_t * b.inv_i
-    c.tangent_coupling = a.inv_m + b.inv_m + turning
+    c.k_cross_tangent = a.inv_m + b.inv_m + turning
 
 
 def solve_manifold(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -79,19 +80,19 @@ def solve_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     c.normal_impulse, d.normal_impulse = jn
 
 
-def solve_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
+def solve_pseudo_velocities(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Undo the overlap at both points."""
-    before = c.push_impulse, d.push_impulse
-    missing = missing_push(c, a, b), missing_push(d, a, b)
+    before = c.pseudo_impulse, d.pseudo_impulse
+    missing = missing_pseudo_velocity(c, a, b), missing_pseudo_velocity(d, a, b)
     totals = block_impulses(c, d, missing, before)
-    apply_pushes(c, d, a, b, (totals[0] - before[0], totals[1] - before[1]))
-    c.push_impulse, d.push_impulse = totals
+    apply_pseudo_impulses(c, d, a, b, (totals[0] - before[0], totals[1] - before[1]))
+    c.pseudo_impulse, d.pseudo_impulse = totals
 
 
 def friction_impulses(c: ContactRow, d: ContactRow, vt: Two, jn: Two) -> Two:
     """Return the total friction at two points that slide at vt: of c, then of d after it."""
     jt_c = friction_impulse(vt[0], c.tangent_mass, c.friction, jn[0], c.tangent_impulse)
-    vt_d = vt[1] + c.tangent_coupling * (jt_c - c.tangent_impulse)
+    vt_d = vt[1] + c.k_cross_tangent * (jt_c - c.tangent_impulse)
     return jt_c, friction_impulse(vt_d, d.tangent_mass, d.friction, jn[1], d.tangent_impulse)
 
 
@@ -117,7 +118,7 @@ def apply_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, jn: Two)
     exchange_and_turn(a, b, (jn[0] + jn[1]) * c.nx, (jn[0] + jn[1]) * c.ny, wa, wb)
 
 
-def apply_pushes(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, j: Two) -> None:
+def apply_pseudo_impulses(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow, j: Two) -> None:
     """Change the velocities of the position correction likewise."""
     wa, wb = spins_by_normals(c, d, a, b, j)
     exchange_pushes_and_turn(a, b, (j[0] + j[1]) * c.nx, (j[0] + j[1]) * c.ny, wa, wb)
@@ -129,7 +130,7 @@ def block_impulses(c: ContactRow, d: ContactRow, missing: Two, before: Two) -> T
     x2 = before[1] - (c.shared_mass * missing[0] + d.block_mass * missing[1])
     if x1 >= 0 and x2 >= 0:
         return x1, x2
-    return two_impulses((c.compliance, c.coupling, d.compliance), missing, before)
+    return two_impulses((c.k_own, c.k_cross, d.k_own), missing, before)
 
 
 def two_impulses(k: Three, missing: Two, before: Two) -> Two:

@@ -104,7 +104,7 @@ def _is_solved(problem: Problem, answer: Answer) -> bool:
 
 def _one_contact(problem: Problem) -> Floats | None:
     """Return the impulses of a single contact that approaches, in closed form."""
-    (knn, knt), (_, ktt) = problem.compliance.tolist()
+    (knn, knt), (_, ktt) = problem.delassus.tolist()
     bn, bt = problem.velocity.tolist()
     mu = float(problem.friction[0])
     determinant = knn * ktt - knt * knt
@@ -167,8 +167,8 @@ def _lemke_impulses(problem: Problem) -> Floats | None:
 
 def _softened(problem: Problem) -> Answer:
     """Return the answer of a problem in which every contact gives way a little."""
-    k = problem.compliance
+    k = problem.delassus
     soft = k + SOFT * float(np.trace(k)) / len(k) * np.eye(len(k))
-    yielding = problem._replace(compliance=soft)
+    yielding = problem._replace(delassus=soft)
     x = by_pivoting(yielding, first_guess(yielding, None)).impulses
     return Answer(x, complementarity_error(problem, x), "softened")

@@ -50,7 +50,7 @@ ROUNDING = 1e-14
 class Problem(NamedTuple):
     """A contact problem: K, b and mu."""
 
-    compliance: Floats  # K, shape (2m, 2m), 1/kg
+    delassus: Floats  # K, shape (2m, 2m), 1/kg
     velocity: Floats  # b, shape (2m,), m/s
     friction: Floats  # mu, shape (m,)
 
@@ -80,8 +80,8 @@ def complementarity_error(problem: Problem, x: Floats) -> float:
     0.5
     """
     m = len(problem.friction)
-    own = np.diag(problem.compliance)
-    wanted = x - (problem.velocity + problem.compliance @ x) / own
+    own = np.diag(problem.delassus)
+    wanted = x - (problem.velocity + problem.delassus @ x) / own
     limit = problem.friction * np.maximum(x[:m], 0.0)
     normal = x[:m] - np.maximum(wanted[:m], 0.0)
     tangent = x[m:] - np.clip(wanted[m:], -limit, limit)
@@ -90,13 +90,13 @@ def complementarity_error(problem: Problem, x: Floats) -> float:
 
 def tolerance(problem: Problem, x: Floats) -> float:
     """Return the error at which impulses count as exact, m/s."""
-    terms = np.abs(problem.compliance) @ np.abs(x)
+    terms = np.abs(problem.delassus) @ np.abs(x)
     return float(SOLVED * np.abs(problem.velocity).max() + ROUNDING * terms.max())
 
 
 def spring_of(problem: Problem) -> float:
     """Return what is added to the diagonal of K, 1/kg."""
-    return SPRING * float(np.trace(problem.compliance)) / len(problem.compliance)
+    return SPRING * float(np.trace(problem.delassus)) / len(problem.delassus)
 
 
 def legal(problem: Problem, x: Floats) -> Floats:

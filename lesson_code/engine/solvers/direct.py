@@ -28,16 +28,16 @@ from functools import partial
 
 import numpy as np
 
-from lesson_code.engine.core.constants import FINE_SLOP, PUSH_SHARE
+from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_SLOP
 from lesson_code.engine.core.contact_motion import apply_impulse, normal_of, tangent_of
 from lesson_code.engine.core.islands import (
     Floats,
     Island,
     apply_impulses,
-    apply_pushes,
+    apply_pseudo_impulses,
     island_of,
     islands_of,
-    push_velocities,
+    pseudo_velocities,
     velocities,
 )
 from lesson_code.engine.core.pipeline import SolverStages
@@ -69,8 +69,8 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Prepare as the sequential solver does, but for a finer slop."""
     contact_solver.prepare(world, effects)
     for c in world.contacts[: world.state.contact_count]:
-        slop = FINE_SLOP * min(world.bodies[c.a].extent, world.bodies[c.b].extent)
-        c.push_speed = PUSH_SHARE * max(c.penetration - slop, 0.0) / world.state.dt
+        slop = FINE_SLOP * min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
+        c.pseudo_speed = BAUMGARTE_FACTOR * max(c.penetration - slop, 0.0) / world.state.dt
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
@@ -110,7 +110,7 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
         island = island_of(world, contacts)
         missing = velocities(island)
         missing[: len(contacts)] -= [c.target_vn for c in contacts]
-        problem = Problem(island.compliance, missing, island.friction)
+        problem = Problem(island.delassus, missing, island.friction)
         answer = solve_contacts(problem, np.array([c.case for c in contacts]))
         apply_impulses(island, answer.impulses)
         note_impulses(contacts, answer.impulses)
@@ -120,18 +120,18 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     """Return whether any contact overlaps by too much."""
-    return any(c.push_speed > 0.0 for c in world.contacts[: world.state.contact_count])
+    return any(c.pseudo_speed > 0.0 for c in world.contacts[: world.state.contact_count])
 
 
 def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Give each island with an overlap to undo the pushes that undo it."""
     for contacts in islands_of(world):
-        if any(c.push_speed > 0.0 for c in contacts):
+        if any(c.pseudo_speed > 0.0 for c in contacts):
             island = island_of(world, contacts)
             x = solve_contacts(_push_problem(island)).impulses
-            apply_pushes(island, x)
+            apply_pseudo_impulses(island, x)
             for k, c in enumerate(contacts):
-                c.push_impulse += float(x[k])
+                c.pseudo_impulse += float(x[k])
 
 
 def prepare_strikes(world: World, effects: Effects = EVERY_EFFECT, *, rule: StrikeRule) -> None:
@@ -144,10 +144,10 @@ def prepare_strikes(world: World, effects: Effects = EVERY_EFFECT, *, rule: Stri
     for contacts in islands_of(world):
         island = island_of(world, contacts)
         restitution = np.array([c.restitution for c in contacts])
-        problem = Problem(island.compliance, velocities(island), island.friction)
+        problem = Problem(island.delassus, velocities(island), island.friction)
         x = rule(problem, restitution, _pairs(contacts), quiet)
         note_impulses(contacts, x)
-        reached = problem.velocity + island.compliance @ x
+        reached = problem.velocity + island.delassus @ x
         for k, c in enumerate(contacts):
             c.target_vn = max(float(reached[k]), 0.0) if x[k] > 0.0 else 0.0
 
@@ -172,11 +172,11 @@ def note_impulses(contacts: list[ContactRow], x: Floats) -> None:
 def _push_problem(island: Island) -> Problem:
     """Return the problem of the position correction; the bodies' own parting counts."""
     m = len(island.contacts)
-    missing = push_velocities(island)
+    missing = pseudo_velocities(island)
     missing[:m] += np.maximum(velocities(island)[:m], 0.0)
-    missing[:m] -= [c.push_speed for c in island.contacts]
+    missing[:m] -= [c.pseudo_speed for c in island.contacts]
     missing[m:] = 0.0
-    return Problem(island.compliance, missing, np.zeros(m))
+    return Problem(island.delassus, missing, np.zeros(m))
 
 
 def _pairs(contacts: list[ContactRow]) -> list[list[int]]:

@@ -27,7 +27,7 @@ SOLVER = Solver(
     gives_up="the exact solver finds no end of the collisions",
     lacks={
         "manifolds": "discs touch at one point",
-        "seams": "at the end of a face a disc hops, onto the next one if there is one",
+        "internal_edges": "at the end of a face a disc hops, onto the next one if there is one",
         "damping": "damped motion has no closed form here",
         "callbacks": "it calls none",
         "continuous": _EXACT,

@@ -80,7 +80,7 @@ def energetic(problem: Problem, restitution: Floats) -> Floats:
     approaches = np.flatnonzero(problem.velocity[:m] < 0.0)
     if m > 1 or len(approaches) == 0:
         return held_back(problem, restitution)
-    (knn, knt), (_, ktt) = problem.compliance.tolist()
+    (knn, knt), (_, ktt) = problem.delassus.tolist()
     un, ut = problem.velocity.tolist()
     e, mu = float(restitution[0]), float(problem.friction[0])
     return np.array(stronge(un, ut, knn, knt, ktt, e, mu))
@@ -94,8 +94,8 @@ def held_back(problem: Problem, restitution: Floats) -> Floats:
     """
     stopped = solve_contacts(problem).impulses
     bounce = newton(problem, restitution) - stopped
-    slope = float((problem.velocity + problem.compliance @ stopped) @ bounce)
-    curve = float(bounce @ problem.compliance @ bounce)
+    slope = float((problem.velocity + problem.delassus @ stopped) @ bounce)
+    curve = float(bounce @ problem.delassus @ bounce)
     lost = -energy_gain(problem, stopped)
     if slope + curve / 2 <= lost:
         return stopped + bounce
@@ -107,7 +107,7 @@ def held_back(problem: Problem, restitution: Floats) -> Floats:
 
 def energy_gain(problem: Problem, x: Floats) -> float:
     """Return the kinetic energy that impulses bring, J."""
-    return float(problem.velocity @ x + x @ problem.compliance @ x / 2)
+    return float(problem.velocity @ x + x @ problem.delassus @ x / 2)
 
 
 def all_at_once(
@@ -135,16 +135,16 @@ def one_by_one(
             break
         points = np.array(pairs[fastest])
         both = np.concatenate((points, m + points))
-        part = Problem(problem.compliance[np.ix_(both, both)], u[both], problem.friction[points])
+        part = Problem(problem.delassus[np.ix_(both, both)], u[both], problem.friction[points])
         strike = law(part, restitution[points])
         x[both] += strike
-        u += problem.compliance[:, both] @ strike
+        u += problem.delassus[:, both] @ strike
     return _stop_the_rest(problem, x)
 
 
 def _stop_the_rest(problem: Problem, x: Floats) -> Floats:
     """Return impulses with those added that stop what still approaches."""
-    left = problem._replace(velocity=problem.velocity + problem.compliance @ x)
+    left = problem._replace(velocity=problem.velocity + problem.delassus @ x)
     return x + solve_contacts(left).impulses
 
 

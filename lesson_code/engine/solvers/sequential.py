@@ -34,24 +34,24 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from lesson_code.engine.core.constants import (
+    BAUMGARTE_FACTOR,
     FEWEST_FOR_STRIDE,
     LEAST_EXCESS,
     PART_OF_SWEEP,
-    PUSH_SHARE,
     SLOP,
     STRIDE,
 )
 from lesson_code.engine.core.contact_frame import (
     apply_central_impulse,
-    apply_central_push,
+    apply_central_pseudo_impulse,
     apply_impulses,
     apply_normal_impulse,
-    apply_push,
+    apply_pseudo_impulse,
     bring_to_total,
-    central_push_velocity,
+    central_pseudo_velocity,
     central_velocity,
     friction_impulse,
-    missing_push,
+    missing_pseudo_velocity,
     missing_velocity,
     normal_impulse,
     normal_velocity,
@@ -69,7 +69,7 @@ from lesson_code.engine.solvers.block_solver import (
     couple_tangents,
     solve_manifold,
     solve_normals,
-    solve_pushes,
+    solve_pseudo_velocities,
 )
 
 Visit: TypeAlias = Callable[[ContactRow, BodyRow, BodyRow], None]
@@ -101,7 +101,7 @@ def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None
         a, b = world.bodies[c.a], world.bodies[c.b]
         set_contact(c, a, b)
         c.target_vn = 0.0
-        c.push_speed = push_speed_of(c, a, b, world.state.dt)
+        c.pseudo_speed = pseudo_speed_of(c, a, b, world.state.dt)
         if effects.manifolds:
             c.is_block = False
             if k > 0:
@@ -126,11 +126,11 @@ def set_bounces(world: World, velocity: Velocity) -> None:
         c.target_vn = -c.restitution * velocity(c, world.bodies[c.a], world.bodies[c.b])
 
 
-def push_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
+def pseudo_speed_of(c: ContactRow, a: BodyRow, b: BodyRow, dt: float) -> float:
     """Return the speed at which a contact's overlap is undone, m/s; 0 where there is too little."""
-    slop = SLOP * min(a.extent, b.extent)
+    slop = SLOP * min(a.min_width, b.min_width)
     excess = c.penetration - slop
-    return PUSH_SHARE * excess / dt if excess > LEAST_EXCESS * slop else 0.0
+    return BAUMGARTE_FACTOR * excess / dt if excess > LEAST_EXCESS * slop else 0.0
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
@@ -240,7 +240,7 @@ def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
     """Return whether any contact overlaps by too much; leave out what will part by itself."""
     found = False
     for k in range(world.state.contact_count):
-        found = found or world.contacts[k].push_speed > 0.0
+        found = found or world.contacts[k].pseudo_speed > 0.0
     if found:
         spare_parting(world, normal_velocity if effects.rotation else central_velocity)
     return found
@@ -250,15 +250,15 @@ def spare_parting(world: World, velocity: Velocity) -> None:
     """Take from what is to be undone what the velocities will undo."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
-        c.push_speed -= max(velocity(c, world.bodies[c.a], world.bodies[c.b]), 0.0)
+        c.pseudo_speed -= max(velocity(c, world.bodies[c.a], world.bodies[c.b]), 0.0)
 
 
 def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep of pushes over all contacts."""
     if effects.rotation:
-        sweep(world, effects, solve_push, solve_pushes)
+        sweep(world, effects, solve_pseudo_velocity, solve_pseudo_velocities)
     else:
-        sweep(world, effects, solve_central_push, solve_pushes)
+        sweep(world, effects, solve_central_pseudo_velocity, solve_pseudo_velocities)
 
 
 def is_second_of_block(world: World, k: int) -> bool:
@@ -266,19 +266,19 @@ def is_second_of_block(world: World, k: int) -> bool:
     return k > 0 and world.contacts[k - 1].is_block
 
 
-def solve_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+def solve_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Move the bodies apart, by an impulse that in total only pushes."""
-    total = normal_impulse(missing_push(c, a, b), c.normal_mass, 0.0, c.push_impulse)
-    apply_push(c, a, b, total - c.push_impulse)
-    c.push_impulse = total
+    total = normal_impulse(missing_pseudo_velocity(c, a, b), c.normal_mass, 0.0, c.pseudo_impulse)
+    apply_pseudo_impulse(c, a, b, total - c.pseudo_impulse)
+    c.pseudo_impulse = total
 
 
-def solve_central_push(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
+def solve_central_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Do the same to bodies that do not turn."""
-    missing = central_push_velocity(c, a, b) - c.push_speed
-    total = normal_impulse(missing, c.normal_mass, 0.0, c.push_impulse)
-    apply_central_push(c, a, b, total - c.push_impulse)
-    c.push_impulse = total
+    missing = central_pseudo_velocity(c, a, b) - c.pseudo_speed
+    total = normal_impulse(missing, c.normal_mass, 0.0, c.pseudo_impulse)
+    apply_central_pseudo_impulse(c, a, b, total - c.pseudo_impulse)
+    c.pseudo_impulse = total
 
 
 def store(world: World, effects: Effects = EVERY_EFFECT) -> None:

@@ -44,9 +44,9 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.constants import (
+    BAUMGARTE_FACTOR,
     IMPACT_ROUNDING,
     IMPACT_SWEEPS,
-    PUSH_SHARE,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -172,7 +172,7 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
         deep = max(c.penetration - soft_depth(world, c, longer * c.normal_impulse), 0.0)
         vn = normal_velocity(c, world.bodies[c.a], world.bodies[c.b])
         later = max(vn, 0.0) * world.state.dt * (world.state.substeps - 1)
-        c.push_speed = max(PUSH_SHARE * deep - later, 0.0) / world.state.dt
+        c.pseudo_speed = max(BAUMGARTE_FACTOR * deep - later, 0.0) / world.state.dt
     if has_overlap_to_undo(world, effects):
         for _ in range(world.state.substeps * world.state.iterations):
             contact_solver.correct(world, effects)
@@ -182,7 +182,7 @@ def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
     """Return the overlap that is left to the spring, m: what its load sinks by, and the slop."""
     state = world.state
     sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
-    return sinking + SLOP * min(world.bodies[c.a].extent, world.bodies[c.b].extent)
+    return sinking + SLOP * min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
 
 
 # In each sub-step
@@ -249,7 +249,7 @@ def solve_soft_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
 def solve_soft_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Bring two points of one manifold to their springs' velocities at once."""
     missing = missing_soft_velocity(c, a, b), missing_soft_velocity(d, a, b)
-    k = 1 / c.soft_mass, c.coupling, 1 / d.soft_mass
+    k = 1 / c.soft_mass, c.k_cross, 1 / d.soft_mass
     totals = two_impulses(k, missing, (c.normal_impulse, d.normal_impulse))
     bring_to_total(c, a, b, totals[0])
     bring_to_total(d, a, b, totals[1])

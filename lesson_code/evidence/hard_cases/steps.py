@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
@@ -34,7 +34,7 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
         "dt": DT,
         "iterations": 10,
         "substeps": 1,
-        "combine": Combination(),
+        "combine": MixingRule(),
         "keep_impulses": False,
     }
     if solver == "pymunk":

@@ -113,7 +113,7 @@ def pairs() -> list[EffectPair]:
         pair("broad_phase", gas(CROWD), gas(FEW), f"{CROWD} discs | {FEW}", in_pymunk=False),
         pair("outlines", calm, between_circles(), "straight walls | walls of circles"),
         pair("manifolds", with_boxes(), calm, "boxes and discs | discs"),
-        pair("seams", on_two_slabs(tower), tower, "a floor of two pieces | of one"),
+        pair("internal_edges", on_two_slabs(tower), tower, "a floor of two pieces | of one"),
         pair("continuous", gas(faster=2), calm, "a gas twice as fast | a gas", in_pymunk=False),
         pair("restitution", pile(BOUNCE), rough, f"a pile, e = {BOUNCE:.2f} | e = 0"),
         pair("friction", rough, smooth, f"a pile, mu = {FRICTION:.2f} | mu = 0"),

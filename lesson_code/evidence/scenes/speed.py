@@ -117,7 +117,7 @@ class SpeedScene:
     @property
     def slop(self) -> float:
         """Overlap that our solver leaves alone, m: a share of the smallest body that can move."""
-        widths = (body.shape.extent for body in self.scene.bodies if not body.is_static)
+        widths = (body.shape.min_width for body in self.scene.bodies if not body.is_static)
         return SLOP * min(widths)
 
 

@@ -57,7 +57,7 @@ class Pile:
         True
         """
         moved = np.abs(states[:, :2] - states_of(scene)[:, :2])
-        widths = np.array([body.shape.extent for body in scene.bodies])
+        widths = np.array([body.shape.min_width for body in scene.bodies])
         in_place = (moved.max(axis=1) < self.farthest * widths).all()
         return bool(in_place) and overlap <= self.deepest
 

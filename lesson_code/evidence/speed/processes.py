@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
-from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.evidence.scenes.speed import SpeedScene, gas
 from lesson_code.evidence.speed.engines import start
 from lesson_code.evidence.speed.race import bytes_of
@@ -97,7 +97,7 @@ def resident_growth(count: int) -> str:
     """
     scene = gas(count)
     refuse_heap(scene.scene)
-    own_values(scene.scene.bodies, Combination(), COMBINATIONS["pymunk"])
+    own_values(scene.scene.bodies, MixingRule(), MIXING_RULES["pymunk"])
     before = _resident()
     space = _running_space(scene)
     after = _resident()

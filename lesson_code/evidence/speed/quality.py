@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import as_arrays, compiled_function, link
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.constants import SLOP
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.penetration import EVERY_OVERLAP, in_widths, measure_overlaps
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
@@ -95,7 +95,7 @@ class Gauge:
         source = link(
             measure_overlaps, broad_phase=broad_phase, effects=EVERY_OVERLAP, depth=in_widths
         )
-        self._world: Any = as_arrays(world_of(scene, 1.0, 0, Combination()), source)
+        self._world: Any = as_arrays(world_of(scene, 1.0, 0, MixingRule()), source)
         self._measure = compiled_function(source, "measure_overlaps")
 
     def read(self, states: Floats) -> Reading:
@@ -104,7 +104,7 @@ class Gauge:
         bodies["x"], bodies["y"], bodies["angle"] = states[:, 0], states[:, 1], states[:, 2]
         bodies["vx"] = bodies["vy"] = 0.0  # no margins are needed
         while (depth := float(self._measure(self._world))) < 0.0:
-            self._world = make_room(self._world)
+            self._world = add_capacity(self._world)
         return Reading(depth, int(self._world.state.contact_count), self.energy(states))
 
     def energy(self, states: Floats) -> float:
@@ -125,7 +125,7 @@ class Gauge:
 
 def energy_to_lift(scene: Scene) -> float:
     """Return what it takes to lift all bodies by the smallest width, J; 0 without gravity."""
-    smallest = min(body.shape.extent for body in scene.bodies if not body.is_static)
+    smallest = min(body.shape.min_width for body in scene.bodies if not body.is_static)
     mass = sum(body.mass or 0.0 for body in scene.bodies)
     return mass * float(np.hypot(*scene.gravity)) * smallest
 

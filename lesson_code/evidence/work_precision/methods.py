@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from lesson_code.engine.core.constants import SLOP
-from lesson_code.engine.core.mixing import COMBINATIONS
+from lesson_code.engine.core.mixing import MIXING_RULES
 from lesson_code.engine.core.recording import record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.event_driven import ExactSolver, record_exact
@@ -145,12 +145,12 @@ def exact_solver(scene: PrecisionScene) -> ExactSolver:
     ValueError
         It cannot take the scene.
     """
-    return ExactSolver(scene.scene, combine=COMBINATIONS["workbook"], keep_impulses=False)
+    return ExactSolver(scene.scene, combine=MIXING_RULES["workbook"], keep_impulses=False)
 
 
 def our_slop(scene: PrecisionScene) -> float:
     """Return the overlap that our solver leaves alone, m, to be given to pymunk."""
-    return SLOP * min(body.shape.extent for body in scene.scene.bodies if not body.is_static)
+    return SLOP * min(body.shape.min_width for body in scene.scene.bodies if not body.is_static)
 
 
 def sampled(scene: PrecisionScene, method: Method, setting: Setting, *, compiled: bool) -> Run:

@@ -30,7 +30,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
 from lesson_code.engine.core.scene import Body, Scene
@@ -56,7 +56,7 @@ class Box2DStepper:
         Of Box2D's solver for velocities, in each sub-step.
     substeps : int
         Parts of a step.
-    combine : Combination
+    combine : MixingRule
         How a pair's coefficients come from its bodies'.
     position_iterations : int
         Of Box2D's solver for overlaps, in each sub-step; 3 is its manual's advice.
@@ -83,7 +83,7 @@ class Box2DStepper:
         dt: float,
         iterations: int,
         substeps: int,
-        combine: Combination,
+        combine: MixingRule,
         position_iterations: int = 3,
         keep_impulses: bool = True,
     ) -> None:
@@ -98,7 +98,7 @@ class Box2DStepper:
         self._combine = combine
         self._scene = scene
         self._events: list[Event] = []
-        values = own_values(scene.bodies, combine, COMBINATIONS["box2d"])
+        values = own_values(scene.bodies, combine, MIXING_RULES["box2d"])
         self.corrects_coefficients = values is None
         self.world = library.b2World(gravity=scene.gravity)
         self.world.SetAllowSleeping(False)  # the binding overlooks the constructor's doSleep

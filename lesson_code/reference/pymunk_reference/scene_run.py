@@ -25,7 +25,7 @@ import numpy as np
 import pymunk
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
 from lesson_code.engine.core.scene import Body, Scene
@@ -54,7 +54,7 @@ class PymunkStepper:
         Of pymunk's solver, in each sub-step.
     substeps : int
         Parts of a step.
-    combine : Combination
+    combine : MixingRule
         How a pair's coefficients come from its bodies'.
     keep_impulses : bool
         Whether to write down what each pair receives. It costs a call for each pair and step:
@@ -85,7 +85,7 @@ class PymunkStepper:
         dt: float,
         iterations: int,
         substeps: int,
-        combine: Combination,
+        combine: MixingRule,
         keep_impulses: bool = True,
         broad_phase: Literal["tree", "hash"] = "tree",
         slop: float | None = None,
@@ -141,7 +141,7 @@ class PymunkStepper:
 
     def _set_coefficients(self, scene: Scene) -> None:
         """Give pymunk the pairs' coefficients: by its own product where that can be, else ours."""
-        values = own_values(scene.bodies, self._combine, COMBINATIONS["pymunk"])
+        values = own_values(scene.bodies, self._combine, MIXING_RULES["pymunk"])
         self.corrects_coefficients = values is None
         if values is None:
             self.space.on_collision(None, None, pre_solve=self._correct)
@@ -191,7 +191,7 @@ def _space(
     if broad_phase not in ("tree", "hash"):
         raise ValueError(f"broad_phase must be tree or hash, got {broad_phase!r}")
     if broad_phase == "hash" and scene.bodies:
-        width = statistics.median(body.shape.extent for body in scene.bodies)
+        width = statistics.median(body.shape.min_width for body in scene.bodies)
         space.use_spatial_hash(CELL_WIDTH * width, CELLS_PER_BODY * len(scene.bodies))
     return space
 

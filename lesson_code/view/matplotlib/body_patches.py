@@ -81,7 +81,7 @@ def write_names(
     for n, name in names.items():
         shape, is_static = scene.bodies[n].shape, scene.bodies[n].is_static
         least = NAME_OF_FEW if is_static or len(names) <= FEW_NAMES else 0.0
-        fitting = shape.extent * scale / max(1.2, LETTER * len(name))
+        fitting = shape.min_width * scale / max(1.2, LETTER * len(name))
         size = min(LARGEST_NAME, max(least, fitting))
         place = _placed(np.array([shape.centroid]), positions[n], angles[n])[0]
         if is_static:

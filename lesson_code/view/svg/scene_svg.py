@@ -202,7 +202,7 @@ def picture(sheet: Sheet, scene: Scene, state: State, names: Mapping[int, str]) 
     for n in moving(scene):
         shape = _shape(scene.bodies[n].shape, sheet.scale)
         least = NAME_OF_FEW if len(names) <= FEW_NAMES else 0
-        name = _name(names.get(n, ""), scene.bodies[n].shape.extent * sheet.scale, least)
+        name = _name(names.get(n, ""), scene.bodies[n].shape.min_width * sheet.scale, least)
         spoke = _spoke(scene.bodies[n].shape, sheet.scale)
         turning = element(
             "g",
@@ -339,7 +339,7 @@ def _name(name: str, room: float, least: int) -> str:
 
 def _dot(scene: Scene, scale: float) -> int:
     """Return how wide a contact point is, px: small where bodies are."""
-    widths = [body.shape.extent * scale for body in scene.bodies if not body.is_static]
+    widths = [body.shape.min_width * scale for body in scene.bodies if not body.is_static]
     return int(min(6.0, max(3.0, 0.3 * min(widths, default=0.0))))
 
 

@@ -148,8 +148,8 @@ def test_messages_say_why() -> None:
     """Each says in numbers what is wrong with an answer."""
     assert tasks.distances((((3, 4),), ((0, 0),)), 7.0) == "Distances, m: (5,)."
     given: Arguments = (0.1, 8.0, 0.05, 4.0)
-    assert tasks.foretold(given, 2.0) == ("With your order the second error would be 2; it is 4.")
-    assert tasks.foretold(given, 1e9) == ""
+    assert tasks.predicted(given, 2.0) == ("With your order the second error would be 2; it is 4.")
+    assert tasks.predicted(given, 1e9) == ""
     rows = tuple(map(tuple, TABLE.tolist()))
     assert tasks.sweeps_of_the_rows((rows, 200.0), None) == (
         "Rows of 200 sweeps: 20 x 10: 0.001 m."

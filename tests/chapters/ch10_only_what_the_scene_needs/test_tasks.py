@@ -13,7 +13,7 @@ import pytest
 from lesson_code.chapters.ch10_only_what_the_scene_needs import tasks
 from lesson_code.course.grading.exercises import task_by_id
 from lesson_code.course.grading.task import Arguments
-from lesson_code.engine.core.mixing import COMBINATIONS
+from lesson_code.engine.core.mixing import MIXING_RULES
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.effects.choice import choose_effects
 from lesson_code.engine.effects.collisions import can_meet
@@ -66,7 +66,7 @@ def test_plan_expected_is_that_of_the_engine() -> None:
     cases = (tasks.rough_or_smooth, tasks.bouncing_or_not, tasks.turning_or_not, tasks.whole_plans)
     for bodies, gravity in [given for some in cases for given in drawn(some)[:30]]:
         scene = Scene([body_of(n, *row) for n, row in enumerate(bodies)], gravity=gravity)
-        choices = choose_effects(Question(scene, combine=COMBINATIONS["workbook"]))
+        choices = choose_effects(Question(scene, combine=MIXING_RULES["workbook"]))
         planned = [c.name for c in choices if c.used and c.name in names]
         assert effects_called_for(bodies, gravity) == sorted(planned)
 
@@ -126,7 +126,7 @@ def test_sleep_expected_is_what_the_engine_lets_sleep() -> None:
         dt=1 / 60,
         iterations=10,
         substeps=1,
-        combine=COMBINATIONS["workbook"],
+        combine=MIXING_RULES["workbook"],
         duration=3.0,
     )
     stepper.advance(180)

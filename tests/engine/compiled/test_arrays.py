@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Combination, Scene
+from lesson_code import MixingRule, Scene
 from lesson_code.engine.compiled.arrays import (
     KINDS,
     LINE,
@@ -50,7 +50,7 @@ def rows_of(tables: Any) -> Any:
 
 def stirred() -> World:
     """Return the tables of 20 shapes with another value in every field of every row."""
-    world = world_of(bin_of_shapes(20).scene, 0.01, 3, Combination())
+    world = world_of(bin_of_shapes(20).scene, 0.01, 3, MixingRule())
     world.pairs.extend(PairRow() for _ in range(5))
     rng = np.random.default_rng(5)
     for table in world:
@@ -94,7 +94,7 @@ def test_number_that_no_field_can_hold_is_refused() -> None:
 
 def test_tables_without_rows_have_their_kinds_of_rows() -> None:
     """An empty list knows nothing of its rows; the annotation does."""
-    world = world_of(Scene(), 0.01, 1, Combination())
+    world = world_of(Scene(), 0.01, 1, MixingRule())
     arrays: Any = arrays_of(world)
     for name, kind in row_kinds(World).items():
         if isinstance(getattr(world, name), list):

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.chapters.ch04_circles.scenes import scattered_balls
 from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
@@ -64,7 +64,7 @@ def one_program_for_all(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def at_work(scene: Scene, solver: str, compiled: bool, **settings: Any) -> EngineStepper:
     """Return a solver at work on a scene."""
-    usual = {"dt": DT, "iterations": 4, "substeps": 2, "combine": Combination()}
+    usual = {"dt": DT, "iterations": 4, "substeps": 2, "combine": MixingRule()}
     return EngineStepper(scene, solver=solver, compiled=compiled, **(usual | settings))
 
 
@@ -203,7 +203,7 @@ def test_compiled_run_has_the_bits_of_the_plain_one(
         {"dt": 0.05, "iterations": 1},
         {"iterations": 10, "substeps": 1},
         {"iterations": 3, "substeps": 5},
-        {"combine": Combination("max", "product")},
+        {"combine": MixingRule("max", "product")},
     ],
     ids=str,
 )
@@ -231,16 +231,16 @@ def test_compiled_run_in_many_calls_has_the_bits_of_one_call(solver: str) -> Non
 def test_compiled_run_stops_for_room_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """The tables begin empty; those for pairs, contacts and impulses grow, and more than once."""
     wanted: list[tuple[int, int, int]] = []
-    make_room = stepper.make_room
+    add_capacity = stepper.add_capacity
 
     def watched(world: Any) -> Any:
         state = world.state
         rows = state.pairs_wanted, state.contacts_wanted, state.impulses_wanted
         if any(rows):  # not the stop at the first fast body
             wanted.append(rows)
-        return make_room(world)
+        return add_capacity(world)
 
-    monkeypatch.setattr(stepper, "make_room", watched)
+    monkeypatch.setattr(stepper, "add_capacity", watched)
     compiled, plain = both(mixed_heap(), "sequential", 90)
     assert_same_bits(compiled, plain)
     assert wanted[: len(wanted) // 2] == wanted[len(wanted) // 2 :]

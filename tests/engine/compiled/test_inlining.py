@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from lesson_code import Combination
+from lesson_code import MixingRule
 from lesson_code.engine.compiled.inlining import MOST_NODES, inlined, merged
 from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.engine.solvers import our_solvers
@@ -68,7 +68,7 @@ def test_merged_nothing_that_is_compiled_in_place() -> None:
 
 
 WHOLE_WORLD = "world"
-RARE = {("drop_seams", "is_covered")}
+RARE = {("drop_internal_edges", "is_covered")}
 """Calls that may copy the world: for each contact with a static body, and long in themselves."""
 
 
@@ -99,7 +99,7 @@ def test_inlined_no_loop_over_rows_hands_on_the_world(
     wishes = {name: True for name in EFFECTS if name not in spared} if every else None
     settings: dict[str, Any] = {"dt": 1 / 60, "iterations": 10, "substeps": 1}
     stepper = EngineStepper(
-        scene.scene, solver=solver, combine=Combination(), effects=wishes, **settings
+        scene.scene, solver=solver, combine=MixingRule(), effects=wishes, **settings
     )
     for splits in (False, True):
         source = source_of(stepper.pipeline._replace(splits_steps=splits))

@@ -256,7 +256,7 @@ OVERLAPPING = """
 """Discs without corners make the smallest program, which is compiled in 4 s."""
 
 EDITS = {
-    "a constant": ("core/constants.py", "PUSH_SHARE = 0.2\n", "PUSH_SHARE = 0.25\n"),
+    "a constant": ("core/constants.py", "BAUMGARTE_FACTOR = 0.2\n", "BAUMGARTE_FACTOR = 0.25\n"),
     "a stage": ("effects/damping.py", "-world.state.damping *", "-2.0 * world.state.damping *"),
 }
 

@@ -17,11 +17,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Combination, Scene
+from lesson_code import MixingRule, Scene
 from lesson_code.engine.compiled import link
 from lesson_code.engine.core import contact_frame, contact_motion
 from lesson_code.engine.core.broad_phase import longest_way
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.step import advance, rigid_part
@@ -92,7 +92,8 @@ def test_function_in_which_nothing_is_decided_is_taken_as_it_stands() -> None:
 
 
 @pytest.mark.parametrize("function", [
-    contact_solver.solve_contact, contact_solver.push_speed_of, contact_solver.solve_push,
+    contact_solver.solve_contact, contact_solver.pseudo_speed_of,
+    contact_solver.solve_pseudo_velocity,
     contact_frame.apply_impulses, contact_frame.set_frame,
 ], ids=lambda function: function.__name__)  # fmt: skip
 def test_lines_that_the_lesson_shows_are_lines_of_the_program(function: Any) -> None:
@@ -160,9 +161,9 @@ def test_branches_that_cannot_be_reached_disappear(make: Make) -> None:
                 x += 4
             if stages.rotation and x > 1:
                 x += 8
-            return x if stages.seams else -x
+            return x if stages.internal_edges else -x
         """)
-    flags = Effects(outlines=False, manifolds=False, rotation=True, seams=False)
+    flags = Effects(outlines=False, manifolds=False, rotation=True, internal_edges=False)
     source = link(module.f, stages=flags, listener=None)
     assert body(source, "f") == [
         "if x > 5:\n    x += 2",
@@ -318,7 +319,7 @@ EFFECTS = {
     "every effect": EVERY_EFFECT,
     "discs and walls": Effects(manifolds=False),
     "smooth discs": Effects(
-        outlines=False, manifolds=False, seams=False, friction=False, rotation=False
+        outlines=False, manifolds=False, internal_edges=False, friction=False, rotation=False
     ),
     "a flight": Effects(collisions=False),
     "sleep": Effects(sleeping=True),
@@ -370,7 +371,7 @@ SCENES = {
 def at_work(scene: Scene, solver: str) -> EngineStepper:
     """Return a solver at work on a scene."""
     return EngineStepper(
-        scene, solver=solver, dt=1 / 60, iterations=4, substeps=2, combine=Combination()
+        scene, solver=solver, dt=1 / 60, iterations=4, substeps=2, combine=MixingRule()
     )
 
 
@@ -401,7 +402,7 @@ def test_stages_of_the_direct_solver_are_imported(law: str) -> None:
     usual, linked = (
         EngineStepper(
             cornered(), solver="direct", dt=1 / 60, iterations=1, substeps=1,
-            combine=Combination(),
+            combine=MixingRule(),
             options={"restitution_law": law},
         )
         for _ in range(2)
@@ -418,5 +419,5 @@ def advanced(program: Callable[[World], bool], world: World, steps: int) -> Worl
     world.state.steps_left = steps
     while not program(world):
         world.state.impulse_count = 0
-        world = make_room(world)
+        world = add_capacity(world)
     return world

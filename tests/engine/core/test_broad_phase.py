@@ -11,7 +11,7 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Polygon, Scene, Segment
+from lesson_code import Body, Circle, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core import broad_phase
 from lesson_code.engine.core.broad_phase import (
     bound,
@@ -24,7 +24,7 @@ from lesson_code.engine.core.broad_phase import (
     sort_pairs,
 )
 from lesson_code.engine.core.candidate_pairs import seek_pairs
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.constants import LAST_CELL, LEAST_MARGIN, MOST_MARGIN, STEPS_AHEAD
 from lesson_code.engine.core.motion import move, turn_with_angle
 from lesson_code.engine.core.rows import PairRow, World
@@ -88,7 +88,7 @@ def some_scene(seed: int, places: str, sizes: str) -> Scene:
 
 def world_from(scene: Scene) -> World:
     """Return the tables of a scene, its boxes drawn, without room for any pair."""
-    world = world_of(scene, dt=0.01, iterations=1, combine=Combination())
+    world = world_of(scene, dt=0.01, iterations=1, combine=MixingRule())
     bound(world)
     return world
 
@@ -103,7 +103,7 @@ def draw_tight(world: World) -> World:
 def found(world: World, way: str) -> list[tuple[int, int]]:
     """Return the pairs of the boxes as they are drawn that a way finds, and make room for them."""
     while not seek_pairs(world, BROAD_PHASES[way]):
-        make_room(world)
+        add_capacity(world)
     return [(pair.a, pair.b) for pair in world.pairs[: world.state.pair_count]]
 
 
@@ -163,7 +163,7 @@ def test_margin_of_a_box_is_the_way_of_the_fastest_within_limits(seed: int) -> N
         if body.inv_m == 0.0:
             assert margins == [0.0] * 4
         else:
-            expected = np.clip(way, LEAST_MARGIN * body.extent, MOST_MARGIN * body.extent)
+            expected = np.clip(way, LEAST_MARGIN * body.min_width, MOST_MARGIN * body.min_width)
             assert margins == pytest.approx([expected] * 4, abs=100 * ROUNDING)
 
 
@@ -359,7 +359,7 @@ def test_sorted_pairs_are_those_that_python_sorts(pairs: list[tuple[int, int]]) 
     """Two counting sorts make one sort by a, then by b; none is lost, none twice."""
     world = world_from(Scene([Body(Circle(1), mass=1)] * 10))
     world.state.pairs_wanted = 30
-    make_room(world)
+    add_capacity(world)
     count = 0
     for a, b in pairs:
         count = put_pair(world.pairs, count, a, b, is_pair=True)

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Material, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Scene, Segment
 from lesson_code.engine.compiled import as_arrays
 from lesson_code.engine.core.capacity import (
     FEWEST_ROWS,
     SPARE,
+    add_capacity,
     longer,
-    make_room,
     refuse_heap,
     rows_for,
 )
@@ -38,7 +38,7 @@ EVERY_TABLE = "row.a row.b row.feature row.index row.body row.time"
 
 def empty(kind: str = "rows") -> World:
     """Return the tables of one disc, none of which has room for a contact."""
-    world = world_of(Scene([Body(Circle(1), mass=1)]), 0.01, 1, Combination())
+    world = world_of(Scene([Body(Circle(1), mass=1)]), 0.01, 1, MixingRule())
     return as_arrays(world, EVERY_TABLE) if kind == "arrays" else world
 
 
@@ -60,12 +60,12 @@ def test_room_is_made_in_the_tables_that_were_too_small(kind: str, wish: str) ->
     """In these and in no other; and the wish is fulfilled, once."""
     world = empty(kind)
     setattr(world.state, wish, 100)
-    made = make_room(world)
+    made = add_capacity(world)
     for name, table in made._asdict().items():
         if name in {name for names in WANTED.values() for name in names}:
             assert len(table) == (150 if name in WANTED[wish] else 0), name
     assert getattr(made.state, wish) == 0
-    assert [len(table) for table in make_room(made)[1:-1]] == [len(t) for t in made[1:-1]]
+    assert [len(table) for table in add_capacity(made)[1:-1]] == [len(t) for t in made[1:-1]]
 
 
 def test_rows_that_there_are_stay_the_same_rows() -> None:
@@ -81,7 +81,7 @@ def test_rows_that_there_are_stay_the_same_rows() -> None:
 
 def test_records_that_there_are_are_copied_bit_for_bit() -> None:
     """An array cannot grow: the longer one begins with what the shorter one held."""
-    table = as_arrays(world_of(Scene(), 0.01, 1, Combination()), EVERY_TABLE).pairs
+    table = as_arrays(world_of(Scene(), 0.01, 1, MixingRule()), EVERY_TABLE).pairs
     table = longer(table, 20, PairRow)
     table["a"], table["b"] = np.arange(30), np.arange(30) + 1
     more = longer(table, 40, PairRow)
@@ -114,7 +114,7 @@ def rain() -> Scene:
 def engine(solver: str) -> EngineStepper:
     """Return a solver at work on the rain."""
     return EngineStepper(
-        rain(), solver=solver, dt=1 / 60, iterations=4, substeps=2, combine=Combination()
+        rain(), solver=solver, dt=1 / 60, iterations=4, substeps=2, combine=MixingRule()
     )
 
 
@@ -123,7 +123,7 @@ def roomy(solver: str, rows: int) -> EngineStepper:
     stepper = engine(solver)
     state: Any = stepper.world.state
     state.pairs_wanted = state.contacts_wanted = state.impulses_wanted = rows
-    stepper.world = make_room(stepper.world)
+    stepper.world = add_capacity(stepper.world)
     return stepper
 
 

@@ -29,15 +29,15 @@ bodies = st.builds(
     vx=components,
     vy=components,
     w=components,
-    push_vx=components,
-    push_vy=components,
-    push_w=components,
+    pseudo_vx=components,
+    pseudo_vy=components,
+    pseudo_w=components,
     inv_m=inverses,
     inv_i=inverses,
 )
 contacts = st.builds(
     ContactRow, nx=st.just(0.6), ny=st.just(-0.8), ax=components, ay=components,
-    bx=components, by=components, target_vn=components, push_speed=st.floats(0, 10),
+    bx=components, by=components, target_vn=components, pseudo_speed=st.floats(0, 10),
 )  # fmt: skip
 directions = st.sampled_from([normal_of, tangent_of])
 
@@ -49,7 +49,7 @@ def velocities(*rows: BodyRow) -> Any:
 
 def pushes(*rows: BodyRow) -> Any:
     """Return the same of the position correction."""
-    return np.array([(row.push_vx, row.push_vy, row.push_w) for row in rows])
+    return np.array([(row.pseudo_vx, row.pseudo_vy, row.pseudo_w) for row in rows])
 
 
 def test_directions_of_a_contact_are_a_right_handed_pair() -> None:

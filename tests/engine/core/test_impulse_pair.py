@@ -45,6 +45,6 @@ def test_pushes_leave_the_velocities_alone() -> None:
     a, b = BodyRow(inv_m=1.0), BodyRow(inv_m=0.5)
     exchange_pushes(a, b, 2.0, 4.0)
     exchange_pushes_and_turn(a, b, 2.0, 4.0, -0.5, 0.25)
-    assert (a.push_vx, a.push_vy, a.push_w) == (-4.0, -8.0, -0.5)
-    assert (b.push_vx, b.push_vy, b.push_w) == (2.0, 4.0, 0.25)
+    assert (a.pseudo_vx, a.pseudo_vy, a.pseudo_w) == (-4.0, -8.0, -0.5)
+    assert (b.pseudo_vx, b.pseudo_vy, b.pseudo_w) == (2.0, 4.0, 0.25)
     assert (a.vx, a.vy, a.w, b.vx, b.vy, b.w) == (0.0,) * 6

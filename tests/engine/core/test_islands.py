@@ -9,10 +9,10 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Polygon, Scene, Segment
+from lesson_code import Body, Circle, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs
 from lesson_code.engine.core.candidate_pairs import find_pairs
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.contact_motion import (
     apply_impulse,
     normal_of,
@@ -21,10 +21,10 @@ from lesson_code.engine.core.contact_motion import (
 )
 from lesson_code.engine.core.islands import (
     apply_impulses,
-    apply_pushes,
+    apply_pseudo_impulses,
     island_of,
     islands_of,
-    push_velocities,
+    pseudo_velocities,
     velocities,
 )
 from lesson_code.engine.core.narrow_phase import find_contacts
@@ -37,26 +37,26 @@ ROUNDING = 1e-12
 
 def detected(bodies: list[Body]) -> World:
     """Return the tables of some bodies, their contacts found."""
-    world = world_of(Scene(bodies), dt=0.01, iterations=1, combine=Combination())
+    world = world_of(Scene(bodies), dt=0.01, iterations=1, combine=MixingRule())
     while not (find_pairs(world, all_pairs) and find_contacts(world)):
-        world = make_room(world)
+        world = add_capacity(world)
     return world
 
 
 def push_velocity_along(c: ContactRow, a: BodyRow, b: BodyRow, u: Any) -> float:
     """Return the relative velocity of the correction along u, as the motion's would be."""
-    pushed = [BodyRow(vx=r.push_vx, vy=r.push_vy, w=r.push_w) for r in (a, b)]
+    pushed = [BodyRow(vx=r.pseudo_vx, vy=r.pseudo_vy, w=r.pseudo_w) for r in (a, b)]
     return velocity_along(c, *pushed, u)
 
 
-def apply_push(c: ContactRow, a: BodyRow, b: BodyRow, u: Any, j: float) -> None:
+def apply_pseudo_impulse(c: ContactRow, a: BodyRow, b: BodyRow, u: Any, j: float) -> None:
     """Change the velocities of the correction as an impulse would those of the motion."""
     pushed = [BodyRow(inv_m=row.inv_m, inv_i=row.inv_i) for row in (a, b)]
     apply_impulse(c, *pushed, u, j)
     for row, gained in zip((a, b), pushed, strict=True):
-        row.push_vx += gained.vx
-        row.push_vy += gained.vy
-        row.push_w += gained.w
+        row.pseudo_vx += gained.vx
+        row.pseudo_vy += gained.vy
+        row.pseudo_w += gained.w
 
 
 def ball(x: float, y: float = 0.49, mass: float | None = 1.0, **motion: Any) -> Body:
@@ -107,7 +107,7 @@ def heap(seed: int) -> World:
     ]
     world = detected(bodies)
     for row in world.bodies:
-        row.push_vx, row.push_vy, row.push_w = rng.uniform(-5, 5, 3)
+        row.pseudo_vx, row.pseudo_vy, row.pseudo_w = rng.uniform(-5, 5, 3)
     return world
 
 
@@ -129,7 +129,7 @@ def test_velocities_after_impulses_are_u_plus_k_x(seed: int) -> None:
             for along in (normal_of, tangent_of)
             for c in contacts
         ]
-        np.testing.assert_allclose(u + island.compliance @ x, after, atol=100 * ROUNDING)
+        np.testing.assert_allclose(u + island.delassus @ x, after, atol=100 * ROUNDING)
         apply_impulses(island, -x)  # and back again
         np.testing.assert_allclose(velocities(island), u, atol=100 * ROUNDING)
 
@@ -141,18 +141,18 @@ def test_pushes_change_the_velocities_of_the_correction_alone(seed: int) -> None
     rng, world = np.random.default_rng(seed), heap(seed)
     for contacts in islands_of(world):
         island = island_of(world, contacts)
-        u, before = push_velocities(island), velocities(island)
+        u, before = pseudo_velocities(island), velocities(island)
         x = rng.uniform(-1, 1, len(u))
-        apply_pushes(island, x)
+        apply_pseudo_impulses(island, x)
         np.testing.assert_array_equal(velocities(island), before)
         after = [
             push_velocity_along(c, world.bodies[c.a], world.bodies[c.b], along(c))
             for along in (normal_of, tangent_of)
             for c in contacts
         ]
-        np.testing.assert_allclose(u + island.compliance @ x, after, atol=100 * ROUNDING)
+        np.testing.assert_allclose(u + island.delassus @ x, after, atol=100 * ROUNDING)
         for c, jn, jt in zip(contacts, *np.split(-x, 2), strict=True):
             a, b = world.bodies[c.a], world.bodies[c.b]
-            apply_push(c, a, b, normal_of(c), jn)
-            apply_push(c, a, b, tangent_of(c), jt)
-        np.testing.assert_allclose(push_velocities(island), u, atol=100 * ROUNDING)
+            apply_pseudo_impulse(c, a, b, normal_of(c), jn)
+            apply_pseudo_impulse(c, a, b, tangent_of(c), jt)
+        np.testing.assert_allclose(pseudo_velocities(island), u, atol=100 * ROUNDING)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core import motion
 from lesson_code.engine.core.motion import accelerate, move, turn_with_angle
 from lesson_code.engine.core.tables import world_of
@@ -40,7 +40,7 @@ def test_body_without_forces_moves_and_turns_evenly() -> None:
 
 def test_outline_of_a_body_that_turns_follows_its_angle() -> None:
     """After a quarter turn the corner (0.5, 1) is at (-1, 0.5), and every normal turns too."""
-    world = world_of(one_body(angular_velocity=math.pi / 2), 1.0, 1, Combination())
+    world = world_of(one_body(angular_velocity=math.pi / 2), 1.0, 1, MixingRule())
     move(world)
     corners = [(corner.x, corner.y) for corner in world.corners]
     np.testing.assert_allclose(corners[2], (-1, 0.5), atol=ROUNDING)
@@ -52,14 +52,14 @@ def test_outline_of_a_body_that_does_not_turn_is_never_computed_again(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A floor costs no sine."""
-    world = world_of(Scene([FLOOR]), 0.1, 1, Combination())
+    world = world_of(Scene([FLOOR]), 0.1, 1, MixingRule())
     monkeypatch.setattr(motion, "turn_with_angle", lambda *_: pytest.fail("placed without a spin"))
     move(world)
 
 
 def test_outline_at_a_large_angle_keeps_its_size() -> None:
     """After 159,155 turns: corners come from the angle each time, so that no error piles up."""
-    world = world_of(one_body(), 0.1, 1, Combination())
+    world = world_of(one_body(), 0.1, 1, MixingRule())
     body = world.bodies[0]
     body.angle = 1e6
     turn_with_angle(world, body)
@@ -95,7 +95,7 @@ def test_static_bodies_know_no_gravity_and_no_damping() -> None:
     assert not run.positions[:, 0].any()
     assert (run.velocities[:, 1] == (1, 0)).all()
     assert (run.angular_velocities[:, 1] == 3).all()
-    world = world_of(Scene([FLOOR], gravity=(0, -10)), 0.1, 1, Combination())
+    world = world_of(Scene([FLOOR], gravity=(0, -10)), 0.1, 1, MixingRule())
     accelerate(world)
     assert world.bodies[0].vy == 0
 

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs
 from lesson_code.engine.core.candidate_pairs import find_pairs
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.narrow_phase import find_overlaps
 from lesson_code.engine.core.rows import ContactRow, World
@@ -24,13 +24,13 @@ ROUNDING = 1e-14
 """m: a point is a sum of a place and an offset, each of a few metres and right to 1e-16."""
 
 
-def detected(scene: Scene, combine: Combination | None = None, dirt: float = 0.0) -> World:
+def detected(scene: Scene, combine: MixingRule | None = None, dirt: float = 0.0) -> World:
     """Return the tables of a scene, its contacts found, in rows that held something before."""
-    world = world_of(scene, dt=0.01, iterations=1, combine=combine or Combination())
+    world = world_of(scene, dt=0.01, iterations=1, combine=combine or MixingRule())
     while not (find_pairs(world, all_pairs) and find_overlaps(world, EVERY_EFFECT)):
-        world = make_room(world)
+        world = add_capacity(world)
     for contact in world.contacts:
-        contact.normal_impulse = contact.tangent_impulse = contact.push_impulse = dirt
+        contact.normal_impulse = contact.tangent_impulse = contact.pseudo_impulse = dirt
     assert find_overlaps(world, EVERY_EFFECT)
     return world
 
@@ -107,13 +107,13 @@ def test_lever_arms_of_any_scene_end_on_both_surfaces(seed: int) -> None:
 @pytest.mark.parametrize(
     ("combine", "expected"),
     [
-        (Combination(), (0.25, 0.4)),
-        (Combination("product", "product"), (0.16, 0.16)),
-        (Combination("max", "min"), (0.64, 0.25)),
+        (MixingRule(), (0.25, 0.4)),
+        (MixingRule("product", "product"), (0.16, 0.16)),
+        (MixingRule("max", "min"), (0.64, 0.25)),
     ],
 )
 def test_coefficients_of_a_contact_are_the_pairs(
-    combine: Combination, expected: tuple[float, float]
+    combine: MixingRule, expected: tuple[float, float]
 ) -> None:
     """Restitution and friction each by its own rule, of 0.25 and 0.64."""
     bodies = [
@@ -128,7 +128,7 @@ def test_impulses_of_a_new_contact_begin_at_zero() -> None:
     """A row is used again in every step; nothing is left of what it held."""
     bodies = [Body(Circle(1), mass=1, position=(x, 0)) for x in (0, 1)]
     [contact] = in_use(detected(Scene(bodies), dirt=7.0))
-    impulses = contact.normal_impulse, contact.tangent_impulse, contact.push_impulse
+    impulses = contact.normal_impulse, contact.tangent_impulse, contact.pseudo_impulse
     assert impulses == (0.0, 0.0, 0.0)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from lesson_code import Combination, Scene
+from lesson_code import MixingRule, Scene
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.solvers import our_solvers
 
@@ -15,7 +15,7 @@ def request(**asked: Any) -> Request:
     """Return a run that is asked for, with the usual settings but for some."""
     usual: dict[str, Any] = {
         "scene": Scene(), "duration": 1.0, "dt": 0.1, "iterations": None, "substeps": None,
-        "combine": Combination(), "effects": None, "compiled": None, "options": {}, "sample": None,
+        "combine": MixingRule(), "effects": None, "compiled": None, "options": {}, "sample": None,
     }  # fmt: skip
     return Request(**(usual | asked))
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core import step as stages
 from lesson_code.engine.core.broad_phase import all_pairs
 from lesson_code.engine.core.pipeline import Pipeline, SolverStages
@@ -29,7 +29,7 @@ STAGES = (
     "move",
     "find_pairs",
     "find_contacts",
-    "has_room_for_record",
+    "has_capacity_for_record",
     "accelerate",
     "record_impulses",
 )
@@ -69,10 +69,10 @@ def test_stages_come_in_the_order_of_the_pipeline(monkeypatch: pytest.MonkeyPatc
 
     for name in STAGES:
         monkeypatch.setattr(stages, name, noting(called, name))
-    world = world_of(Scene(), dt=0.1, iterations=2, combine=Combination())
+    world = world_of(Scene(), dt=0.1, iterations=2, combine=MixingRule())
     assert step(world, pipeline(noting_solver(called), Listener()))
     assert called == [
-        *("move", "find_pairs", "find_contacts", "has_room_for_record", "before_impulses"),
+        *("move", "find_pairs", "find_contacts", "has_capacity_for_record", "before_impulses"),
         *("prepare", "accelerate", "warm_start", "solve", "solve"),
         *("has_overlap_to_undo", "correct", "correct"),
         *("store", "after_impulses", "record_impulses"),
@@ -83,12 +83,12 @@ def test_correction_without_an_overlap_to_undo_is_left_out() -> None:
     """Nobody pays for sweeps that have nothing to do."""
     called: list[str] = []
     solver = noting_solver(called)._replace(has_overlap_to_undo=lambda *_: False)
-    world = world_of(Scene([FLOOR]), dt=0.1, iterations=2, combine=Combination())
+    world = world_of(Scene([FLOOR]), dt=0.1, iterations=2, combine=MixingRule())
     assert step(world, pipeline(solver))
     assert called == ["prepare", "warm_start", "solve", "solve", "store"]
 
 
-@pytest.mark.parametrize("stop", ["find_pairs", "find_contacts", "has_room_for_record"])
+@pytest.mark.parametrize("stop", ["find_pairs", "find_contacts", "has_capacity_for_record"])
 def test_step_that_lacks_room_goes_on_where_it_stopped(
     monkeypatch: pytest.MonkeyPatch, stop: str
 ) -> None:
@@ -96,7 +96,7 @@ def test_step_that_lacks_room_goes_on_where_it_stopped(
     called: list[str] = []
     for name in STAGES:
         monkeypatch.setattr(stages, name, noting(called, name, answer=name != stop))
-    world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+    world = world_of(Scene(), dt=0.1, iterations=1, combine=MixingRule())
     assert not step(world, pipeline(noting_solver(called)))
     assert (called[0], called[-1], world.state.has_moved) == ("move", stop, True)
     assert not {"prepare", "accelerate", "store"} & set(called)
@@ -109,7 +109,7 @@ def test_step_that_lacks_room_goes_on_where_it_stopped(
 @given(st.sampled_from(["x", "y", "vx", "vy", "angle", "w"]), st.sampled_from([math.inf, math.nan]))
 def test_body_beyond_floating_point_is_noted_by_number(name: str, value: float) -> None:
     """Before a sine or a grid cell of it is asked for; and the step stops there."""
-    world = world_of(Scene([FLOOR, Body(Polygon.box(1, 2), mass=2.0)]), 0.1, 1, Combination())
+    world = world_of(Scene([FLOOR, Body(Polygon.box(1, 2), mass=2.0)]), 0.1, 1, MixingRule())
     setattr(world.bodies[1], name, value)
     called: list[str] = []
     assert not step(world, pipeline(noting_solver(called)))

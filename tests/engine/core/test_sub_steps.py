@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Scene, Segment
 from lesson_code.engine.core import step as stages
 from lesson_code.engine.core.broad_phase import all_pairs
-from lesson_code.engine.core.capacity import make_room
+from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.pipeline import Pipeline, SolverStages
 from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.core.tables import world_of
@@ -18,7 +18,7 @@ from lesson_code.engine.solvers.substep import SOLVER
 STAGES = (
     "find_pairs",
     "find_contacts",
-    "has_room_for_record",
+    "has_capacity_for_record",
     "choose_part",
     "accelerate",
     "move",
@@ -36,7 +36,7 @@ class Noting:
             monkeypatch.setattr(stages, name, self.stage(name, answer=name != stop))
         solver = SolverStages(*[self.stage(name) for name in SolverStages._fields])
         self.pipeline = Pipeline(soft_part, all_pairs, solver, self)
-        self.world = world_of(Scene(), dt=0.1, iterations=1, combine=Combination())
+        self.world = world_of(Scene(), dt=0.1, iterations=1, combine=MixingRule())
         self.world.state.substeps = 2
 
     def stage(self, name: str, answer: bool = True) -> Any:
@@ -62,7 +62,7 @@ def test_stages_come_in_the_order_of_the_pipeline(monkeypatch: pytest.MonkeyPatc
     noting = Noting(monkeypatch)
     assert soft_part(noting.world, noting.pipeline)
     assert noting.called == [
-        *("find_pairs", "find_contacts", "has_room_for_record", "before_impulses", "prepare"),
+        *("find_pairs", "find_contacts", "has_capacity_for_record", "before_impulses", "prepare"),
         "choose_part",
         *2 * ("accelerate", "warm_start", "solve", "move", "correct"),
         *("store", "after_impulses", "record_impulses"),
@@ -71,7 +71,7 @@ def test_stages_come_in_the_order_of_the_pipeline(monkeypatch: pytest.MonkeyPatc
 
 @pytest.mark.parametrize(
     ("stop", "prepared"),
-    [("find_pairs", 0), ("find_contacts", 0), ("has_room_for_record", 0), ("choose_part", 1)],
+    [("find_pairs", 0), ("find_contacts", 0), ("has_capacity_for_record", 0), ("choose_part", 1)],
 )
 def test_step_that_lacks_room_goes_on_where_it_stopped(
     monkeypatch: pytest.MonkeyPatch, stop: str, prepared: int
@@ -91,13 +91,13 @@ def test_length_of_the_step_is_that_of_a_sub_step_only_meanwhile() -> None:
     """A ball of 50 m/s and a wall 0.25 m away: a part of 5 ms, and the rest of the step."""
     ball = Body(Circle(0.05), mass=1, velocity=(50, 0), material=Material(1))
     wall = Body(Segment((0.3, -1), (0.3, 1)))
-    world = world_of(Scene([ball, wall]), dt=0.02, iterations=1, combine=Combination())
+    world = world_of(Scene([ball, wall]), dt=0.02, iterations=1, combine=MixingRule())
     world.state.substeps = 4
     world.state.left = 0.02
     pipeline = Pipeline(soft_part, all_pairs, SOLVER.stages_for({}))
     for left in (0.015, 0.0):
         while not soft_part(world, pipeline):
-            world = make_room(world)
+            world = add_capacity(world)
         assert world.state.dt_before == pytest.approx(world.state.dt / 4)
         world.state.left -= world.state.dt
         assert world.state.left == pytest.approx(left, rel=1e-2)

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.constants import FEWEST_FOR_GRID, LARGEST_IN_GRID, MOST_MARGIN
 from lesson_code.engine.core.mixing import GEOMETRIC_MEAN, MAX, UNSPECIFIED
 from lesson_code.engine.core.rows import BodyRow, World
@@ -16,7 +16,7 @@ from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_
 
 def tables(*bodies: Body, **scene: Any) -> World:
     """Return the tables of a scene."""
-    return world_of(Scene(bodies, **scene), 0.01, 7, Combination("max", "geometric_mean"))
+    return world_of(Scene(bodies, **scene), 0.01, 7, MixingRule("max", "geometric_mean"))
 
 
 def test_row_of_a_body_holds_what_the_scene_says() -> None:
@@ -28,14 +28,14 @@ def test_row_of_a_body_holds_what_the_scene_says() -> None:
     [row] = tables(body).bodies
     assert (row.x, row.y, row.vx, row.vy, row.w) == (1, 2, 3, 4, 6)
     assert (row.inv_m, row.inv_i, row.radius, row.corner_count) == (0.25, 2.0, 0.5, 0)
-    assert (row.restitution, row.friction, row.extent) == (0.7, 0.8, 1.0)
+    assert (row.restitution, row.friction, row.min_width) == (0.7, 0.8, 1.0)
     assert (row.angle, row.sin) == (math.pi / 2, 1.0)
 
 
 def test_row_of_a_static_body_cannot_be_moved_and_is_no_scale() -> None:
     """Its width does not matter for what overlap is small: the other body's does."""
     [row] = tables(Body(Segment((0, 0), (1, 0)))).bodies
-    assert (row.inv_m, row.inv_i, row.extent) == (0.0, 0.0, math.inf)
+    assert (row.inv_m, row.inv_i, row.min_width) == (0.0, 0.0, math.inf)
     assert (row.restitution, row.friction) == (UNSPECIFIED, UNSPECIFIED)
 
 

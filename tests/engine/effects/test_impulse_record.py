@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from lesson_code import Body, Circle, Combination, Scene, Segment
+from lesson_code import Body, Circle, MixingRule, Scene, Segment
 from lesson_code.engine.core.rows import ContactRow, ImpulseRow, World
 from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.effects.impulse_record import (
     STEPS_KEPT,
-    has_room_for_record,
+    has_capacity_for_record,
     record_impulses,
 )
 from lesson_code.engine.stepper import EngineStepper
@@ -18,7 +18,7 @@ from lesson_code.engine.stepper import EngineStepper
 def touching(room: int, impulses: list[float]) -> World:
     """Return two discs with a contact for each impulse, and so much room in the record."""
     discs = [Body(Circle(1), mass=1), Body(Circle(1), mass=1, position=(1.5, 0))]
-    world = world_of(Scene(discs), 0.01, 1, Combination())
+    world = world_of(Scene(discs), 0.01, 1, MixingRule())
     for n, impulse in enumerate(impulses):
         world.contacts.append(
             ContactRow(
@@ -56,7 +56,7 @@ def test_room_for_the_record_is_that_for_all_contacts(room: int, kept: int, enou
     """Before a step nobody knows which will have an impulse; what is wanted lasts for 32 steps."""
     world = touching(room, [1.0, 1.0])
     world.state.impulse_count = kept
-    assert has_room_for_record(world) == enough
+    assert has_capacity_for_record(world) == enough
     assert world.state.impulses_wanted == (0 if enough else STEPS_KEPT * 2)
 
 
@@ -65,7 +65,7 @@ def lying(keep_impulses: bool) -> EngineStepper:
     floor, ball = Body(Segment((-5, 0), (5, 0))), Body(Circle(0.5), mass=1, position=(0, 0.499))
     return EngineStepper(
         Scene([floor, ball], gravity=(0, -10)), solver="sequential", dt=1 / 60, iterations=10,
-        substeps=1, combine=Combination(), keep_impulses=keep_impulses,
+        substeps=1, combine=MixingRule(), keep_impulses=keep_impulses,
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.constants import FEWEST_FOR_GRID, QUIET_TIME, SPEED_DOUBT
-from lesson_code.engine.core.mixing import COMBINATIONS, Combination
+from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.effects.choice import EFFECTS, find
 from lesson_code.engine.effects.question import Question
 
@@ -80,13 +80,13 @@ def test_coefficient_of_a_pair_decides_not_that_of_a_body(
     surfaces: list[list[float | None]] = [[None, None], [None, None]]
     surfaces[0][place], surfaces[1][place] = first, second
     bodies = [disc(0.0, *surfaces[0]), disc(1.0, *surfaces[1])]
-    assert calls_for(name, *bodies, combine=Combination(rule, rule)) is expected
+    assert calls_for(name, *bodies, combine=MixingRule(rule, rule)) is expected
 
 
 def test_product_that_is_too_small_for_a_number_calls_for_nothing() -> None:
     """1e-300 squared is 0.0, and so is what the pair is given."""
     bodies = [disc(0.0, TINY, TINY), disc(1.0, TINY, TINY)]
-    asked = {"combine": COMBINATIONS["pymunk"]}
+    asked = {"combine": MIXING_RULES["pymunk"]}
     assert not calls_for("friction", *bodies, **asked)
     assert not calls_for("restitution", *bodies, **asked)
 
@@ -162,7 +162,9 @@ def test_outlines_manifolds_and_seams_are_called_for_by_what_has_corners() -> No
         ([disc(0), Body(Circle(1)), Body(Circle(1))], (False, False, True)),
     ]
     for bodies, expected in rows:
-        found = tuple(calls_for(name, *bodies) for name in ("outlines", "manifolds", "seams"))
+        found = tuple(
+            calls_for(name, *bodies) for name in ("outlines", "manifolds", "internal_edges")
+        )
         assert found == expected, bodies
 
 

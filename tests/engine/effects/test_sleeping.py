@@ -11,8 +11,8 @@ from lesson_code import (
     Body,
     Callbacks,
     Circle,
-    Combination,
     Material,
+    MixingRule,
     Polygon,
     Scene,
     Segment,
@@ -56,7 +56,7 @@ def at_work(*bodies: Body, sleeping: bool = True, **settings: Any) -> EngineStep
     usual = {"dt": DT, "iterations": 10, "substeps": 1, "duration": 100.0}
     scene = Scene(bodies, gravity=(0, -GRAVITY))
     return EngineStepper(
-        scene, solver="sequential", combine=Combination(), effects={"sleeping": sleeping},
+        scene, solver="sequential", combine=MixingRule(), effects={"sleeping": sleeping},
         **(usual | settings),
     )  # fmt: skip
 

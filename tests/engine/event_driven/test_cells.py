@@ -10,7 +10,7 @@ import pytest
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import slot_of
 from lesson_code.engine.core.constants import FEWEST_FOR_GRID
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.cells import (
     border_gap,
@@ -48,7 +48,7 @@ def scattered(count: int, seed: int, extra: tuple[Body, ...] = (), **settings: f
 
 def tables_for(scene: Scene) -> Tables:
     """Return the tables of a scene at its start."""
-    return tables_of(scene, combination("workbook"), has_grid=True)
+    return tables_of(scene, mixing_rule("workbook"), has_grid=True)
 
 
 def found_in_cell(tables: Tables, cell_x: int, cell_y: int) -> list[int]:
@@ -70,7 +70,7 @@ def box() -> tuple[Body, ...]:
 def test_every_disc_is_found_in_its_cell_after_thousands_of_events() -> None:
     """Exactly once, and its centre is in that cell."""
     solver = ExactSolver(
-        scattered(64, 1, box()), combine=combination("workbook"), keep_impulses=False
+        scattered(64, 1, box()), combine=mixing_rule("workbook"), keep_impulses=False
     )
     tables, size, crossings = solver.tables, solver.tables.state.cell_size, 0
     for event in range(6000):
@@ -88,7 +88,7 @@ def test_every_disc_is_found_in_its_cell_after_thousands_of_events() -> None:
 
 def test_discs_that_touch_are_in_neighbouring_cells_at_any_time() -> None:
     """So that no pair is forgotten: the cells around hold all that a disc could touch."""
-    solver = ExactSolver(scattered(64, 2, box()), combine=combination("workbook"))
+    solver = ExactSolver(scattered(64, 2, box()), combine=mixing_rule("workbook"))
     discs = solver.tables.discs
     pairs = 0
     for _ in range(200):
@@ -139,7 +139,7 @@ def test_discs_without_a_grid_have_one_cell_without_borders() -> None:
     """Wherever they are, they are all looked at, and no border is an event."""
     places = [(-3.0, -3.0), (3.0, 3.0), (1e9, -1e9)]
     scene = Scene([Body(Circle(0.5), mass=1.0, position=x) for x in places])
-    tables = tables_of(scene, combination("workbook"), has_grid=False)
+    tables = tables_of(scene, mixing_rule("workbook"), has_grid=False)
     assert math.isinf(tables.state.cell_size)
     assert {(disc.cell_x, disc.cell_y) for disc in tables.discs} == {(0, 0)}
     assert all(is_endless(tables.state, tables.discs[0], side) for side in range(4))
@@ -148,7 +148,7 @@ def test_discs_without_a_grid_have_one_cell_without_borders() -> None:
 def test_many_discs_that_fly_apart_for_ever_cross_no_borders_in_the_end() -> None:
     """The outermost cells go on for ever: a year of flight takes a few hundred events."""
     scene = scattered(32, 4)
-    solver = ExactSolver(scene, combine=combination("workbook"), keep_impulses=False)
+    solver = ExactSolver(scene, combine=mixing_rule("workbook"), keep_impulses=False)
     for _ in range(5000):
         if math.isinf(next_time(solver.tables)):
             break
@@ -164,7 +164,7 @@ def test_discs_that_fly_in_from_far_away_meet_all_the_same() -> None:
         Body(disc, mass=1.0, position=(0, 1000), velocity=(1, 1)),
         Body(disc, mass=1.0, position=(100, 1000), velocity=(-1, 1)),
     ]
-    solver = ExactSolver(Scene([*swarm, *pair]), combine=combination("workbook"))
+    solver = ExactSolver(Scene([*swarm, *pair]), combine=mixing_rule("workbook"))
     assert solver.next_collision(1e9) == pytest.approx(49.99)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Run, Scene, Segment, simulate
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.constants import HOP
 from lesson_code.evidence.scenes import events as exact_scenes
@@ -39,7 +39,7 @@ def exact(bodies: list[Body], duration: float, gravity: float = 0.0) -> Run:
 
 def held(scene: Scene, until: float) -> ExactSolver:
     """Return a solver at some time, s."""
-    solver = ExactSolver(scene, combine=combination("workbook"))
+    solver = ExactSolver(scene, combine=mixing_rule("workbook"))
     solver.advance(until)
     return solver
 

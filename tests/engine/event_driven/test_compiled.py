@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.compiled import library
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven import solver as solver_module
 from lesson_code.evidence.scenes.discs import rack_break
@@ -118,7 +118,7 @@ def bits_of(
     Zero has one sign here.
     """
     solver = ExactSolver(
-        scene, combine=combination("workbook"), compiled=compiled, effects=effects, duration=until
+        scene, combine=mixing_rule("workbook"), compiled=compiled, effects=effects, duration=until
     )
     time, halfway = 0.0, b""
     while solver.collisions < COLLISIONS:
@@ -169,7 +169,7 @@ def test_compiled_run_of_what_a_scene_calls_for_has_the_same_bits(name: str) -> 
 def test_record_of_a_long_compiled_run_is_whole() -> None:
     """The table of impulses is emptied many times; nothing is lost, and the order is kept."""
     scene = gas_of(20, 0.3, seed=1)
-    solver = ExactSolver(scene, combine=combination("workbook"), compiled=True)
+    solver = ExactSolver(scene, combine=mixing_rule("workbook"), compiled=True)
     solver.advance(500.0)
     assert solver.collisions > 3 * solver_module.RECORD_ROWS
     events = solver.events()

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Scene, simulate
 from lesson_code.engine.compiled.arrays import LINE, as_arrays
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import (
     ExactSolver,
     collisions,
@@ -34,7 +34,7 @@ STAGES: dict[str, list[tuple[Any, str]]] = {
         (event_prediction, "circle_outline_impact_time"),
         (event_prediction, "circle_impact_time"),
         (event_prediction, "line_impact_time"),
-        (event_prediction, "foretell_end_of_rest"),
+        (event_prediction, "predict_end_of_rest"),
         (collisions, "bounce_or_rest"),
         (collisions, "meet_in_pile"),
         (loop, "go_on_along_face"),
@@ -120,7 +120,7 @@ def test_random_scene_runs_to_the_same_bits_with_every_effect_forced_on(
 def test_random_scene_runs_to_the_same_bits_with_and_without_a_grid(
     seed: int, **called_for: bool
 ) -> None:
-    """Hits are foretold from where discs began to move so: no border leaves a trace."""
+    """Hits are predicted from where discs began to move so: no border leaves a trace."""
     scene = scene_with(seed, **called_for)
     assert bits_of(scene, {"broad_phase": True}) == bits_of(scene, {"broad_phase": False})
 
@@ -159,7 +159,7 @@ def test_stage_of_an_effect_that_is_left_out_is_never_called(
     called: list[str] = []
     for module, name in STAGES[effect]:
         monkeypatch.setattr(module, name, lambda *_, name=name: called.append(name))
-    running = ExactSolver(scene, combine=combination("workbook"), effects=asked)
+    running = ExactSolver(scene, combine=mixing_rule("workbook"), effects=asked)
     running.advance(1.0)
     plan = running.plan("a test")
     assert effect in plan.left_out
@@ -173,13 +173,13 @@ def test_stage_of_an_effect_that_is_left_out_is_never_called(
 def test_stages_of_an_effect_are_in_the_program_of_a_scene_that_calls_for_it(effect: str) -> None:
     """So that their names here are right."""
     scene = scene_with(4, gravity=True, friction=True)
-    source = ExactSolver(scene, combine=combination("workbook")).plan("a test").source()
+    source = ExactSolver(scene, combine=mixing_rule("workbook")).plan("a test").source()
     assert all(f"def {name}(" in source for _, name in STAGES[effect])
 
 
 def test_fields_of_a_disc_in_a_frictionless_gas_fill_two_lines_of_a_processor() -> None:
     """Those of gravity, friction, turning and resting are gone; neighbours read the first line."""
-    gas = ExactSolver(gas_of(30, 0.3, seed=1), combine=combination("workbook"))
+    gas = ExactSolver(gas_of(30, 0.3, seed=1), combine=mixing_rule("workbook"))
     discs: Any = as_arrays(gas.tables, gas.plan("a test").source()).discs
     fields = discs.dtype.fields
     unused = {"ax", "ay", "alpha", "angle", "w", "inv_i", "friction", "support", "face", "held"}
@@ -200,7 +200,9 @@ def test_leaving_out_what_a_scene_needs_is_refused_by_name(effect: str) -> None:
         simulate(scene, 1.0, solver="exact", effects={effect: False})
 
 
-@pytest.mark.parametrize("effect", ["seams", "damping", "callbacks", "continuous", "sleeping"])
+@pytest.mark.parametrize(
+    "effect", ["internal_edges", "damping", "callbacks", "continuous", "sleeping"]
+)
 def test_forcing_on_what_the_exact_solver_lacks_is_refused(effect: str) -> None:
     """It would not be in the program."""
     with pytest.raises(ValueError, match=rf"effects\['{effect}'\] must not be True for 'exact'"):
@@ -213,7 +215,7 @@ def test_run_without_collisions_goes_no_further_than_it_was_planned_for() -> Non
         Body(Circle(0.5), mass=1.0, velocity=(1, 0)),
         Body(Circle(0.5), mass=1.0, position=(9, 0)),
     ]
-    running = ExactSolver(Scene(discs), combine=combination("workbook"), duration=2.0)
+    running = ExactSolver(Scene(discs), combine=mixing_rule("workbook"), duration=2.0)
     running.advance(2.0)
     with pytest.raises(ValueError, match=r"until must be <= 2\.0 s: later bodies may meet"):
         running.advance(2.5)

@@ -11,9 +11,9 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.constants import FEWEST_FOR_GRID
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
-from lesson_code.engine.event_driven.event_prediction import foretell, hit_time, impact_after, note
+from lesson_code.engine.event_driven.event_prediction import hit_time, impact_after, note, predict
 from lesson_code.engine.event_driven.loop import next_event, next_time
 from lesson_code.engine.event_driven.motion import place_at
 from lesson_code.engine.event_driven.rows import (
@@ -36,13 +36,13 @@ BALL = Material(restitution=0.9, friction=0.2)
 
 
 def tables_for(*bodies: Body, **settings: Any) -> Tables:
-    """Return the tables of a solver that has foretold all events."""
+    """Return the tables of a solver that has predicted all events."""
     return tables_for_events(Scene(bodies, **settings))
 
 
 def tables_for_events(scene: Scene) -> Tables:
     """Return the tables of a solver whose events can be made one by one: it keeps no impulses."""
-    return ExactSolver(scene, combine=combination("workbook"), keep_impulses=False).tables
+    return ExactSolver(scene, combine=mixing_rule("workbook"), keep_impulses=False).tables
 
 
 def ball(radius: float = 0.5, **values: Any) -> Body:
@@ -203,7 +203,7 @@ def test_disc_that_is_held_waits_for_other_discs_only() -> None:
     tables = tables_for(ball())
     disc = tables.discs[0]
     disc.held, disc.vx = True, 1.0
-    foretell(tables, 0)
+    predict(tables, 0)
     assert disc.event_kind == NOTHING
 
 
@@ -240,7 +240,7 @@ def test_touching_discs_that_are_pressed_together_meet_now() -> None:
 
 
 def test_event_is_stale_when_the_partner_has_gone_another_way() -> None:
-    """A third disc knocks the partner off: the foretold hit never happens, nothing is counted."""
+    """A third disc knocks the partner off: the predicted hit never happens, nothing is counted."""
     elastic = Material(1.0)
     solver = ExactSolver(
         Scene(
@@ -250,7 +250,7 @@ def test_event_is_stale_when_the_partner_has_gone_another_way() -> None:
                 ball(position=(5, 3), velocity=(0, -4), material=elastic),
             ]
         ),
-        combine=combination("workbook"),
+        combine=mixing_rule("workbook"),
     )
     first = solver.tables.discs[0]
     assert (first.event_kind, first.partner, first.event_time) == (DISC, 1, 4.0)

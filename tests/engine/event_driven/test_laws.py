@@ -10,7 +10,7 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Run, Scene, simulate
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.evidence.scenes.events import box, error_after_return, turned_back
 from lesson_code.evidence.scenes.gas import disc_gas, hits_a_disc
@@ -66,7 +66,7 @@ def energy_error(side: int, collisions: int, *, compiled: bool | None) -> float:
     """Return how much the energy of a gas in a box changes, part of it."""
     solver = ExactSolver(
         disc_gas(side, 0.5, seed=1),
-        combine=combination("workbook"),
+        combine=mixing_rule("workbook"),
         keep_impulses=False,
         compiled=compiled,
     )
@@ -160,7 +160,7 @@ def test_energy_of_discs_that_fall_and_bounce_is_kept() -> None:
 def returned(collisions_a_disc: float) -> tuple[float, float]:
     """Return how many discs each disc has hit, and how far from its start the gas comes back."""
     scene = disc_gas(8, 0.3, seed=1)
-    solver = ExactSolver(scene, combine=combination("workbook"))
+    solver = ExactSolver(scene, combine=mixing_rule("workbook"))
     between_discs, time = 0, 0.0
     while 2 * between_discs < 64 * collisions_a_disc:
         found = solver.next_collision(math.inf)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver, event_prediction, why_not
 from lesson_code.evidence.scenes.discs import rack_break
 from lesson_code.evidence.scenes.gas import disc_gas
@@ -32,7 +32,7 @@ def ball(**values: Any) -> Body:
 
 def solver_of(*bodies: Body, **settings: Any) -> ExactSolver:
     """Return a solver at work on some bodies."""
-    return ExactSolver(Scene(bodies, **settings), combine=combination("workbook"))
+    return ExactSolver(Scene(bodies, **settings), combine=mixing_rule("workbook"))
 
 
 # Scenes that it cannot take
@@ -257,7 +257,7 @@ def work_per_collision(side: int, monkeypatch: pytest.MonkeyPatch) -> float:
         return look(*arguments)
 
     solver = ExactSolver(
-        disc_gas(side, 0.3, seed=1), combine=combination("workbook"), keep_impulses=False
+        disc_gas(side, 0.3, seed=1), combine=mixing_rule("workbook"), keep_impulses=False
     )
     wanted = 2 * side * side
     while solver.collisions < wanted // 2:  # the rows and columns of the start are gone
@@ -280,8 +280,8 @@ def test_work_for_a_collision_does_not_grow_with_the_number_of_discs(
 def test_collisions_and_impulses_are_counted_alike() -> None:
     """A gas in which every collision has an impulse; they need not be kept."""
     scene = disc_gas(4, 0.3, seed=1)
-    kept = ExactSolver(scene, combine=combination("workbook"))
-    other = ExactSolver(scene, combine=combination("workbook"), keep_impulses=False)
+    kept = ExactSolver(scene, combine=mixing_rule("workbook"))
+    other = ExactSolver(scene, combine=mixing_rule("workbook"), keep_impulses=False)
     for solver in (kept, other):
         solver.advance(5.0)
     assert len(kept.events()) == kept.collisions == other.collisions > 20

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.core.mixing import combination
+from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven.rows import Tables
 from lesson_code.engine.event_driven.support import (
     friction_of,
@@ -41,7 +41,7 @@ def resting(friction: float = 0.2, angle: float = 0.0, **ball: Any) -> Tables:
         ],
         gravity=(0, -10),
     )
-    tables = tables_of(scene, combination("workbook"))
+    tables = tables_of(scene, mixing_rule("workbook"))
     settle(tables, tables.discs[0], 0, UP)
     return tables
 
@@ -64,7 +64,7 @@ def test_disc_on_a_moving_floor_keeps_the_floors_motion() -> None:
     scene = Scene(
         [Body(Segment((4, 0), (-4, 0)), velocity=(1, 2)), Body(Circle(0.5), mass=1.0)], (0, -10)
     )
-    tables = tables_of(scene, combination("workbook"))
+    tables = tables_of(scene, mixing_rule("workbook"))
     settle(tables, tables.discs[0], 0, UP)
     assert tables.discs[0].vy == 2.0
 
@@ -125,7 +125,7 @@ def test_friction_of_the_pair_is_combined() -> None:
         ],
         (0, -10),
     )
-    tables = tables_of(scene, combination("workbook"))
+    tables = tables_of(scene, mixing_rule("workbook"))
     settle(tables, tables.discs[0], 0, UP)
     assert friction_of(tables, tables.discs[0]) == pytest.approx(0.6)
 
@@ -169,7 +169,7 @@ def test_face_of_a_polygon_holds_a_disc_as_a_segment_does() -> None:
         [Body(Polygon.box(2, 2), position=(5, -1)), Body(Circle(0.5), mass=1.0, position=(5, 0.5))],
         (0, -10),
     )
-    tables = tables_of(scene, combination("workbook"))
+    tables = tables_of(scene, mixing_rule("workbook"))
     top = next(k for k, c in enumerate(tables.corners) if c.ny > 0.9)
     settle(tables, tables.discs[0], 0, top)
     assert ways_to_ends(tables, tables.discs[0]) == pytest.approx((1.0, 1.0))

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment
-from lesson_code.engine.core.mixing import UNSPECIFIED, combination
+from lesson_code.engine.core.mixing import UNSPECIFIED, mixing_rule
 from lesson_code.engine.event_driven.constants import HOP, REST, STILL
 from lesson_code.engine.event_driven.loop import next_time
 from lesson_code.engine.event_driven.rows import Tables
@@ -16,7 +16,7 @@ from lesson_code.engine.event_driven.tables import tables_of
 
 def tables_for(*bodies: Body, gravity: tuple[float, float] = (0.0, 0.0)) -> Tables:
     """Return the tables of a scene, with a grid."""
-    return tables_of(Scene(bodies, gravity), combination("workbook"), has_grid=True)
+    return tables_of(Scene(bodies, gravity), mixing_rule("workbook"), has_grid=True)
 
 
 def test_discs_and_obstacles_keep_their_places_in_the_scene() -> None:

@@ -15,7 +15,7 @@ from lesson_code.engine.solvers.block_solver import (
     couple_tangents,
     solve_manifold,
     solve_normals,
-    solve_pushes,
+    solve_pseudo_velocities,
     two_impulses,
 )
 from lesson_code.engine.solvers.substep import solve_friction
@@ -89,7 +89,7 @@ def test_velocities_at_both_points_reach_their_targets_in_one_visit(
     set_frame(c, a, b)
     set_frame(d, a, b)
     couple(c, d, a, b)
-    determinant = 1 - c.coupling**2 * c.normal_mass * d.normal_mass
+    determinant = 1 - c.k_cross**2 * c.normal_mass * d.normal_mass
     assume(determinant > NARROW)
     solve_normals(c, d, a, b)
     parting = [b.vy + b.w * p.bx - a.vy - a.w * p.ax for p in (c, d)]
@@ -129,7 +129,7 @@ def test_manifold_in_one_visit_is_its_normals_then_friction_at_each_point(
             point.tangent_impulse = share * friction * point.normal_impulse
         couple(c, d, a, b)
         couple_tangents(c, d, a, b)
-        assume(1 - c.coupling**2 * c.normal_mass * d.normal_mass > NARROW)
+        assume(1 - c.k_cross**2 * c.normal_mass * d.normal_mass > NARROW)
         if stages:
             solve_normals(c, d, a, b)
             solve_friction(c, a, b)
@@ -144,13 +144,13 @@ def test_manifold_in_one_visit_is_its_normals_then_friction_at_each_point(
 def test_pushes_at_both_points_undo_what_each_overlaps() -> None:
     """A box overlaps more on its right: pushed at 1 and 3 m/s, 2 m apart, it turns at 1 rad/s."""
     floor, box = BodyRow(corner_count=2), BodyRow(inv_m=1.0, inv_i=1.5, corner_count=4)
-    c = ContactRow(ny=1.0, bx=-1.0, by=-1.0, push_speed=1.0)
-    d = ContactRow(ny=1.0, bx=1.0, by=-1.0, push_speed=3.0)
+    c = ContactRow(ny=1.0, bx=-1.0, by=-1.0, pseudo_speed=1.0)
+    d = ContactRow(ny=1.0, bx=1.0, by=-1.0, pseudo_speed=3.0)
     for point in (c, d):
         set_frame(point, floor, box)
     couple(c, d, floor, box)
-    solve_pushes(c, d, floor, box)
-    assert (box.push_vy, box.push_w) == pytest.approx((2.0, 1.0))
+    solve_pseudo_velocities(c, d, floor, box)
+    assert (box.pseudo_vy, box.pseudo_w) == pytest.approx((2.0, 1.0))
     assert (box.vy, box.w) == (0.0, 0.0)
 
 

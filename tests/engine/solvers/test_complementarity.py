@@ -29,7 +29,7 @@ EXACT = 1e-11
 """m/s, of velocities of some m/s and masses of some kg: a few dozen equations, two refinements."""
 
 EVEN = 1e-6
-"""Of the load: the springs, 1e-8 of the compliance, leave rounding of 1e-7 in how it is shared."""
+"""Of the load: the springs, 1e-8 of the delassus, leave rounding of 1e-7 in how it is shared."""
 
 NEARLY = 1e-6
 """m/s: `ENOUGH`, for contacts on the brink between two cases."""
@@ -115,7 +115,7 @@ def test_impulse_of_one_contact_is_the_closed_form(seed: int, e: float, mu: floa
 
 def exact_answers(problem: Problem) -> list[list[Fraction]]:
     """Return the velocities w of all answers: try every case of every contact, in fractions."""
-    k = [[Fraction(float(x)) for x in row] for row in problem.compliance]
+    k = [[Fraction(float(x)) for x in row] for row in problem.delassus]
     b = [Fraction(float(x)) for x in problem.velocity]
     mu = [Fraction(float(x)) for x in problem.friction]
     m = len(mu)
@@ -187,7 +187,7 @@ def test_velocities_of_a_few_contacts_are_one_of_the_exact_answers(
     assume(answers)
     answer = solve_contacts(problem)
     assert answer.error <= NEARLY
-    w = problem.velocity + problem.compliance @ answer.impulses
+    w = problem.velocity + problem.delassus @ answer.impulses
     nearest = min(float(np.abs(w - np.array(x, dtype=float)).max()) for x in answers)
     assert nearest <= NEARLY or len(answers) > 1
 
@@ -202,7 +202,7 @@ def test_velocities_without_friction_are_the_only_exact_answer(seed: int, contac
     answers = exact_answers(problem)
     assume(answers)
     answer = solve_contacts(problem)
-    w = problem.velocity + problem.compliance @ answer.impulses
+    w = problem.velocity + problem.delassus @ answer.impulses
     np.testing.assert_allclose(
         w[:contacts], np.array(answers[0], dtype=float)[:contacts], atol=EXACT
     )
@@ -219,7 +219,7 @@ def test_conditions_of_many_contacts_are_met(seed: int, contacts: int) -> None:
     problem = some_problem(rng, contacts, contacts // 2 + 2, digits=30)
     answer = solve_contacts(problem)
     m, x = contacts, answer.impulses
-    w = problem.velocity + problem.compliance @ x
+    w = problem.velocity + problem.delassus @ x
     limit = problem.friction * x[:m]
     assert x[:m].min() >= 0
     assert (np.abs(x[m:]) <= limit).all()
@@ -286,6 +286,6 @@ def test_lemke_takes_over_where_pivoting_fails(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(complementarity, "by_pivoting", fail)
     answer = solve_contacts(problem)
     assert answer.method == "lemke"
-    w = problem.velocity + problem.compliance @ answer.impulses
-    expected_w = problem.velocity + problem.compliance @ expected.impulses
+    w = problem.velocity + problem.delassus @ answer.impulses
+    expected_w = problem.velocity + problem.delassus @ expected.impulses
     np.testing.assert_allclose(w, expected_w, atol=NEARLY)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Run, Scene, Segment, simulate
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.core.constants import FINE_SLOP
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
@@ -219,7 +219,7 @@ def test_jam_stops_the_tip_and_loses_energy(angle: float, law: str) -> None:
 def test_stack_at_rest_stays_at_rest_whatever_the_steps(ratio: float) -> None:
     """dt, ratio dt, dt, ...: the answer does not depend on the step before."""
     stepper = EngineStepper(
-        stack([1.0] * 3), solver="direct", dt=DT, iterations=1, substeps=1, combine=Combination()
+        stack([1.0] * 3), solver="direct", dt=DT, iterations=1, substeps=1, combine=MixingRule()
     )
     start = np.array(stepper.states())
     for k in range(120):
@@ -232,9 +232,7 @@ def test_second_call_of_a_stage_adds_nothing() -> None:
     """More iterations are wasted, but do no harm."""
     scene = stack([1.0, 2.0], e=0.3, sunk=1e-2)
     once, twice = (
-        EngineStepper(
-            scene, solver="direct", dt=DT, iterations=n, substeps=1, combine=Combination()
-        )
+        EngineStepper(scene, solver="direct", dt=DT, iterations=n, substeps=1, combine=MixingRule())
         for n in (1, 2)
     )
     for _ in range(30):
@@ -301,7 +299,7 @@ def test_islands_without_an_exact_answer_are_counted() -> None:
     jammed = Scene([*walls, Body(Circle(0.5), mass=1)])
     for scene, count in ((jammed, 3), (stack([1.0] * 3), 0)):
         stepper = EngineStepper(
-            scene, solver="direct", dt=1e-3, iterations=1, substeps=1, combine=Combination()
+            scene, solver="direct", dt=1e-3, iterations=1, substeps=1, combine=MixingRule()
         )
         for _ in range(3):
             stepper.advance(1)

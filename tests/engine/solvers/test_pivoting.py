@@ -36,7 +36,7 @@ def test_velocities_do_not_depend_on_the_first_guess(seed: int, contacts: int) -
     ):
         answer = by_pivoting(problem, first_guess(problem, cases))
         assert answer.error <= max(tolerance(problem, answer.impulses), EXACT)
-        found.append((problem.velocity + problem.compliance @ answer.impulses)[:contacts])
+        found.append((problem.velocity + problem.delassus @ answer.impulses)[:contacts])
     np.testing.assert_allclose(found[1], found[0], atol=EXACT)
     np.testing.assert_allclose(found[2], found[0], atol=EXACT)
 

@@ -10,12 +10,17 @@ import pytest
 from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.core.capacity import make_room
-from lesson_code.engine.core.constants import LEAST_EXCESS, PUSH_SHARE, SLOP
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
+from lesson_code.engine.core.capacity import add_capacity
+from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, LEAST_EXCESS, SLOP
 from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.engine.core.tables import world_of
-from lesson_code.engine.solvers.sequential import has_overlap_to_undo, push_speed_of, recall, store
+from lesson_code.engine.solvers.sequential import (
+    has_overlap_to_undo,
+    pseudo_speed_of,
+    recall,
+    store,
+)
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
 
@@ -37,7 +42,7 @@ radii = st.floats(0.1, 10)
 
 def engine(scene: Scene, dt: float = 1 / 60, iterations: int = 10) -> EngineStepper:
     """Return the engine at work on a scene."""
-    rule = Combination("max", "max")
+    rule = MixingRule("max", "max")
     return EngineStepper(
         scene, solver="sequential", dt=dt, iterations=iterations, substeps=1, combine=rule
     )
@@ -217,9 +222,9 @@ def test_impulses_of_the_last_step_are_found_by_bodies_and_feature(
     old: list[tuple[int, int, int]], new: list[tuple[int, int, int]]
 ) -> None:
     """The merge of two sorted tables, against a dictionary; what is new begins at 0."""
-    world = world_of(Scene([Body(Circle(1), mass=1)]), 0.01, 1, Combination())
+    world = world_of(Scene([Body(Circle(1), mass=1)]), 0.01, 1, MixingRule())
     world.state.contacts_wanted = 12
-    make_room(world)
+    add_capacity(world)
     memory = {key: (1.0 + n, -1.0 - n) for n, key in enumerate(sorted(old))}
     for row, (key, impulses) in zip(world.memory, memory.items(), strict=False):
         row.a, row.b, row.feature = key
@@ -234,9 +239,9 @@ def test_impulses_of_the_last_step_are_found_by_bodies_and_feature(
 
 def test_impulses_are_remembered_as_they_are() -> None:
     """Stored, they come back in the next step for the same bodies and feature."""
-    world = world_of(Scene([Body(Circle(1), mass=1)]), 0.01, 1, Combination())
+    world = world_of(Scene([Body(Circle(1), mass=1)]), 0.01, 1, MixingRule())
     world.state.contacts_wanted = 3
-    make_room(world)
+    add_capacity(world)
     for n, contact in enumerate(world.contacts[:3]):
         contact.a, contact.b, contact.feature = 0, 1 + n // 2, n
         contact.normal_impulse, contact.tangent_impulse = 3.0 + n, -1.0 - n
@@ -270,7 +275,7 @@ def test_overlap_beyond_the_slop_shrinks_by_the_same_share_in_each_step(
     run = simulate(overlapping(0.1, mass_b), 0.5, solver="sequential")
     slop = SLOP * 2.0
     steps = np.arange(30)
-    expected = slop + (0.1 - slop) * (1 - PUSH_SHARE) ** steps
+    expected = slop + (0.1 - slop) * (1 - BAUMGARTE_FACTOR) ** steps
     np.testing.assert_allclose(run.max_penetration[1:], expected, atol=ROUNDING)
     assert not run.velocities.any()
     assert not run.angular_velocities.any()
@@ -309,37 +314,37 @@ def test_overlap_of_bodies_that_part_by_themselves_is_not_pushed() -> None:
 )
 def test_push_speed_is_less_by_what_the_bodies_do_themselves(vn: float, left: float) -> None:
     """The overlap is to be undone at 2 m/s; a negative speed asks for no push at all."""
-    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
-    world.contacts.append(ContactRow(a=0, b=1, nx=1.0, push_speed=2.0))
+    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, MixingRule())
+    world.contacts.append(ContactRow(a=0, b=1, nx=1.0, pseudo_speed=2.0))
     world.state.contact_count = 1
     world.bodies[1].vx = vn
     assert has_overlap_to_undo(world)
-    assert world.contacts[0].push_speed == left
+    assert world.contacts[0].pseudo_speed == left
 
 
 def test_overlaps_that_are_all_left_alone_are_none_to_undo() -> None:
     """And the contacts stay as they are."""
-    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, Combination())
+    world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, MixingRule())
     world.contacts.extend(ContactRow(a=0, b=1, nx=1.0) for _ in range(3))
     world.bodies[1].vx = 1.0
     assert not has_overlap_to_undo(world)
     world.state.contact_count = 3
     assert not has_overlap_to_undo(world)
-    assert [c.push_speed for c in world.contacts] == [0.0, 0.0, 0.0]
+    assert [c.pseudo_speed for c in world.contacts] == [0.0, 0.0, 0.0]
 
 
-@pytest.mark.parametrize("extent", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("min_width", [1e-3, 1.0, 1e3])
 @pytest.mark.parametrize(("excess", "share"), [(0.0, 0), (0.99, 0), (1.01, 1), (50, 1)])
 def test_overlap_is_undone_only_beyond_a_hundredth_of_the_slop(
-    extent: float, excess: float, share: int
+    min_width: float, excess: float, share: int
 ) -> None:
-    """Beyond it the whole excess over the slop counts: PUSH_SHARE of it in a step."""
-    slop = SLOP * extent
+    """Beyond it the whole excess over the slop counts: BAUMGARTE_FACTOR of it in a step."""
+    slop = SLOP * min_width
     over = excess * LEAST_EXCESS * slop
     c = ContactRow(penetration=slop + over)
-    a, b = BodyRow(extent=extent), BodyRow(extent=2 * extent)
-    speed = push_speed_of(c, a, b, dt=0.25)
-    assert speed == pytest.approx(share * PUSH_SHARE * over / 0.25, rel=1e-9)
+    a, b = BodyRow(min_width=min_width), BodyRow(min_width=2 * min_width)
+    speed = pseudo_speed_of(c, a, b, dt=0.25)
+    assert speed == pytest.approx(share * BAUMGARTE_FACTOR * over / 0.25, rel=1e-9)
 
 
 def test_overlap_of_coincident_discs_is_undone_along_x() -> None:
@@ -360,8 +365,8 @@ def test_push_of_a_step_is_spent_after_the_next() -> None:
     """It has moved the bodies once and is gone."""
     stepper = engine(overlapping(0.1))
     stepper.advance(1)
-    assert stepper.world.bodies[1].push_vx > 0
+    assert stepper.world.bodies[1].pseudo_vx > 0
     stepper.world.state.contact_count = 0
     stepper.world.bodies[1].x += 5
     stepper.advance(1)
-    assert [body.push_vx for body in stepper.world.bodies] == [0.0, 0.0]
+    assert [body.pseudo_vx for body in stepper.world.bodies] == [0.0, 0.0]

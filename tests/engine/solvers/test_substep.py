@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, Combination, Material, Polygon, Run, Scene, Segment, simulate
-from lesson_code.engine.core.constants import PUSH_SHARE, SLOP, SOFT_DAMPING, SOFT_FREQUENCY
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Run, Scene, Segment, simulate
+from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, SLOP, SOFT_DAMPING, SOFT_FREQUENCY
 from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.solvers.substep import soften, way_apart
@@ -48,7 +48,7 @@ def soft(scene: Scene, duration: float, **settings: Any) -> Run:
 def stepper_of(scene: Scene) -> EngineStepper:
     """Return the solver with sub-steps at work on a scene."""
     return EngineStepper(
-        scene, solver="substep", dt=1 / 60, iterations=1, substeps=4, combine=Combination()
+        scene, solver="substep", dt=1 / 60, iterations=1, substeps=4, combine=MixingRule()
     )
 
 
@@ -191,7 +191,7 @@ def test_deep_overlap_is_pushed_out_without_speed() -> None:
     discs = [Body(Circle(1), mass=m, position=(x, 0)) for m, x in ((3, 0), (1, 1.9))]
     run = soft(Scene(discs), 2.0)
     slop = SLOP * 2
-    pushed = 0.1 - PUSH_SHARE * (0.1 - slop)
+    pushed = 0.1 - BAUMGARTE_FACTOR * (0.1 - slop)
     assert pushed - slop < run.max_penetration[1] <= pushed
     assert run.max_penetration[-1] <= ROUNDING
     np.testing.assert_allclose(run.velocities, 0, atol=ROUNDING)
@@ -241,7 +241,7 @@ def test_gap_of_a_corner_follows_its_motion_to_first_order() -> None:
 def test_gap_may_close_but_not_faster_than_within_the_sub_step() -> None:
     """1 cm in 1/100 s is 1 m/s of approach; what overlaps may not approach at all."""
     discs = [Body(Circle(1), mass=1, position=(x, 0)) for x in (0, 2)]
-    world = world_of(Scene(discs), 0.01, 1, Combination())
+    world = world_of(Scene(discs), 0.01, 1, MixingRule())
     world.state.omega = OMEGA
     c = ContactRow(a=0, b=1, nx=1.0, normal_mass=0.5)
     for overlap, vn in ((-0.01, -1.0), (0.01, 0.0)):

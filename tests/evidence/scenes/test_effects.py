@@ -16,7 +16,7 @@ PAIRS = [pytest.param(pair, id=pair.effect) for pair in pairs()]
 
 CHANGED_FOR_IT = {
     "collisions": {"outlines", "restitution", "warm_starting", "position_correction"},
-    "outlines": {"seams"},
+    "outlines": {"internal_edges"},
     "manifolds": {"rotation"},
     "friction": {"rotation"},
 }
@@ -42,7 +42,15 @@ def test_one_scene_needs_the_effect_and_the_other_does_not(pair: EffectPair) -> 
     assert pair.effect not in spared or pair.effect == "impulse_record"
 
 
-ALIKE = ["seams", "continuous", "restitution", "rotation", "gravity", "damping", "callbacks"]
+ALIKE = [
+    "internal_edges",
+    "continuous",
+    "restitution",
+    "rotation",
+    "gravity",
+    "damping",
+    "callbacks",
+]
 
 
 @pytest.mark.parametrize("pair", [pair for pair in pairs() if pair.effect in ALIKE],

@@ -9,8 +9,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from lesson_code import Circle, Combination, simulate
-from lesson_code.engine.core.mixing import COMBINATIONS
+from lesson_code import Circle, MixingRule, simulate
+from lesson_code.engine.core.mixing import MIXING_RULES
 from lesson_code.evidence.scenes import speed as speed_scenes
 from lesson_code.evidence.scenes.speed import BUILDERS, FRICTION, SIZES, SpeedScene
 from lesson_code.reference.pymunk_reference import PymunkStepper
@@ -76,10 +76,10 @@ def test_engines_are_given_equal_coefficients_without_callbacks(speed_scene: Spe
     """Pymunk's product and Box2D's rule make of the given values what ours makes of the pair."""
     bodies = speed_scene.scene.bodies
     for engine in ("pymunk", "box2d"):
-        assert own_values(bodies, Combination(), COMBINATIONS[engine]) is not None
+        assert own_values(bodies, MixingRule(), MIXING_RULES[engine]) is not None
     free = {body.material for body in bodies if not body.is_static}
     every = {body.material for body in bodies}
-    pairs = {coefficients(Combination(), a, b) for a in free for b in every}
+    pairs = {coefficients(MixingRule(), a, b) for a in free for b in every}
     assert len(pairs) == 1
     assert pairs <= {(1.0, 0.0), (0.0, FRICTION)}
 
@@ -160,7 +160,7 @@ def test_bin_holds_every_kind_of_shape_and_lets_none_out() -> None:
         dt=speed_scene.dt,
         iterations=10,
         substeps=1,
-        combine=Combination(),
+        combine=MixingRule(),
         keep_impulses=False,
         slop=speed_scene.slop,
     )
@@ -176,7 +176,7 @@ def test_bin_holds_every_kind_of_shape_and_lets_none_out() -> None:
 def test_slop_is_that_of_the_smallest_body(speed_scene: SpeedScene) -> None:
     """A two hundredth of its width: what our solver leaves alone, and pymunk is to be given."""
     widths = [
-        2 * body.shape.radius if isinstance(body.shape, Circle) else body.shape.extent
+        2 * body.shape.radius if isinstance(body.shape, Circle) else body.shape.min_width
         for body in speed_scene.scene.bodies
         if not body.is_static
     ]

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.core.constants import SEAM
-from lesson_code.engine.core.mixing import Combination
+from lesson_code.engine.core.constants import INTERNAL_EDGE_TOLERANCE
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.stepper import EngineStepper
 
 KEPT = 1e-9
@@ -97,7 +97,7 @@ def contacts(*bodies: Body) -> list[tuple[int, int]]:
         dt=1e-9,
         iterations=1,
         substeps=1,
-        combine=Combination(),
+        combine=MixingRule(),
     )
     stepper.advance(1)
     count = stepper.world.state.contact_count
@@ -125,7 +125,7 @@ def test_corner_under_a_disc_is_left_out() -> None:
     assert contacts(LEFT, RIGHT, disc) == [(0, 2)]
 
 
-@pytest.mark.parametrize("height", [10 * SEAM, 0.1, 2.0])
+@pytest.mark.parametrize("height", [10 * INTERNAL_EDGE_TOLERANCE, 0.1, 2.0])
 def test_step_and_wall_are_kept(height: float) -> None:
     """What stands higher than the floor stops a box."""
     wall = Body(Polygon.box(1, 2), position=(0.5, height - 1))

@@ -1,19 +1,19 @@
-"""Seams: where two static bodies make one floor, what is hit between them is not there.
+"""Internal edges: where two static bodies make one floor, there is nothing to hit between them.
 
 A body that rests on a floor has sunk into it a little. When it comes to the next piece of the
-floor, it therefore meets that piece's end, which lies inside the floor, and would stumble over it.
-The rule:
+floor, it therefore meets that piece's end, an edge inside the floor, and would stumble over it:
+a ghost collision. The rule:
 
     An edge or a corner of a static body that stands no higher than the face on which another
     static body carries the body, cannot stop it.
 
 It looks at the contacts of one body alone and needs no list of neighbours. A step that is higher
-than the seam's tolerance is a step, and a wall is a wall.
+than the tolerance is a step, and a wall is a wall.
 """
 
 from __future__ import annotations
 
-from lesson_code.engine.core.constants import SEAM
+from lesson_code.engine.core.constants import INTERNAL_EDGE_TOLERANCE
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.question import Effect, Finding, Question
@@ -37,10 +37,10 @@ def rule(question: Question) -> Finding:
     return Finding(False, "there is at most one static body")
 
 
-EFFECT = Effect(rule=rule, place=50, functions=("drop_seams",))
+EFFECT = Effect(rule=rule, place=50, functions=("drop_internal_edges",))
 
 
-def drop_seams(world: World, effects: Effects = EVERY_EFFECT) -> None:
+def drop_internal_edges(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Take the contacts with covered edges of static bodies out of the contact table."""
     chain_static_contacts(world)
     found = False
@@ -103,7 +103,7 @@ def is_deeper(world: World, d: ContactRow, n: int, c: ContactRow, k: int, pushed
     where it should be straight, and of two alike the first.
     """
     difference = d.penetration - c.penetration
-    if abs(difference) > SEAM * world.bodies[pushed].extent:
+    if abs(difference) > INTERNAL_EDGE_TOLERANCE * world.bodies[pushed].min_width:
         return difference > 0.0
     if is_straight(world, d, pushed) != is_straight(world, c, pushed):
         return is_straight(world, d, pushed)
@@ -135,7 +135,10 @@ def covers(world: World, d: ContactRow, c: ContactRow, pushed: int) -> bool:
     if body.corner_count > 0 and mx * nx + my * ny > CROSSWISE:
         return is_rounded_end(world, c, pushed) and lies_in_rod(world, c, d, pushed)
     px, py = static_point(world, d, pushed)
-    return height(world, c, pushed, mx, my) - (px * mx + py * my) <= SEAM * body.extent
+    return (
+        height(world, c, pushed, mx, my) - (px * mx + py * my)
+        <= INTERNAL_EDGE_TOLERANCE * body.min_width
+    )
 
 
 def is_rounded_end(world: World, c: ContactRow, pushed: int) -> bool:
@@ -154,7 +157,7 @@ def lies_in_rod(world: World, c: ContactRow, d: ContactRow, pushed: int) -> bool
     x, y = px + body.x - static.x, py + body.y - static.y
     start, end = world.corners[static.first_corner], world.corners[static.first_corner + 1]
     cx, cy = closest_on_edge(x, y, start.x, start.y, end.x, end.y, -start.ny, start.nx)
-    reach = static.radius + SEAM * body.extent
+    reach = static.radius + INTERNAL_EDGE_TOLERANCE * body.min_width
     return (x - cx) * (x - cx) + (y - cy) * (y - cy) <= reach * reach
 
 
@@ -209,4 +212,4 @@ def copy_contact(of: ContactRow, to: ContactRow, effects: Effects) -> None:
     to.restitution = of.restitution
     if effects.friction:
         to.friction = of.friction
-    to.normal_impulse, to.tangent_impulse, to.push_impulse = 0.0, 0.0, 0.0
+    to.normal_impulse, to.tangent_impulse, to.pseudo_impulse = 0.0, 0.0, 0.0
