@@ -157,7 +157,7 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"restitution_law": "energetic"}, "restitution_law must be 'newton' unless solver is 'direc"),
     ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a MixingRule"),
     ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a MixingRule"),
-    ({"combine": ["min", "max"]}, "combine must be one of workbook, pymunk, box2d or a Comb"),
+    ({"combine": ["min", "max"]}, "combine must be one of workbook, pymunk, box2d or a Mixing"),
     ({"sample": "all"}, "sample must be None, \"end\" or an array of times, got 'all'"),
     ({"sample": [0.5, 1.5]}, "sample must be <= duration = 1.0 s, got 1.5"),
     ({"sample": [-0.5]}, "sample must be >= 0 and finite, got -0.5"),

@@ -28,13 +28,11 @@ from dataclasses import replace
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch06_sat_and_manifolds import figures, manifold_figures
-from lesson_code.chapters.ch06_sat_and_manifolds import wrong_answers as wrong
+from lesson_code.chapters.ch06_sat_and_manifolds import figures, manifold_figures, wrong_answers
 from lesson_code.chapters.ch06_sat_and_manifolds.drag_polygon import drag_polygon
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
-from lesson_code.evidence.scenes import corner_impacts
-from lesson_code.evidence.scenes import rigid_bodies as scenes
+from lesson_code.evidence.scenes import corner_impacts, rigid_bodies
 from lesson_code.formulas import reflect
 from lesson_code.formulas.smooth_pair import separating_push
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
@@ -138,7 +136,7 @@ drag_polygon(
 # %%
 check("one end inside: the part they share", overlap((0, 3), (2, 5)), 1)
 check("B inside A, right in the middle", overlap((0, 40), (15, 25)), 25)
-check("the part they share is not the way out", wrong.common_part((0, 40), (15, 25)), 10)
+check("the part they share is not the way out", wrong_answers.common_part((0, 40), (15, 25)), 10)
 check("touching is not overlapping", overlap((0, 3), (3, 5)), None)
 
 # %% [markdown]
@@ -270,7 +268,7 @@ check("the same contacts a step later, by name", moved.features, flat.features)
 # how much does the one contact slow the box down, compared with the two?
 
 # %%
-landing = scenes.box_landing_flat(width=2, height=1, speed=1, restitution=0)
+landing = rigid_bodies.box_landing_flat(width=2, height=1, speed=1, restitution=0)
 pin = Body(Circle(0.1), position=(0.95, -0.1))
 on_pin = Scene([pin, landing.bodies[1]])
 two, one = (simulate(scene, 1.5, solver="sequential") for scene in (landing, on_pin))
@@ -298,7 +296,7 @@ animate(
 # give the velocities after the impact, and none of them is sideways.
 
 # %%
-scene = scenes.ball_on_plank(arm=1.5)
+scene = rigid_bodies.ball_on_plank(arm=1.5)
 plank = scene.bodies[0]
 ball, body, turning = off_centre_hit(1.0, -2.0, plank.mass, plank.inertia, 1.5, restitution=1)
 for solver in ("sequential", "pymunk"):
@@ -389,7 +387,7 @@ box, ball = Polygon.box(2, 2), Circle(0.6)
 contact = collide(box, (-1, -1, 0), ball, (0.3, 0.4, 0))  # the upper right corner is at (0, 0)
 check("pushed away from the corner", contact.normal, (0.6, 0.8), tolerance=1e-15)
 corners = np.array(box.vertices) - 1
-check("the trap", wrong.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners), None)
+check("the trap", wrong_answers.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners), None)
 
 # %% [markdown]
 # ## 10 What one contact does, the next one feels
@@ -406,7 +404,7 @@ check("the trap", wrong.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners
 # manifold together, and is exact at once. A box 1 m wide and 10 m high lands flat:
 
 # %%
-tall = scenes.box_landing_flat(width=1, height=10, speed=1, restitution=0.5)
+tall = rigid_bodies.box_landing_flat(width=1, height=10, speed=1, restitution=0.5)
 for sweeps in (1, 10, 100):
     run = simulate(tall, 1 / 60, solver="pymunk", iterations=sweeps, sample="end")
     v, w = np.abs(flat_landing(1, 10, 1.0, 0.5, sweeps=sweeps))
@@ -421,7 +419,7 @@ check("and not turning", run.angular_velocities[-1, 1], 0, tolerance=1e-12)
 # %%
 def draw_sweeps(width, height):
     counts = np.arange(1, 31)
-    scene = scenes.box_landing_flat(width, height, 1.0, 0.5)
+    scene = rigid_bodies.box_landing_flat(width, height, 1.0, 0.5)
     runs = [simulate(scene, 1 / 60, solver="pymunk", iterations=n, sample="end") for n in counts]
     exact = [flat_landing(width, height, 1.0, 0.5, sweeps=n)[1] for n in counts]
     measured = [run.angular_velocities[-1, 1] for run in runs]
@@ -469,7 +467,7 @@ check("and so are we", max(errors), 0, tolerance=1e-9)
 # boxes, 10 sweeps a step:
 
 # %%
-stack = scenes.box_stack(10)
+stack = rigid_bodies.box_stack(10)
 ours = simulate(stack, 8.0, solver="sequential")
 pymunks = simulate(stack, 8.0, solver="pymunk")
 check("no box moves sideways", ours.positions[-1, 1:, 0], 0, tolerance=1e-12)
@@ -496,7 +494,12 @@ show(
 last = ours.contacts.time > ours.times[-2] + 1e-9
 on_top = ours.contacts.body_b[last]
 carried = [ours.contacts.normal_impulse[last][on_top == n].sum() for n in range(1, 11)]
-check("10, 9, ..., 1 weights", np.multiply(carried, 60 / scenes.GRAVITY), [*range(10, 0, -1)], 1e-9)
+check(
+    "10, 9, ..., 1 weights",
+    np.multiply(carried, 60 / rigid_bodies.GRAVITY),
+    [*range(10, 0, -1)],
+    1e-9,
+)
 
 # %%
 rough = Material(restitution=0.1, friction=0.5)
@@ -533,11 +536,11 @@ animate(
 
 # %%
 room, chip = 4 * square, np.array([(5, 3), (6, 3), (5.5, 4)])
-for name, model in (("right", mtv), ("the part they share", wrong.common_part_as_depth)):
+for name, model in (("right", mtv), ("the part they share", wrong_answers.common_part_as_depth)):
     normal, depth = model(room, chip)
     left = mtv(room, chip + depth * normal)
     print(f"{name}: moved by {depth:.3f} m, then", "out" if left is None else "still inside")
-normal, depth = wrong.common_part_as_depth(room, chip)
+normal, depth = wrong_answers.common_part_as_depth(room, chip)
 check("the rest of the way, m", mtv(room, chip + depth * normal)[1], 2.2, tolerance=1e-12)
 
 # %% [markdown]
@@ -564,7 +567,7 @@ check("and is now this deep, m", mtv(room, crate + depth * pointed)[1], 1.0)
 kite = np.array([(1.7, 1.9), (-1.5, 1.4), (-1.7, 1.1), (-0.4, -0.9)])
 dart = np.array([(0.4, 0.3), (1.0, 0.7), (-2.3, 0.9), (-0.1, 0.3)])
 normal, depth = mtv(kite, dart)
-pointed, _ = wrong.direction_from_the_centres(kite, dart)
+pointed, _ = wrong_answers.direction_from_the_centres(kite, dart)
 check("the opposite direction", pointed, -normal)
 check("the right way leads out", mtv(kite, dart + depth * normal * (1 + 1e-9)), None)
 print(f"moved {depth:.2f} m the wrong way: {mtv(kite, dart + depth * pointed)[1]:.2f} m deep")

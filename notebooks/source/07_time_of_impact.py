@@ -29,13 +29,11 @@ from math import inf
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch07_time_of_impact import figures
-from lesson_code.chapters.ch07_time_of_impact import right_answers as unusual
-from lesson_code.chapters.ch07_time_of_impact import wrong_answers as wrong
+from lesson_code.chapters.ch07_time_of_impact import figures, right_answers, wrong_answers
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
-from lesson_code.evidence.scenes import events as exact_scenes
-from lesson_code.evidence.scenes import gas as disc_gas
+from lesson_code.evidence.scenes import events
+from lesson_code.evidence.scenes import gas as gas_scenes
 from lesson_code.formulas.smooth_pair import smooth_impulse
 from lesson_code.geometry import collide, time_of_impact
 from lesson_code.reference import closed_forms, event_closed_forms
@@ -90,9 +88,9 @@ explore(
 speeds = np.array([6, 9, 10, 12, 15, 18, 25, 40, 60, 100])
 passed = []
 for speed in speeds.tolist():
-    scene = exact_scenes.balls_at_wall(speed, count=200, dt=1 / 60)
+    scene = events.balls_at_wall(speed, count=200, dt=1 / 60)
     run = simulate(scene, 1 / speed + 0.1, solver="pymunk", sample="end")
-    passed.append(exact_scenes.share_beyond(run))
+    passed.append(events.share_beyond(run))
 law = [event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, 0.1) for speed in speeds]
 check("pymunk: fraction that gets through", passed, law, tolerance=1 / 200)
 
@@ -143,7 +141,7 @@ for speed in (5.0, 10.0, 20.0, 60.0):
     for aside, start in zip(rng.uniform(-1, 1, 4000), rng.uniform(0.2, 0.7, 4000), strict=True):
         p2 = np.array([-1 - start * speed, aside])
         pair = (np.zeros(2), np.zeros(2), 0.4, p2, np.array([speed, 0.0]), 0.6)
-        lost += wrong.ten_samples(*pair, 1.0) is None
+        lost += wrong_answers.ten_samples(*pair, 1.0) is None
     law = event_closed_forms.missed_by_samples(speed / 10, reach=1.0)
     check(f"{speed:2.0f} m a step: fraction lost", lost / 4000, law, tolerance=0.02)
 
@@ -206,7 +204,10 @@ check("a rod that turns at 1.5 rad/s", turning, (np.pi / 2 - foot) / 1.5, tolera
 
 # %%
 for g in (1e-3, 1e-7, 1e-11, 1e-15):
-    school, right = wrong.school_formula(1.0, -1.0, g), unusual.with_fifty_digits(1.0, -1.0, g)
+    school, right = (
+        wrong_answers.school_formula(1.0, -1.0, g),
+        right_answers.with_fifty_digits(1.0, -1.0, g),
+    )
     print(f"g = {g:.0e} m/s²: school {school:.12f} s, with fifty digits {right:.12f} s")
 
 # %% [markdown]
@@ -223,8 +224,8 @@ for g in (1e-3, 1e-7, 1e-11, 1e-15):
 from lesson_code.geometry.impact_times import line_impact_time
 
 gravity = 10.0 ** -np.arange(0, 15.25, 0.25)
-right = np.array([float(unusual.with_fifty_digits(1.0, -0.7, g)) for g in gravity.tolist()])
-school = np.array([wrong.school_formula(1.0, -0.7, g) for g in gravity.tolist()])
+right = np.array([float(right_answers.with_fifty_digits(1.0, -0.7, g)) for g in gravity.tolist()])
+school = np.array([wrong_answers.school_formula(1.0, -0.7, g) for g in gravity.tolist()])
 sure = np.array([line_impact_time(1.0, -0.7, -g) for g in gravity.tolist()])
 check("without a subtraction: off by, parts", sure / right - 1, 0, tolerance=4e-16)
 losses = {
@@ -323,10 +324,10 @@ check("separation over approach, 1,000 times", turned_round, 0.5, tolerance=1e-1
 # e = 1, in 600 steps of 1/60 s. Its place after any time is known: section 10 says why.
 
 # %%
-start, velocity = np.array(exact_scenes.BALL_START), np.array(exact_scenes.BALL_VELOCITY)
-radius, box = exact_scenes.BALL_RADIUS, np.array(exact_scenes.BOX)
-rules = {"to the end of the step": unusual.each_axis_for_itself}
-rules["stops at the impact"] = wrong.stops_at_the_impact
+start, velocity = np.array(events.BALL_START), np.array(events.BALL_VELOCITY)
+radius, box = events.BALL_RADIUS, np.array(events.BOX)
+rules = {"to the end of the step": right_answers.each_axis_for_itself}
+rules["stops at the impact"] = wrong_answers.stops_at_the_impact
 ways = {}
 for name, rule in rules.items():
     p, v, ways[name] = start - radius, velocity, [start]
@@ -355,7 +356,7 @@ show(
 # it as well as 600:
 
 # %%
-p, _ = unusual.each_axis_for_itself(start - radius, velocity, box - 2 * radius, 1.0, 10.0)
+p, _ = right_answers.each_axis_for_itself(start - radius, velocity, box - 2 * radius, 1.0, 10.0)
 check("one step of 10 s, ten impacts in it: error, m", np.array(p) + radius, exact[-1], 1e-12)
 
 # %% [markdown]
@@ -367,23 +368,23 @@ check("one step of 10 s, ten impacts in it: error, m", np.array(p) + radius, exa
 
 # %%
 for speed in (18.0, 1e3, 1e6):
-    scene = exact_scenes.balls_at_wall(speed, count=50, dt=1 / 60, thickness=0.001)
+    scene = events.balls_at_wall(speed, count=50, dt=1 / 60, thickness=0.001)
     run = simulate(scene, 1 / speed + 0.1, sample="end", solver="sequential")
-    check(f"{speed:11,.0f} m/s: through a wall of 1 mm", exact_scenes.share_beyond(run), 0)
+    check(f"{speed:11,.0f} m/s: through a wall of 1 mm", events.share_beyond(run), 0)
 
 
 # %%
 def passed_over(turning, solver):
     missed = 0
     for phase in (np.arange(40) + 0.5) / 40:
-        scene = exact_scenes.turning_rod(turning, phase=phase, dt=1 / 60)
+        scene = events.turning_rod(turning, phase=phase, dt=1 / 60)
         run = simulate(scene, 0.6 / turning + 2 / 60, solver=solver, sample="end")
         missed += not run.velocities[-1, 1].any()
     return missed / 40
 
 
 for turning in (5.0, 20.0, 40.0):
-    law = event_closed_forms.escape_fraction(turning * exact_scenes.ROD_ARM, 1 / 60, 0.1, 0.1)
+    law = event_closed_forms.escape_fraction(turning * events.ROD_ARM, 1 / 60, 0.1, 0.1)
     theirs = passed_over(turning, "pymunk")
     check(f"{turning:2.0f} rad/s: pymunk's rod passes over", theirs, law, tolerance=1 / 40)
     check("   ours", passed_over(turning, "sequential"), 0)
@@ -405,7 +406,7 @@ for turning in (5.0, 20.0, 40.0):
 
 # %%
 smooth = Material(restitution=1.0)
-post, walls = Body(Circle(0.4), position=(2, 1.5), material=smooth), exact_scenes.box(4.0, 3.0)
+post, walls = Body(Circle(0.4), position=(2, 1.5), material=smooth), events.box(4.0, 3.0)
 balls = [((0.8, 0.7), (1.5, 0.9)), ((3.2, 0.8), (-0.4, 1.9)), ((0.9, 2.3), (1.1, -0.3))]
 movers = [
     Body(Circle(0.3), mass=1.0, position=place, velocity=way, material=smooth)
@@ -433,9 +434,9 @@ animate(
 
 # %%
 for speed in (1.0, 1e3, 1e6):
-    scene = exact_scenes.balls_at_wall(speed, count=10, dt=1 / 60, thickness=0.001)
+    scene = events.balls_at_wall(speed, count=10, dt=1 / 60, thickness=0.001)
     run = simulate(scene, 2 / speed + 1 / 60, solver="exact", sample="end")
-    check(f"{speed:9,.0f} m/s: balls through a wall of 1 mm", exact_scenes.share_beyond(run), 0)
+    check(f"{speed:9,.0f} m/s: balls through a wall of 1 mm", events.share_beyond(run), 0)
 
 # %% [markdown]
 # ## 9 Pi, from collisions
@@ -447,7 +448,7 @@ for speed in (1.0, 1e3, 1e6):
 
 # %%
 for digits in range(5):
-    run = simulate(exact_scenes.two_blocks(100.0**digits), 1e5, solver="exact", sample="end")
+    run = simulate(events.two_blocks(100.0**digits), 1e5, solver="exact", sample="end")
     predicted = event_closed_forms.block_collisions(100.0**digits)
     check(f"M = 100^{digits}: collisions", len(run.contacts), predicted)
     energy = run.kinetic_energy[-1] / run.kinetic_energy[0]
@@ -476,14 +477,14 @@ show(
 # millimetre.
 
 # %%
-million = exact_scenes.two_blocks(100.0**3)
+million = events.two_blocks(100.0**3)
 for rate in (60, 2400):
     run = simulate(million, 10.0, dt=1 / rate, solver="pymunk", sample="end")
     side = "behind" if run.positions[-1, 1, 0] < 0 else "before"
     print(f"pymunk, {rate:4} steps a second: {len(run.contacts)} of 3141, ends {side} the wall")
 
 # %%
-run = simulate(exact_scenes.two_blocks(100.0), 5.0, solver="exact")
+run = simulate(events.two_blocks(100.0), 5.0, solver="exact")
 edges = run.positions[:, :, 0] - np.array([0, 0.5, 1.5])  # blocks drawn without their width
 fig, ax = style.figure(width=7, height=3)
 named = {"inner block": (run.times, edges[:, 1]), "outer block, 100 kg": (run.times, edges[:, 2])}
@@ -513,17 +514,17 @@ show(
 )
 
 # %%
-scene = exact_scenes.ball_in_a_box()
+scene = events.ball_in_a_box()
 for duration in (10, 100, 1000):
     run = simulate(scene, duration, solver="exact", sample=np.linspace(0, duration, 101))
-    off = exact_scenes.error_in_the_box(run)
+    off = events.error_in_the_box(run)
     check(f"exact, {duration} s, {len(run.contacts)} bounces: error, m", off, 0, 1e-13 * duration)
 
 # %%
 rates, errors = np.array([30, 60, 120, 240, 480, 960, 1920]), []
 for rate in rates.tolist():
     run = simulate(scene, 10, dt=1 / rate, solver="pymunk", sample=np.linspace(0, 10, 101))
-    errors.append(exact_scenes.error_in_the_box(run).max())
+    errors.append(events.error_in_the_box(run).max())
     print(f"pymunk, {rate:4} steps a second: off by up to {errors[-1]:.3f} m in 10 s")
 
 # %% [markdown]
@@ -541,11 +542,11 @@ for rate in rates.tolist():
 # after ten collisions each? After thirty?
 
 # %%
-gas, returns = disc_gas.disc_gas(8, covered=0.5, seed=1), []
+gas, returns = gas_scenes.disc_gas(8, covered=0.5, seed=1), []
 for duration in np.arange(0.5, 7.0, 0.5):
     run = simulate(gas, duration, solver="exact", sample="end")
-    back = simulate(exact_scenes.turned_back(run), duration, solver="exact", sample="end")
-    returns.append((disc_gas.hits_a_disc(run), exact_scenes.error_after_return(run, back)))
+    back = simulate(events.turned_back(run), duration, solver="exact", sample="end")
+    returns.append((gas_scenes.hits_a_disc(run), events.error_after_return(run, back)))
 hits, off = np.transpose(returns)
 check("up to 9 collisions a disc: back within, m", off[hits <= 9], 0, tolerance=1e-9)
 check("beyond 42 it is lost: over a millimetre off", bool(off[hits > 42].min() > 1e-3), True)
@@ -568,8 +569,8 @@ show(
 # %%
 seen = np.linspace(0, 1, 51)
 out = simulate(gas, 1.0, solver="exact", sample=seen)
-back = simulate(exact_scenes.turned_back(out), 1.0, solver="exact", sample=seen)
-print(f"{disc_gas.hits_a_disc(out):.1f} collisions a disc")
+back = simulate(events.turned_back(out), 1.0, solver="exact", sample=seen)
+print(f"{gas_scenes.hits_a_disc(out):.1f} collisions a disc")
 animate(
     {"out": out, "back": back},
     "Two boxes with 64 discs. On the left they start in rows and columns and fly into disorder. On "
@@ -599,7 +600,7 @@ animate(
 
 # %%
 times = np.linspace(0, 6, 601)
-run = simulate(exact_scenes.bouncing_to_rest(0.8), 6.0, solver="exact", sample=times)
+run = simulate(events.bouncing_to_rest(0.8), 6.0, solver="exact", sample=times)
 rest = closed_forms.rest_time(height=1, restitution=0.8, gravity=10)
 heights = closed_forms.bouncing_ball(times, height=1, restitution=0.8, gravity=10)
 check("the last bounce, s", run.contacts.time[-1], rest, tolerance=1e-12)
@@ -608,7 +609,7 @@ check("at rest from then on", run.velocities[times > rest, 1], 0)
 print(len(run.contacts), "bounces were computed")
 
 # %%
-stepped = simulate(exact_scenes.bouncing_to_rest(0.8), 6.0, solver="pymunk")
+stepped = simulate(events.bouncing_to_rest(0.8), 6.0, solver="pymunk")
 fig, ax = style.figure(width=7, height=3)
 named = {"exact": (times, run.positions[:, 1, 1] - 0.5)}
 named["pymunk, 60 steps a second"] = (stepped.times, stepped.positions[:, 1, 1] - 0.5)
@@ -640,7 +641,7 @@ from lesson_code.chapters.ch07_time_of_impact.scenes import in_the_middle
 
 measured = []
 for covered, duration in ((0.05, 150.0), (0.12, 100.0), (0.2, 80.0), (0.3, 60.0)):
-    gas = disc_gas.disc_gas(12, covered, seed=1)
+    gas = gas_scenes.disc_gas(12, covered, seed=1)
     run = simulate(gas, duration, solver="exact", sample=np.arange(0, duration, 0.25))
     measured.append(in_the_middle(run, since=4.0))
 eta = [m.covered for m in measured]
@@ -686,10 +687,10 @@ def milliseconds(scene, duration, **settings):
 
 
 # %% tags=["nbval-ignore-output"]
-scene = exact_scenes.ball_in_a_box()
+scene = events.ball_in_a_box()
 costs = [milliseconds(scene, 10, solver="pymunk", dt=1 / rate) for rate in rates.tolist()]
 run = simulate(scene, 10, solver="exact", sample=np.linspace(0, 10, 101))
-cost, error = milliseconds(scene, 10, solver="exact"), exact_scenes.error_in_the_box(run).max()
+cost, error = milliseconds(scene, 10, solver="exact"), events.error_in_the_box(run).max()
 for rate, ms, off in zip(rates, costs, errors, strict=True):
     print(f"pymunk, {rate:4} steps a second: {ms:6.2f} ms, error {off:.0e} m")
 print(f"exact, no steps, 10 collisions: {cost:6.2f} ms, error {error:.0e} m")
@@ -716,7 +717,7 @@ show(
 
 # %% tags=["nbval-ignore-output"]
 for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
-    gas = disc_gas.disc_gas(side, covered=0.3, seed=1)
+    gas = gas_scenes.disc_gas(side, covered=0.3, seed=1)
     begin = perf_counter()
     run = simulate(gas, duration, solver="exact", sample="end")
     each = 1e6 * (perf_counter() - begin) / len(run.contacts)
@@ -729,10 +730,10 @@ for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
 # infinitely many collisions; the solver lets it hop a little. It says no where it cannot help:
 
 # %%
-from lesson_code.evidence.scenes import rigid_bodies as scenes
+from lesson_code.evidence.scenes import rigid_bodies
 
 try:
-    simulate(scenes.box_stack(3), 1.0, solver="exact")
+    simulate(rigid_bodies.box_stack(3), 1.0, solver="exact")
 except ValueError as error:
     print(error)
 
@@ -745,7 +746,7 @@ except ValueError as error:
 # %%
 p1, v1, p2, v2 = np.zeros(2), np.array([3.0, 0.0]), np.array([14.0, 3.0]), np.array([-2.0, 0.0])
 first = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=10)
-later = wrong.the_later_root(p1, v1, 2.0, p2, v2, 3.0, 10.0)
+later = wrong_answers.the_later_root(p1, v1, 2.0, p2, v2, 3.0, 10.0)
 for name, t in (("first root", first), ("later root", later)):
     n = (p2 + v2 * t - p1 - v1 * t) / 5  # at both times the centres are r1 + r2 = 5 m apart
     j = np.hypot(*smooth_impulse(v1, 1.0, v2, 1.0, n, restitution=1.0))
@@ -760,7 +761,7 @@ for name, t in (("first root", first), ("later root", later)):
 # The quadratic says when. `t <= dt` is true for it.
 
 # %%
-t = wrong.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
+t = wrong_answers.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
 print(f"they will meet in {t:.1f} s")
 check("never", time_of_impact(one, place_1, (-3, 0, 0), two, place_2, (2, 0, 0), 6.0), None)
 

@@ -27,25 +27,12 @@
 import numpy as np
 
 from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch10_only_what_the_scene_needs import (
-    figures as effect_plots,
-)
-from lesson_code.chapters.ch10_only_what_the_scene_needs import (
-    plan_figures as plan_plots,
-)
+from lesson_code.chapters.ch10_only_what_the_scene_needs import figures, plan_figures
 from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import asleep_in_time, three_towers
 from lesson_code.course.quiz.notebook import show_quiz
-from lesson_code.engine.effects.choice import OPTIONAL, choose_effects
-from lesson_code.engine.effects.collisions import can_meet
-from lesson_code.engine.effects.continuous import fastest_way
-from lesson_code.engine.effects.question import Question
 from lesson_code.evidence import check
-from lesson_code.evidence.effect_costs import stored
-from lesson_code.evidence.hard_cases import loads
-from lesson_code.evidence.scenes import discs as disc_scenes
-from lesson_code.evidence.scenes import events as exact_scenes
-from lesson_code.evidence.scenes import gas as disc_gas
-from lesson_code.evidence.scenes import rigid_bodies as scenes
+from lesson_code.evidence.scenes import discs, events, rigid_bodies
+from lesson_code.evidence.scenes import gas as gas_scenes
 from lesson_code.view import listing
 from lesson_code.view.browser.interactive import Slider, explore
 from lesson_code.view.browser.show import show
@@ -63,7 +50,7 @@ from lesson_code.view.svg.animation import animate
 # effects of chapters 01 to 09 does it need? Then look at its plan.
 
 # %%
-gas = disc_gas.disc_gas(4, covered=0.3, seed=1)
+gas = gas_scenes.disc_gas(4, covered=0.3, seed=1)
 run = simulate(gas, 3.0, solver="sequential")
 print(run.plan)
 
@@ -79,16 +66,16 @@ rolling = Scene([Body(Circle(1), mass=1.0, position=(x, 0), velocity=(1, 0)) for
 planned = {
     "two discs,\nside by side": rolling,
     "smooth\ngas": gas,
-    "drop on\na floor": exact_scenes.bouncing_to_rest(0.8),
-    "disc down\na slope": scenes.disc_on_incline(0.3, 0.2),
-    "pool\nbreak": disc_scenes.rack_break(0.95),
-    "tower of\nfive boxes": scenes.box_stack(5),
+    "drop on\na floor": events.bouncing_to_rest(0.8),
+    "disc down\na slope": rigid_bodies.disc_on_incline(0.3, 0.2),
+    "pool\nbreak": discs.rack_break(0.95),
+    "tower of\nfive boxes": rigid_bodies.box_stack(5),
 }
 plans = {name: simulate(s, 2.0, solver="sequential").plan for name, s in planned.items()}
 
 # %%
 fig, ax = style.figure(width=8, height=5.2)
-plan_plots.plans(ax, plans)
+plan_figures.plans(ax, plans)
 show(
     fig,
     "A table with a row for each of sixteen effects and a column for each of six scenes; a full "
@@ -165,6 +152,10 @@ show(
 
 
 # %%
+from lesson_code.engine.effects.choice import choose_effects
+from lesson_code.engine.effects.question import Question
+
+
 def ask(scene, *names):
     """Print what becomes of some effects, and why."""
     for choice in choose_effects(Question(scene, duration=2.0)):
@@ -212,6 +203,8 @@ for title, scene in {
 # rounding, and compares. In the gas:
 
 # %%
+from lesson_code.engine.effects.continuous import fastest_way
+
 way, room = fastest_way(gas, dt=1 / 60)
 long = simulate(gas, 10.0, solver="sequential")
 speeds = np.hypot(*np.moveaxis(long.velocities, -1, 0))
@@ -269,10 +262,12 @@ pairs = {
 }
 
 # %%
+from lesson_code.engine.effects.collisions import can_meet
+
 fig, axes = style.figure(2, width=9, height=3.4)
 for ax, (title, scene) in zip(axes, pairs.items(), strict=True):
     flown = simulate(scene, 1.2, solver="sequential", dt=1 / 240)
-    plan_plots.flights(ax, flown)
+    plan_figures.flights(ax, flown)
     verdict = "may meet" if can_meet(scene, 1.2, 1 / 240) else "cannot meet"
     ax.set_title(f"{title}: {verdict}\ncontacts: {len(flown.contacts.time)}", fontsize=10)
 show(
@@ -335,6 +330,8 @@ for scene, name in ((thrown(Circle(0.5), 0.6, on=0.6), "friction"), (gas, "resti
 # broad phase, sleep, and the record of impulses.
 
 # %%
+from lesson_code.engine.effects.choice import OPTIONAL
+
 fewer = simulate(gas, 10.0, solver="sequential", effects=dict.fromkeys(OPTIONAL, False))
 check("without all three: positions", fewer.positions, long.positions)
 check("and no impulses were written down", len(fewer.contacts.time), 0)
@@ -454,11 +451,13 @@ check("with and without sleep, m", rest.positions, awake.positions, tolerance=1e
 # among many: sub-steps. All else is swept.
 
 # %%
+from lesson_code.evidence.hard_cases import loads
+
 choices = {
     "a smooth gas": gas,
-    "a ball that bounces": exact_scenes.bouncing_to_rest(0.8),
+    "a ball that bounces": events.bouncing_to_rest(0.8),
     "1,000,000 kg on 1 kg": loads.tower((1.0, 1e6)),
-    "a pyramid of 55 boxes": scenes.box_pyramid(10),
+    "a pyramid of 55 boxes": rigid_bodies.box_pyramid(10),
 }
 for title, scene in choices.items():
     chosen = simulate(scene, 1 / 60).plan
@@ -473,9 +472,11 @@ for title, scene in choices.items():
 # once more with the effect forced on. **Predict** which effects are worth most.
 
 # %%
+from lesson_code.evidence.effect_costs import stored
+
 costs = stored()
 show(
-    effect_plots.all_effects(costs),
+    figures.all_effects(costs),
     "A panel for our engine in each of its codes, and one for pymunk, with a row for each effect "
     "and the time of a step in powers of ten. In ours, bars join the times with an effect forced "
     "on and without it. They are long for collisions and friction, and short for gravity and "

@@ -29,15 +29,13 @@ import inspect
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch08_what_accuracy_costs import figures as precision_plots
+from lesson_code.chapters.ch08_what_accuracy_costs import figures
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.engine import small_engine
 from lesson_code.engine.small_engine import simulate_small
-from lesson_code.evidence import check
-from lesson_code.evidence import work_precision as wp
+from lesson_code.evidence import check, work_precision
 from lesson_code.evidence.scenes import discs as disc_scenes
-from lesson_code.evidence.scenes import events as exact_scenes
-from lesson_code.evidence.scenes import rigid_bodies as scenes
+from lesson_code.evidence.scenes import events, rigid_bodies
 from lesson_code.view import listing
 from lesson_code.view.browser.interactive import Slider, explore
 from lesson_code.view.browser.show import show
@@ -125,20 +123,20 @@ check("40 hits, all velocities after: largest difference", worst, 0.0, tolerance
 
 # %%
 times, rates = np.linspace(0, 10, 101), [30, 60, 120, 240, 480, 960]
-ball = exact_scenes.ball_in_a_box()
+ball = events.ball_in_a_box()
 errors = []
 for rate in rates:
     path = simulate_small(ball, 10, dt=1 / rate, sample=times)
-    errors.append(float(exact_scenes.error_in_the_box(path).max()))
+    errors.append(float(events.error_in_the_box(path).max()))
 steps = [1 / rate for rate in rates]
-fit = wp.fit_order(steps, errors)
+fit = work_precision.fit_order(steps, errors)
 print(f"order {fit}")
 check("first order", fit.order, 1, tolerance=0.3)
 
 # %%
 fig, ax = style.figure(width=7, height=3.2)
 label = "small engine"
-precision_plots.errors_over_steps(ax, steps, {label: errors}, {label: fit})
+figures.errors_over_steps(ax, steps, {label: errors}, {label: fit})
 show(
     fig,
     "Error of the small engine over the length of the step, both in powers of ten. Six dots fall "
@@ -156,7 +154,7 @@ show(
 
 # %%
 rubber = Material(restitution=0.9, friction=0.3)
-walls = exact_scenes.box(8.0, 6.0, rubber)
+walls = events.box(8.0, 6.0, rubber)
 triangle = Polygon([(-0.7, -0.5), (0.7, -0.5), (0.0, 0.8)])
 starts = [(1, 1), (3, 1.5), (5, 1), (7, 2), (1.5, 4)]
 ways = [(2, 1), (-1, 2), (1, 2), (-2, -1), (2, -2)]
@@ -223,7 +221,7 @@ explore(
 hard = Material(restitution=1.0)
 fast = Body(Circle(0.1), mass=1.0, position=(-1, 0), velocity=(40, 0), material=hard)
 edges = {
-    "a tower of five boxes": (scenes.box_stack(5), 2.0),
+    "a tower of five boxes": (rigid_bodies.box_stack(5), 2.0),
     "a fast ball and a thin wall": (Scene([Body(Segment((0, -1), (0, 1))), fast]), 0.1),
     "a pool break": (disc_scenes.rack_break(0.95), 1.0),
 }
