@@ -39,7 +39,7 @@ class Question:
     dt : float
         The time step, s.
     duration : float
-        s; ``math.inf``: nobody knows yet.
+        s; ``math.inf``: not yet known.
     combine : MixingRule
         How a pair's coefficients come from its bodies'.
     """

@@ -67,7 +67,7 @@ def advance_until(
 
 
 def begin(tables: Tables, effects: Effects = EVERY_EFFECT) -> None:
-    """Foretell the first event of every disc."""
+    """Predict the first event of every disc."""
     for i in range(len(tables.discs)):
         predict(tables, i, effects)
     tables.state.has_begun = True
