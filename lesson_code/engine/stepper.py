@@ -307,7 +307,7 @@ class EngineStepper:
         return advance(self.world, self.pipeline)
 
     def _clear_the_way(self) -> None:
-        """Do away with what has stopped a run."""
+        """Remove the obstacle that has stopped a run."""
         state = self.world.state
         if state.lost_body >= 0:
             raise FloatingPointError(f"body {state.lost_body} has left the range of floating point")
