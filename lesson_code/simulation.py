@@ -39,7 +39,7 @@ def simulate(
     restitution_law: str = "newton",
     sample: Sample = None,
 ) -> Run:
-    """Let a scene run for a while, and return what happened.
+    """Simulate a scene for a duration, and return the run.
 
     Parameters
     ----------

@@ -213,7 +213,7 @@ class LiveWorld:
             )
 
     def pull(self, gravity: XY) -> None:
-        """Let another gravity act, m/s^2."""
+        """Set the gravity, m/s^2."""
         self.gravity = gravity
         state = self._engine.world.state
         state.gravity_x, state.gravity_y = gravity

@@ -171,7 +171,7 @@ class SmallEngine:
         self._bodies = [mover_of(body) for body in scene.bodies]
 
     def advance(self, steps: int) -> None:
-        """Advance by so many steps of dt."""
+        """Advance by `steps` steps of dt."""
         for _ in range(steps):
             step(self._bodies, self._gravity, self.dt)
 
@@ -209,7 +209,7 @@ def random_hits(count: int, seed: int) -> Iterator[Scene]:
 
 
 def simulate_small(scene: Scene, duration: float, *, dt: float = 1 / 60, sample: Any = None) -> Run:
-    """Let the small engine run a scene.
+    """Run a scene in the small engine.
 
     Parameters
     ----------

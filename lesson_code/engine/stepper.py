@@ -139,7 +139,7 @@ class EngineStepper:
     effects : mapping, optional
         Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effects.choice`.
     duration : float
-        s, how long the run will be; ``math.inf``: nobody knows yet.
+        s, how long the run will be; ``math.inf``: not yet known.
     splits_steps : bool
         Whether steps can be split at the impacts of fast bodies from the start; else they are once
         the first such body is met.
@@ -215,7 +215,7 @@ class EngineStepper:
         )
 
     def advance(self, steps: int) -> None:
-        """Advance by so many steps of dt.
+        """Advance by `steps` steps of dt.
 
         Raises
         ------
@@ -264,7 +264,7 @@ class EngineStepper:
         self._changes.append(_change(state.time, gravity, after - before, before - after))
 
     def _advance(self, steps: int) -> None:
-        """Make so many steps of dt with the stages as they are."""
+        """Make `steps` steps of dt with the stages as they are."""
         self.world.state.steps_left = steps * self._steps_a_step
         while not self._run():
             self._clear_the_way()
@@ -307,7 +307,7 @@ class EngineStepper:
         return advance(self.world, self.pipeline)
 
     def _clear_the_way(self) -> None:
-        """Do away with what has stopped a run."""
+        """Remove the obstacle that has stopped a run."""
         state = self.world.state
         if state.lost_body >= 0:
             raise FloatingPointError(f"body {state.lost_body} has left the range of floating point")

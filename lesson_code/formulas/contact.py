@@ -117,7 +117,7 @@ def effective_mass(
 def normal_impulse(
     vn: Number, m_eff: Number, restitution: Number, accumulated: Number = 0
 ) -> Number:
-    """Return the impulse that stops the approach and gives back the part e of it.
+    """Return the impulse that stops the approach and returns the fraction e of its speed.
 
     jn = accumulated - (1 + e) vn m_eff, but no less than 0
 

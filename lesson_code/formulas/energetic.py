@@ -203,7 +203,7 @@ def impulse_to_turn(vt: float, rate: float) -> float:
 
 
 def impulse_for_work(vn: float, rate: float, work: float) -> float:
-    """Return the impulse p in which the normal force gives back so much work.
+    """Return the impulse p in which the normal force does a given work.
 
     vn p + rate p^2 / 2 = work
 

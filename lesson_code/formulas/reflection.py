@@ -123,7 +123,7 @@ def bounce(velocity: Vector, normal: Vector, restitution: Number, friction: Numb
 
 @formula(returns_vector=True, velocity=vector, normal=unit_vector, restitution=unit_interval)
 def scaled_reflection(velocity: Vector, normal: Vector, restitution: Number) -> Vector:
-    """Return e R: the mirror image with all of it scaled, the tangent part too.
+    """Return e R: the whole mirror image scaled, the tangent part too.
 
     v' = e (v - 2 (v . n) n)  if v . n < 0, else v
 

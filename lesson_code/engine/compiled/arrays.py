@@ -20,7 +20,7 @@ LINE = 64
 """Bytes that a processor reads at once. A table begins at a multiple of this."""
 
 UNIT = 32
-"""Bytes: rows of more than this are made a multiple of it, so that few lie across a border."""
+"""Bytes: longer rows are padded to a multiple of this, so that few of them cross a boundary."""
 
 
 def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables:

@@ -8,11 +8,11 @@ from typing import NamedTuple
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
 
 WORTH_LOADING = 2.0
-"""s of work in plain Python from which on it pays to load a program that is kept, which takes half
-a second. With less work nobody would notice the gain."""
+"""s of work in plain Python above which it pays to load a stored program, which takes half a
+second. With less work the gain would go unnoticed."""
 
 WORTH_COMPILING = 30.0
-"""s of work in plain Python from which on it pays to compile a program, which takes some ten."""
+"""s of work in plain Python above which it pays to compile a program, which takes about 10 s."""
 
 
 class Choice(NamedTuple):
@@ -39,7 +39,7 @@ def choose(
     seconds : float
         About how long plain Python would work.
     program : callable
-        Returns the source; called only where that decides.
+        Returns the source; called only where the decision depends on it.
     never : str
         Why this run cannot be compiled, in words; "" when it can.
 

@@ -1,15 +1,15 @@
 """Which functions of a program are compiled in place of their calls, and which are merged.
 
 A call that hands on the whole world copies a hundred words, since Numba passes a tuple of tables
-word by word: in a loop over bodies or pairs that takes longer than what is called. A function in
-place of its calls costs nothing. So what a loop calls is put into it, with two limits:
+word by word: in a loop over bodies or pairs that takes longer than the function itself. An inlined
+function costs nothing. So the functions that a loop calls are inlined in it, with two limits:
 
 - a function that stands in several places is compiled in each of them, so it may not be long;
-- a stage with loops that is called once a step stays a function. With all of them in one the
-  compiler gives up on its loops: a gas with every effect took six times as long.
+- a stage with loops that is called once a step stays a function. If all of them are in one function
+  the compiler gives up on its loops: a gas with every effect took six times as long.
 
-What is neither is merged: a function that only puts stages in order becomes part of its caller
-before anything is compiled. The machine code is as fast, and is there in three quarters of the
+The remaining functions, which only put stages in order, are merged: each becomes part of its caller
+before anything is compiled. The machine code is as fast, and compiles in three quarters of the
 time.
 """
 
@@ -21,11 +21,11 @@ from functools import cache
 from typing import NamedTuple
 
 MOST_NODES = 3000
-"""Nodes of the syntax tree that a function may have in all its places together.
+"""Nodes of the syntax tree that a function may have, summed over all its places.
 
-With two thirds of it a gas with every effect takes twice as long, since the narrow phase stays a
-call; with a third the walk over the grid does. With much more nothing gets faster, and programs of
-the exact solver compile twice as long.
+With two thirds of this a gas with every effect takes twice as long, since the narrow phase stays a
+call; with a third the walk over the grid stays one too. With much more nothing gets faster, and
+programs of the exact solver take twice as long to compile.
 """
 
 
@@ -72,8 +72,8 @@ def merged(source: str) -> frozenset[str]:
     r"""Return the names of the functions that become part of the one place that calls them.
 
     They have no for loop and are not compiled in place: they only put stages in order. Numba
-    optimises a function with all that it calls, and its caller with all of that again; so each of
-    them that is gone saves the compiler a turn.
+    optimises a function together with all that it calls, and does so again for its caller; so each
+    merged function saves the compiler a pass.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def merged(source: str) -> frozenset[str]:
 
 
 class _Look(NamedTuple):
-    """What matters about a function: its length, the names that it calls, all and in for loops."""
+    """A function's length, the names that it calls, and those that it calls in for loops."""
 
     nodes: int
     calls: Counter[str]

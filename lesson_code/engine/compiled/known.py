@@ -18,8 +18,8 @@ class Known(NamedTuple):
 def known_value(node: ast.expr, names: Mapping[str, Any]) -> Known | None:
     """Return the value of an expression if it can be known, given those of some names.
 
-    Known are constants, the names given, attributes of what is known, and `is`, `not`, `and`, `or`
-    and `if` between such expressions. Nothing in a row is an array.
+    These are known: constants, the names given, attributes of known values, and `is`, `not`, `and`,
+    `or` and `if` between such expressions. Nothing in a row is an array.
 
     >>> known_value(ast.parse("a is None or b", mode="eval").body, {"a": None})
     Known(value=True)
@@ -64,5 +64,5 @@ def _junction(node: ast.BoolOp, names: Mapping[str, Any]) -> Known | None:
 
 
 def is_stage(value: Any) -> bool:
-    """Return whether a program is made for a value, so that no call in it hands the value on."""
+    """Return whether a program is specialised for a value, so that no call passes the value on."""
     return value is None or callable(value) or hasattr(value, "_fields")

@@ -1,10 +1,10 @@
 """Compiling a program, and keeping its machine code.
 
 A program is one module that holds all it needs, constants too. It is written into a folder of the
-user's, with lists of the functions that are put into their callers, under a name made from its
-text, and Numba keeps the machine code beside it. So a change of any function or constant makes
-another program, and what was kept for the old one is never used again. (Numba alone would look at
-the file of the function that is called, and would miss a change in another file or a constant.)
+user, with lists of the inlined and merged functions, under a name made from its text, and Numba
+stores the machine code beside it. So a change of any function or constant makes another program,
+and the machine code of the old one is never used again. (Numba alone would look only at the file
+of the called function, and would miss a change in another file or a constant.)
 
 Compiled programs cannot allocate memory and do not count references: they work on the tables that
 they are given.
@@ -89,8 +89,8 @@ def _load(source: str) -> tuple[types.ModuleType, bool]:
     name = _name_of(program)
     try:
         path = _written(folder(), name, program)
-        keeps = os.access(path.parent, os.W_OK)  # else Numba finds no place for machine code
-    except OSError:  # a home that cannot be written to
+        keeps = os.access(path.parent, os.W_OK)  # else Numba cannot store the machine code
+    except OSError:  # the home folder is read-only
         path, keeps = _written(Path(tempfile.mkdtemp()), name, program), False
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:  # pragma: no cover - the name ends in .py
@@ -102,12 +102,12 @@ def _load(source: str) -> tuple[types.ModuleType, bool]:
 
 
 def _name_of(program: str) -> str:
-    """Return a name for a program: another text, another name."""
+    """Return a name for a program: different texts have different names."""
     return "program_" + hashlib.sha256(program.encode()).hexdigest()[:20]
 
 
 def _program_of(source: str) -> str:
-    """Return all that machine code depends on: the source, and what is put into its callers."""
+    """Return all that machine code depends on: the source, and which functions are inlined."""
     in_place, merge = sorted(inlined(source)), sorted(merged(source))
     return f"{source}\n\nIN_PLACE = {in_place}\nMERGED = {merge}\n"
 

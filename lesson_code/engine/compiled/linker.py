@@ -4,10 +4,10 @@ A run needs few of the engine's functions: one broad phase, one solver, perhaps 
 linker begins at one function, follows every call, and writes the functions that it meets into one
 module, each after those that it calls. What is decided before the run is worked out:
 
-- an argument that is bound to a function, a tuple of stages or None disappears, and a call of it
-  becomes a call of that function;
-- a branch that cannot be reached any more disappears too;
-- constants stand at the top of the module, with the values that they have now.
+- an argument that is bound to a function, a tuple of stages or None disappears, and a call through
+  it becomes a call of that function;
+- a branch that can no longer be reached disappears too;
+- constants are at the top of the module, with the values that they have now.
 
 Nothing else is changed. A function in which nothing had to be worked out is copied as it stands,
 comments and all, so that the program is made of the very lines that the lesson shows.
@@ -72,7 +72,7 @@ def link(entry: Callable[..., Any], **bound: Any) -> str:
 
 
 class _Program:
-    """A module to be: its imports, constants and functions, each once."""
+    """A module under construction: its imports, constants and functions, each once."""
 
     def __init__(self) -> None:
         self._imports: set[str] = set()
@@ -156,7 +156,7 @@ class _Specialised(ast.NodeTransformer):
         self._tree.body = self._block(self._tree.body)
 
     def _block(self, body: list[ast.stmt]) -> list[ast.stmt]:
-        """Return the statements of a block that are left over."""
+        """Return the statements of a block that remain."""
         kept: list[ast.stmt] = []
         for statement in body:
             if kept and isinstance(kept[-1], ast.Return):
@@ -168,7 +168,7 @@ class _Specialised(ast.NodeTransformer):
         return kept
 
     def _is_about_stages(self, node: ast.Assign) -> bool:
-        """Note which names stand for stages; return whether nothing is left of an assignment."""
+        """Note which names stand for stages; return whether the assignment can be dropped."""
         if len(node.targets) > 1:  # a = b = value
             return False
         (target,) = node.targets
@@ -212,14 +212,14 @@ class _Specialised(ast.NodeTransformer):
         return node
 
     def visit_BoolOp(self, node: ast.BoolOp) -> ast.expr:
-        """Leave out of `and` and `or` what is known and does not decide."""
+        """Remove the operands of `and` and `or` that are known and do not decide."""
         if found := self._value(node):
             return ast.Constant(found.value)
         node.values = [self.visit(part) for part in node.values if not self._value(part)]
         return node if len(node.values) > 1 else node.values[0]
 
     def visit_IfExp(self, node: ast.IfExp) -> ast.AST:
-        """Choose a branch that is known."""
+        """Choose the branch if the condition is known."""
         if test := self._value(node.test):
             chosen: ast.AST = self.visit(node.body if test.value else node.orelse)
             return chosen
@@ -250,7 +250,7 @@ class _Specialised(ast.NodeTransformer):
     def _imported(self, node: ast.Call, stage: Any) -> ast.Call:
         """Call a function that stays outside the program.
 
-        Its defaults stand for what is known; what a partial function was given is written here.
+        Its defaults stand for known arguments; those of a partial function are written out here.
         """
         given = stage.keywords if isinstance(stage, functools.partial) else {}
         function = stage.func if given else stage

@@ -39,7 +39,7 @@ Sides: TypeAlias = tuple[float, float, float, float]
 
 
 class Boxed(Protocol):
-    """What has a box around it: a row may have more fields than these."""
+    """The fields of a row with a bounding box; it may have more."""
 
     min_x: float
     min_y: float
@@ -48,7 +48,7 @@ class Boxed(Protocol):
 
 
 class Grid(Protocol):
-    """What a grid's slots are found with: a row may have more fields than these."""
+    """The fields that locate a slot of the grid; a row may have more."""
 
     slot_count: int
     row_stride: int
@@ -100,7 +100,7 @@ def longest_way(world: World) -> float:
 
 
 def has_left_box(world: World, effects: Effects = EVERY_EFFECT) -> bool:
-    """Return whether any body is not in the box any more that was drawn around it."""
+    """Return whether any body has left the box that was drawn around it."""
     for body in world.bodies:
         if effects.sleeping and body.is_asleep:
             continue
@@ -129,7 +129,7 @@ def sweep_and_prune(world: World) -> int:
     References
     ----------
     Cohen et al., I-COLLIDE (1995), section 4: sweep and prune. Bodies move little in a step, so
-    the order of the last one is almost right, and an insertion sort mends it in about N moves.
+    the order of the last one is almost right, and an insertion sort repairs it in about N moves.
     """
     bodies, order = world.bodies, world.order
     sort_along_x(bodies, order)
@@ -210,7 +210,7 @@ def find_cells(world: World) -> None:
 def cell_of(state: State, side: float) -> int:
     """Return the number of the column or row of cells in which a side lies.
 
-    All that lies beyond the last cell is taken into it: neighbours stay neighbours.
+    Everything beyond the last cell counts as part of that cell: neighbours stay neighbours.
     """
     number: int = math.floor(clamp(side / state.cell_size, -LAST_CELL, LAST_CELL))
     return number
@@ -219,8 +219,8 @@ def cell_of(state: State, side: float) -> int:
 def sort_boxes(world: World) -> None:
     """Sort the boxes of the bodies that can be pushed by slot; the large ones are left out.
 
-    A counting sort: how many boxes each slot holds, then where each slot ends, then each box is
-    put before the last one of its slot. At the end a slot holds where its boxes begin.
+    A counting sort: count the boxes in each slot, find where each slot ends, then put each box
+    before the last one of its slot. At the end a slot holds the index at which its boxes begin.
     """
     state, slots = world.state, world.slots
     for slot in slots:
@@ -258,7 +258,7 @@ def slot_of(grid: Grid, cell_x: int, cell_y: int) -> int:
 
 
 def slots_for(bodies: int) -> int:
-    """Return how many slots a grid for so many bodies has: at least twice as many."""
+    """Return the number of slots of a grid for N bodies: at least 2 N."""
     return 1 << (2 * bodies + 3).bit_length()
 
 
@@ -335,15 +335,15 @@ def boxes_overlap(a: Boxed, b: Boxed) -> bool:
 
 
 def most_pairs(bodies: int) -> int:
-    """Return how many candidate pairs are too many for so many bodies."""
+    """Return the number of candidate pairs above which a scene of N bodies is refused."""
     return PAIRS_PER_BODY * bodies + PAIRS_ANYWAY
 
 
 def put_pair(pairs: list[PairRow], count: int, a: int, b: int, is_pair: bool) -> int:
     """Write two bodies where the next pair belongs, if there is room; return the count with it.
 
-    Two that are no pair do not count, and the next ones are written over them. To write is cheaper
-    than to decide: a processor that guesses a decision wrong has to begin again.
+    If they are not a pair they do not count, and the next two overwrite them. Writing is cheaper
+    than deciding: a processor that mispredicts a branch has to begin again.
     """
     if count < len(pairs):
         pairs[count].a = min(a, b)

@@ -1,8 +1,8 @@
 """Post-processing: what to call when bodies begin to touch, touch and part.
 
-A callback is told of the contacts of one pair of bodies at a time, as a :class:`Touch`. `begin`
-and `pre_solve` come before the impulses and may change what they will be; `post_solve` and
-`separate` come after them. Effects and sound hang here.
+A callback receives the contacts of one pair of bodies at a time, as a :class:`Touch`. `begin`
+and `pre_solve` come before the impulses and may change them; `post_solve` and `separate` come
+after them. Visual effects and sound belong here.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ class Touch:
     Attributes
     ----------
     time : float
-        End of the step, s. Before the impulses the solver with sub-steps tells its beginning: it
-        finds contacts there.
+        End of the step, s. Before the impulses the solver with sub-steps gives the start of the
+        step, where it finds contacts.
     body_a, body_b : int
         The bodies' places in the scene, a < b.
     normal : (float, float)
@@ -59,19 +59,19 @@ Callback: TypeAlias = Callable[[Touch], Any]
 
 @dataclass(frozen=True)
 class Callbacks:
-    """The functions that a scene wants to have called; None: not called.
+    """The functions that a scene asks to have called; None: not called.
 
     Attributes
     ----------
     begin : callable, optional
-        In the first step of a touch, before its impulses. What it sets is for that step;
-        `pre_solve` is asked in each.
+        In the first step of a touch, before its impulses. Its settings hold for that step only;
+        `pre_solve` is called in each.
     pre_solve : callable, optional
         In each step of a touch, before its impulses.
     post_solve : callable, optional
         In each step of a touch that is not ignored, after its impulses.
     separate : callable, optional
-        In the first step without the touch. It is told the touch as it was last.
+        In the first step without the touch. It receives the touch of the step before.
 
     Raises
     ------
@@ -92,7 +92,7 @@ class Callbacks:
     separate: Callback | None = None
 
     def __post_init__(self) -> None:
-        """Refuse what cannot be called."""
+        """Refuse a callback that cannot be called."""
         for name in ("begin", "pre_solve", "post_solve", "separate"):
             value = getattr(self, name)
             if value is not None and not callable(value):
@@ -106,5 +106,5 @@ class Callbacks:
 
     @property
     def may_change_impulses(self) -> bool:
-        """Whether a callback comes before the impulses, and may set what they depend on."""
+        """Whether a callback comes before the impulses, and so may change them."""
         return self.begin is not None or self.pre_solve is not None

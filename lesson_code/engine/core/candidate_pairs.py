@@ -1,4 +1,4 @@
-"""Candidate pairs: the broad phase is asked anew only when a body has left the box drawn for it."""
+"""Candidate pairs: the broad phase runs again only when a body has left its box."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 def find_pairs(world: World, broad_phase: BroadPhase, effects: Effects = EVERY_EFFECT) -> bool:
     """Find the candidate pairs, and return whether the table had room for them.
 
-    The pairs of an earlier step serve as long as every body is in the box that was drawn then.
+    The pairs of an earlier step are reused as long as every body is in the box drawn then.
     """
     state = world.state
     if state.has_pairs and not has_left_box(world, effects):

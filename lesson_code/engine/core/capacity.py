@@ -1,7 +1,7 @@
-"""Room in the tables: spare rows, so that no row is made while a step runs.
+"""Capacity of the tables: spare rows, so that no row is made while a step runs.
 
-A stage that finds a table too small says how many rows it wants, and the step is interrupted. Then
-room is made, and the step goes on where it was.
+A stage that finds a table too small notes how many rows it wants, and the step is interrupted. The
+table is lengthened, and the step resumes where it stopped.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from lesson_code.engine.core.rows import (
 )
 
 SPARE, LARGE_SPARE = 1.5, 1.1
-"""Times the rows that are wanted: how many there are then, so that a table seldom grows; in a large
-table, whose rows change less in proportion, and cost more memory, the second."""
+"""Times the rows that are wanted: the new length, with room so that a table seldom grows. The
+second is for large tables, whose rows vary less in proportion and cost more memory."""
 
 LARGE = 10_000
-"""Rows from which on a table is large."""
+"""Rows at which a table counts as large."""
 
 FEWEST_ROWS = 16
 """Rows that a table grows to at least."""
@@ -57,7 +57,7 @@ def add_capacity(world: World) -> World:
 
 
 def refuse_heap(bodies: int, pairs: int) -> None:
-    """Raise a ValueError if so many bodies have too many candidate pairs."""
+    """Raise a ValueError if there are too many candidate pairs for the number of bodies."""
     if pairs > most_pairs(bodies):
         raise ValueError(
             "bodies must not be heaped into one another: "
@@ -66,7 +66,7 @@ def refuse_heap(bodies: int, pairs: int) -> None:
 
 
 def rows_for(wanted: int) -> int:
-    """Return how many rows a table gets when so many are wanted."""
+    """Return the new length of a table in which `wanted` rows are needed."""
     if wanted == 0:
         return 0
     return max(FEWEST_ROWS, int((SPARE if wanted < LARGE else LARGE_SPARE) * wanted))

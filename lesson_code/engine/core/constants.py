@@ -16,29 +16,29 @@ At 0 its resting contacts too would open and close in turn.
 """
 
 INTERNAL_EDGE_TOLERANCE = 1e-6
-"""Of a body's width: a step of the floor that is lower is none, but the rounding of its pieces.
+"""Of a body's width: a lower step in the floor does not count; it is the rounding of its pieces.
 
 At 0 a floor whose pieces are a rounding error apart is rough; at 0.01 bodies pass over real steps.
 """
 
 BAUMGARTE_FACTOR = 0.2
-"""Of the overlap beyond the slop: how much is undone in one step.
+"""Of the overlap beyond the slop: how much is corrected in one step.
 
-At 1 a pile pushes itself apart, because each contact corrects the whole fault for itself; at
+At 1 a pile pushes itself apart, because each contact corrects the whole overlap on its own; at
 0.01 a stack under load sinks faster than it is lifted. 0.2 is the usual value (box2d-lite).
 """
 
 LEAST_EXCESS = 0.01
 """Of the slop: overlap beyond it by no more than this is left alone too.
 
-What is undone by shares never comes to its end. Without it a pile at rest would be pushed by less
-and less for ever, and its sweeps would be paid for in every step.
+An overlap that is corrected by a fixed share never vanishes. Without this margin a pile at rest
+would be pushed by less and less for ever, at the cost of sweeps in every step.
 """
 
 IMPACT_DEPTH = 0.5
-"""Of the slop: how far a fast body is let into another one, so that the impact is a contact.
+"""Of the slop: how far a fast body may enter another one, so that the impact is a contact.
 
-At 0 they would only touch, and touching is no contact; at 1 and more they would be pushed apart.
+At 0 they would only touch, which is not a contact; at 1 or more they would be pushed apart.
 """
 
 MOST_IMPACTS = 64
@@ -48,7 +48,7 @@ FEWEST_FOR_GRID = 24
 """Bodies: below this comparing all pairs is as fast as keeping a grid."""
 
 LARGEST_IN_GRID = 4.0
-"""Times the median size: a body larger than this would make the cells too wide for the others."""
+"""Times the median size: a larger body would make the cells too wide for the others."""
 
 CELL_MARGIN = 1.01
 """Times the largest box in the grid: how wide a cell is. Rounding must not make boxes that fill
@@ -64,31 +64,31 @@ SLOT_RATIO = 0.6180339887498949
 """Of the slots: how far a cell is from the one above it. The golden section, (sqrt(5) - 1) / 2."""
 
 STEPS_AHEAD = 4.0
-"""Steps: so far the fastest body may move before boxes are drawn anew and pairs are sought anew.
+"""Steps that the fastest body may move before the boxes are redrawn and pairs are searched again.
 
-At 0 pairs would be sought in every step; at 20 every disc of a gas would be compared with many that
-it is far from.
+At 0 there would be a search in every step; at 20 every disc of a gas would be compared with many
+distant ones.
 """
 
 LEAST_MARGIN, MOST_MARGIN = 0.05, 0.35
 """Of a body's width: the margin of its box, at the least and at the most."""
 
 STRIDE = 6
-"""Contacts from visit to visit; a sweep goes through a part of the table six times.
+"""Stride of a sweep, in contacts: it goes through a part of the table six times.
 
 Contacts side by side share a body, and a processor has to wait for the first before it can begin
-with the second: one after the other a heap of discs takes half as long again. From 7 on the load of
-a pyramid of 20 rows is not handed down well enough for it to rest.
+with the second: in table order a heap of discs takes half as long again. From 7 on a sweep passes
+the load of a pyramid of 20 rows down too poorly for it to rest.
 """
 
 PART_OF_SWEEP = 1_024
-"""Contacts: so many at a time a sweep goes through in strides, that they stay near the processor.
+"""Contacts that a sweep goes through in strides at a time: few enough to stay in the cache.
 
 With 100,000 discs and all contacts at once a step takes nearly twice as long.
 """
 
 FEWEST_FOR_STRIDE = 64
-"""Contacts: fewer are visited in their order, from the ground up in a tower that is built so."""
+"""Contacts: fewer are visited in table order, from the ground up in a tower built that way."""
 
 PAIRS_PER_BODY, PAIRS_ANYWAY = 50, 10_000
 """More candidate pairs than 50 N + 10,000 are refused: discs that do not overlap have 3 N.
@@ -102,12 +102,12 @@ LEAST_DETERMINANT = 1e-9
 
 At 0 they are one point, and how they share the load is undefined; the equations for two lose as
 many digits as this has zeros. Box2D, with the 7 digits of single precision, takes 1e-3; with 16,
-points 1 cm apart on a body of 1 m would then be solved in turn, and the answer would hang on
+points 1 cm apart on a body of 1 m would then be solved in turn, and the answer would depend on
 which comes first.
 """
 
 SOFT_FREQUENCY = 0.25
-"""Of the rate of the sub-steps: how fast a soft contact would swing, were it not damped.
+"""Of the rate of the sub-steps: the frequency at which a soft contact would swing undamped.
 
 A load F sinks by F h^2 / (m (2 pi 0.25)^2) until the contact carries it, h the sub-step. With 20
 boxes on one another, each 1 cm off the line: at 0.2 they sink so far that they have leaned over by
@@ -116,9 +116,9 @@ Box2D v3 allows up to the same share, and 30 Hz at the most.
 """
 
 SOFT_DAMPING = 10.0
-"""Damping ratio of a soft contact; 1 would just not swing. 10 is Box2D's value.
+"""Damping ratio of a soft contact; 1 is critical damping. 10 is Box2D's value.
 
-It undoes 7 % of an overlap in a sub-step. At 1 it would be 44 %, and the stack of 20 falls.
+It corrects 7 % of an overlap in a sub-step. At 1 it would be 44 %, and the stack of 20 falls.
 """
 
 IMPACT_SWEEPS = 20
@@ -128,34 +128,35 @@ At 4 a dense gas with e = 1 loses 4 % of its energy in 10 s, at 10 still 0.06 %.
 """
 
 IMPACT_ROUNDING = 1e-12
-"""m/s: what rounding leaves of a velocity is no impact. Slower is a millimetre in 30 years."""
+"""m/s: a slower approach is rounding, not an impact. At this speed a millimetre takes 30 years."""
 
 SPEED_DOUBT = 1.5
-"""Times the greatest speed that the energy of a scene allows: a margin for what rounding may add,
-and sweeps that have not agreed. Faster than half its width a step, and a body has to be watched.
+"""Times the greatest speed that the energy of a scene allows: a margin for rounding, and for sweeps
+that have not converged. A body that moves more than half its width in a step has to be watched.
 """
 
 STILL = 1e-9
 """Of the speed that gravity gives in a step: a body that is slower is still.
 
-What is at rest has that much left of what gravity gives and contacts take back, and less with every
-step. Larger, and bodies that creep would be stopped: 1e-9 of it is 0.16 nanometres a second at 60
-steps a second, half a micrometre in an hour. Without gravity what is still does not move at all.
+A body at rest keeps this share of the speed that gravity gives and contacts take back, and less
+with every step. A larger value would stop bodies that creep: 1e-9 is 0.16 nanometres a second at 60
+steps a second, half a micrometre in an hour. Without gravity only a body
+that does not move at all is still.
 """
 
 QUIET_TIME = 1.0
-"""s: so long an island has to be still before it sleeps; a pile falls no sooner than that."""
+"""s for which an island has to be still before it sleeps; so a pile never sleeps sooner."""
 
 STEPS_A_LOOK = 8
 """Steps from one search for islands that may sleep to the next."""
 
 MOST_FOR_DIRECT = 40
 """Bodies that can be pushed: up to here the direct solver suits any scene. Its time grows with the
-cube of the contacts that hang together, that of a sweep with their number.
+cube of the contacts in an island, that of a sweep with their number.
 """
 
 HEAVY_ON_LIGHT = 10.0
-"""Times the smallest mass: with a heavier body in the scene sweeps carry a load too slowly."""
+"""Times the smallest mass: if a body is heavier, sweeps propagate its load too slowly."""
 
 TOUCHING = 1e-6
 """Of the radius: discs that are nearer than this at the start touch, and are struck together."""

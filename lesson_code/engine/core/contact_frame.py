@@ -1,13 +1,13 @@
 """A contact seen along its normal n and its tangent t, as the sweeps of a solver need it.
 
-A point's velocity along a direction u is (v + w x r) . u = v . u + w (r x u). So of a lever arm r
-a sweep needs only r x n and r x t. They stay the same during a step and are set once:
+A point's velocity along a direction u is (v + w x r) . u = v . u + w (r x u). So a sweep needs only
+r x n and r x t from a lever arm r. They stay the same during a step and are set once:
 
     normal velocity    vn = (v_b - v_a) . n + w_b (r_b x n) - w_a (r_a x n)
     impulse j along n  -j n on a, which turns it by -j (r_a x n);  the opposite on b
 
 and likewise along t. The normal of a disc goes through its centre: r x n = 0. Where discs meet
-without friction nothing turns, and the impact is *central*: only velocities and masses count.
+without friction no body turns, and the impact is *central*: only velocities and masses count.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ friction_impulse = equation(contact.friction_impulse)
 
 
 def set_frame(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Set the lever arms, the effective masses, and how normal and tangent hang together."""
+    """Set the lever arms, the effective masses, and the coupling of normal and tangent."""
     set_normal_frame(c, a, b)
     t = tangent_of(c)
     c.ra_x_t, c.rb_x_t = cross((c.ax, c.ay), t), cross((c.bx, c.by), t)
@@ -39,7 +39,7 @@ def set_frame(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
 
 
 def set_normal_frame(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Set what belongs to the normal: all there is to set where nothing rubs."""
+    """Set the lever arms and the mass along the normal: all a contact without friction needs."""
     n = normal_of(c)
     c.ra_x_n = cross((c.ax, c.ay), n) if a.corner_count > 0 else 0.0
     c.rb_x_n = cross((c.bx, c.by), n) if b.corner_count > 0 else 0.0
@@ -47,7 +47,7 @@ def set_normal_frame(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
 
 
 def set_central_frame(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Set the effective mass of a central impact: all there is to set where nothing turns."""
+    """Set the effective mass of a central impact: all that bodies without rotation need."""
     c.normal_mass = effective_mass(a.inv_m, b.inv_m)
 
 
@@ -62,7 +62,7 @@ def normal_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
 
 
 def central_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return the same of bodies that do not turn."""
+    """Return the same for bodies that cannot rotate."""
     return (b.vx - a.vx) * c.nx + (b.vy - a.vy) * c.ny
 
 
@@ -78,12 +78,12 @@ def pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
 
 
 def central_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return the same of bodies that do not turn."""
+    """Return the same for bodies that cannot rotate."""
     return (b.pseudo_vx - a.pseudo_vx) * c.nx + (b.pseudo_vy - a.pseudo_vy) * c.ny
 
 
 def missing_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return how far the normal velocity is from its target, m/s; negative: too slow apart."""
+    """Return the normal velocity less its target, m/s; negative: the bodies part too slowly."""
     return normal_velocity(c, a, b) - c.target_vn
 
 
@@ -100,13 +100,13 @@ def apply_impulses(c: ContactRow, a: BodyRow, b: BodyRow, jn: float, jt: float) 
 
 
 def apply_normal_impulse(c: ContactRow, a: BodyRow, b: BodyRow, jn: float) -> None:
-    """Change them by an impulse along the normal, N s."""
+    """Change the velocities of both bodies by an impulse along the normal, N s."""
     wa, wb = -jn * c.ra_x_n * a.inv_i, jn * c.rb_x_n * b.inv_i
     exchange_and_turn(a, b, jn * c.nx, jn * c.ny, wa, wb)
 
 
 def apply_central_impulse(c: ContactRow, a: BodyRow, b: BodyRow, jn: float) -> None:
-    """Change the velocities of bodies that do not turn by an impulse along the normal, N s."""
+    """Change the velocities of bodies that cannot rotate by an impulse along the normal, N s."""
     exchange(a, b, jn * c.nx, jn * c.ny)
 
 
@@ -117,11 +117,11 @@ def apply_pseudo_impulse(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> Non
 
 
 def apply_central_pseudo_impulse(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
-    """Change them where the bodies do not turn."""
+    """Change the pseudo-velocities of bodies that cannot rotate."""
     exchange_pushes(a, b, j * c.nx, j * c.ny)
 
 
 def bring_to_total(c: ContactRow, a: BodyRow, b: BodyRow, total: float) -> None:
-    """Apply what a contact's normal impulse still lacks of a total, or has too much, N s."""
+    """Apply the difference between a total and the contact's normal impulse so far, N s."""
     apply_normal_impulse(c, a, b, total - c.normal_impulse)
     c.normal_impulse = total

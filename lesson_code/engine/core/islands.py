@@ -42,7 +42,7 @@ class Island(NamedTuple):
 
 
 def find_islands(world: World) -> None:
-    """Let every body that is awake know the first body of its island."""
+    """Set the first body of its island for every body that is awake."""
     bodies = world.bodies
     for i in range(len(bodies)):
         if not bodies[i].is_asleep:

@@ -45,7 +45,7 @@ def turn_on(world: World, body: BodyRow, dt: float) -> bool:
 
 
 def turn_with_angle(world: World, body: BodyRow) -> None:
-    """Let the body's outline follow its angle."""
+    """Turn the body's outline to its angle."""
     body.cos = math.cos(body.angle)
     body.sin = math.sin(body.angle)
     turn(world.corners, body)

@@ -27,13 +27,13 @@ class SolverStages(NamedTuple):
 
 
 class Listener(Protocol):
-    """Who wants to be told of the contacts of a step."""
+    """Receives the contacts of each step."""
 
     def before_impulses(self, world: World) -> None:
-        """Hear of the contacts; may change or remove them."""
+        """Receive the contacts; may change or remove them."""
 
     def after_impulses(self, world: World) -> None:
-        """Hear of the contacts again, now with their impulses."""
+        """Receive the contacts again, now with their impulses."""
 
 
 class Pipeline(NamedTuple):

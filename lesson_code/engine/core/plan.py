@@ -30,7 +30,7 @@ class EffectChoice:
 
     @property
     def verdict(self) -> str:
-        """What has become of it, in a word or two."""
+        """The decision about the effect, in a word or two."""
         if self.used == self.called_for:
             return "used" if self.used else "left out"
         return "forced" if self.used else "switched off"

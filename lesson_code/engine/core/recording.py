@@ -37,7 +37,7 @@ class Stepper(Protocol):
     dt: float
 
     def advance(self, steps: int) -> None:
-        """Advance by so many steps of dt."""
+        """Advance by `steps` steps of dt."""
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
@@ -51,7 +51,7 @@ class Stepper(Protocol):
 
 @dataclass(frozen=True)
 class Moment:
-    """A time at which the state is wanted: so many whole steps, and a rest of time, s."""
+    """A time at which the state is wanted: a number of whole steps, and a remainder, s."""
 
     time: float
     steps: int
@@ -59,7 +59,7 @@ class Moment:
 
 
 def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reason: str) -> Run:
-    """Let a solver run for a while, and return what it did.
+    """Run a solver for a duration, and return the run.
 
     All steps have the same length. A state between two steps is that of the earlier one, moved
     on at its velocity: what the solver's next step does, but for a push out of an overlap.
@@ -183,7 +183,7 @@ def _events(events: Any) -> ImpulseEvents:
 
 
 def _frozen(array: NDArray[Any]) -> NDArray[Any]:
-    """Return an array that nobody can change by accident."""
+    """Return a read-only array."""
     copy = np.ascontiguousarray(array)
     copy.setflags(write=False)
     return copy

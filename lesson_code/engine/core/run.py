@@ -174,7 +174,7 @@ class Run:
 
 
 def _frozen_again(state: dict[str, Any]) -> dict[str, Any]:
-    """Return fields whose arrays nobody can change by accident: pickle forgets that."""
+    """Return the fields with their arrays read-only again: pickle loses that flag."""
     for value in state.values():
         if isinstance(value, np.ndarray):
             value.setflags(write=False)

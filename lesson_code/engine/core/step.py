@@ -71,9 +71,9 @@ def rigid_part(world: World, pipeline: Pipeline) -> bool:
 
 
 def step(world: World, pipeline: Pipeline) -> bool:
-    """Let one time step pass, and return whether it has.
+    """Make one time step, and return whether it is complete.
 
-    It has not when a table was too small or a body was lost. Once there is room, the next call
+    It is not when a table was too small or a body was lost. Once there is room, the next call
     goes on where this one stopped.
     """
     state, effects = world.state, pipeline.effects
@@ -194,7 +194,7 @@ def prepare_part(world: World, pipeline: Pipeline) -> bool:
 
 
 def sub_step(world: World, pipeline: Pipeline) -> None:
-    """Let a sub-step pass: springs before the bodies move, rigid contacts after it."""
+    """Make one sub-step: springs before the bodies move, rigid contacts after it."""
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if effects.gravity or effects.damping:
         accelerate(world, effects)

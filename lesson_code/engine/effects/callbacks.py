@@ -1,7 +1,7 @@
-"""Callbacks: functions that are told of contacts, pair by pair, in the order of the contacts.
+"""Callbacks: functions that receive the contacts, pair by pair, in the order of the contacts.
 
-A scene's callbacks are told within the step. That machine code cannot do; so a live world tells its
-own after the step, from the impulses that were written down in it.
+A scene's callbacks are called within the step. Machine code cannot call them, so a live world calls
+its own after the step, from the recorded impulses.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:
 
 
 def _touch(world: World, contacts: list[ContactRow], time: float) -> Touch:
-    """Return what a callback is told of one pair's contacts."""
+    """Return the touch that a callback receives for one pair's contacts."""
     first = contacts[0]
     return Touch(
         time=time,

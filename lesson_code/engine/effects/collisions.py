@@ -48,7 +48,7 @@ def can_meet(scene: Scene, duration: float, dt: float) -> bool:
     scene : Scene
         Bodies, gravity, damping.
     duration : float
-        s; ``math.inf``: nobody knows.
+        s; ``math.inf``: unknown.
     dt : float
         s, the time step: between two steps positions lag behind the parabola by up to g t dt / 2.
 

@@ -38,4 +38,4 @@ class Effects(namedtuple("Effects", NAMES, defaults=DEFAULTS)):  # type: ignore[
 
 
 EVERY_EFFECT = Effects()
-"""What a stage reckons with unless it is told."""
+"""The effects that a stage includes by default."""

@@ -53,7 +53,7 @@ def drop_internal_edges(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 
 def chain_static_contacts(world: World) -> None:
-    """Let every body that can be pushed know its contacts with static bodies, the last first."""
+    """Chain the contacts of each body that can be pushed with static bodies, the last first."""
     for n in range(world.state.static_count):
         c = world.contacts[world.static_contacts[n].index]
         world.bodies[pushed_body(world, c)].static_contact = -1
@@ -65,7 +65,7 @@ def chain_static_contacts(world: World) -> None:
 
 
 def close_up(world: World, effects: Effects) -> None:
-    """Let the contacts that are not covered stand side by side, in their order."""
+    """Close the gaps that covered contacts leave in the table, keeping the order."""
     kept = 0
     for k in range(world.state.contact_count):
         c = world.contacts[k]

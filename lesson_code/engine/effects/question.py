@@ -1,4 +1,4 @@
-"""What is asked of an effect's rule, and what an effect has to say about itself."""
+"""The question that an effect's rule answers, and the description of an effect."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Question:
     dt : float
         The time step, s.
     duration : float
-        s; ``math.inf``: nobody knows yet.
+        s; ``math.inf``: not yet known.
     combine : MixingRule
         How a pair's coefficients come from its bodies'.
     """
@@ -93,7 +93,7 @@ class Effect:
     functions : tuple of str
         The functions that are called for its sake alone, in a step of the sequential solver.
     needs_collisions : bool
-        Whether no scene calls for it in which nothing meets.
+        Whether a scene calls for it only if bodies can meet.
     is_optional : bool
         Whether it may be left out although it is called for: no state of the run depends on it.
     is_ruled_out : callable

@@ -6,8 +6,8 @@ is sought between them, and nothing is solved. Its contacts keep the impulses th
 
 A body that is awake and touches one that sleeps wakes its whole island, before the contacts of
 that step are found. The impulses go back into the memory, as if they were those of the step
-before. So the island goes on where it was, and nobody can tell that it has slept: what is still
-moves by less than a billionth of what gravity gives (:data:`STILL`).
+before. So the island continues as if it had never slept: a body that is still moves by less than
+a billionth of what gravity gives (:data:`STILL`).
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def note_quiet(world: World) -> bool:
 
 
 def is_still(body: BodyRow, most: float) -> bool:
-    """Return whether no point of a body is faster than so much, m/s, and none is pushed."""
+    """Return whether no point of a body is faster than `most`, m/s, and none is pushed."""
     is_pushed = body.pseudo_vx != 0.0 or body.pseudo_vy != 0.0 or body.pseudo_w != 0.0
     return (
         abs(body.vx) + abs(body.vy) + abs(body.w) * body.bounding_radius <= most and not is_pushed
@@ -176,7 +176,7 @@ def copy_memory(of: MemoryRow, to: MemoryRow) -> None:
 
 
 def wake(world: World, island: int) -> None:
-    """Wake the bodies of an island, and let its contacts be remembered."""
+    """Wake the bodies of an island, and put its contacts back into the memory."""
     state = world.state
     for body in world.bodies:
         if body.is_asleep and body.island == island:

@@ -1,4 +1,4 @@
-"""Foretelling: the next event of one disc, out of everything that could happen to it.
+"""Event prediction: the next event of one disc, out of everything that could happen to it.
 
 What will happen is worked out from the moment since which the disc, or the later of two, has
 moved as it does now. So it is the same to the last bit whenever it is worked out, and for
@@ -164,7 +164,7 @@ def impact_after(
 def straight_impact_after(
     state: ExactState, relative: tuple[float, float, float, float], radius_sum: float
 ) -> float:
-    """Return the same of circles that are not accelerated: nothing presses them together."""
+    """Return the same for circles without acceleration: nothing presses them together."""
     dx, dy, vx, vy = relative
     after = straight_impact_time(dx, dy, vx, vy, radius_sum)
     return math.inf if after == 0.0 and not approaches(state, relative) else after

@@ -43,9 +43,9 @@ that the driver is to have a look, no room for an impulse, or events without end
 def advance_until(
     tables: Tables, effects: Effects = EVERY_EFFECT, record: Recorder | None = None
 ) -> int:
-    """Let all events up to the time `until` happen, and return what has stopped that.
+    """Process all events up to the time `until`, and return why the loop stopped.
 
-    The next call goes on where this one has stopped.
+    The next call resumes where this one stopped.
     """
     if not effects.collisions:
         return TIME_REACHED
@@ -67,7 +67,7 @@ def advance_until(
 
 
 def begin(tables: Tables, effects: Effects = EVERY_EFFECT) -> None:
-    """Foretell the first event of every disc."""
+    """Predict the first event of every disc."""
     for i in range(len(tables.discs)):
         predict(tables, i, effects)
     tables.state.has_begun = True
@@ -90,7 +90,7 @@ def next_time(tables: Tables) -> float:
 def next_event(
     tables: Tables, effects: Effects = EVERY_EFFECT, record: Recorder | None = None
 ) -> bool:
-    """Let the next event happen, and return whether it was a collision."""
+    """Process the next event, and return whether it was a collision."""
     i, time, state = tables.queue[1].disc, next_time(tables), tables.state
     disc = tables.discs[i]
     count_event(tables, time)
@@ -125,12 +125,12 @@ def count_event_in_piles(tables: Tables, disc: DiscRow) -> None:
 
 
 def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) -> bool:
-    """Let the event of a disc happen, and return whether it was a collision."""
+    """Process the event of a disc, and return whether it was a collision."""
     disc = tables.discs[i]
     kind, partner = disc.event_kind, disc.partner
     if kind == DISC:
         if tables.discs[partner].changes != disc.partner_changes:
-            return False  # stale: the partner has gone another way
+            return False  # stale: the partner's motion has changed
         collide_discs(tables, i, partner, effects)
         predict(tables, partner, effects)
     elif kind == OBSTACLE:

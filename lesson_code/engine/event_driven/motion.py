@@ -52,7 +52,7 @@ def seen_from(obstacle: BodyRow, disc: DiscRow) -> Pair:
 
 
 def move_to(disc: DiscRow, time: float, effects: Effects = EVERY_EFFECT) -> None:
-    """Let a disc live on to a time."""
+    """Move a disc forward to a time."""
     x, y = place_at(disc, time, effects)
     vx, vy = velocity_at(disc, time, effects)
     if effects.rotation:

@@ -14,7 +14,7 @@ from lesson_code.engine.event_driven.rows import EventRow
 
 
 def queue_for(discs: int) -> list[EventRow]:
-    """Return a queue for so many discs to which nothing will happen yet."""
+    """Return a queue for `discs` discs, without any event yet."""
     entries = 1 << max(discs - 1, 0).bit_length()
     queue = [EventRow() for _ in range(2 * entries)]
     for i in range(discs):

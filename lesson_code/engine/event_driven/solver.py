@@ -1,6 +1,6 @@
 """The event-driven solver at work on one scene: its tables, its errors, its record of impulses.
 
-What happens in it is told by :mod:`lesson_code.engine.event_driven.loop`.
+The events themselves are in :mod:`lesson_code.engine.event_driven.loop`.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ from lesson_code.geometry.rows import following
 
 
 def let_go(state: ExactState, disc: DiscRow, effects: Effects = EVERY_EFFECT) -> None:
-    """Let gravity alone act on a disc."""
+    """Release a disc: only gravity acts on it."""
     disc.support = -1
     disc.held = False
     disc.ax, disc.ay = state.gravity_x, state.gravity_y

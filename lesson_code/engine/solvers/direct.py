@@ -82,7 +82,7 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 
 def recall_cases(world: World) -> None:
-    """Let every contact know its case in the last step; the impulses that it has got stay."""
+    """Set each contact's case from the last step; the impulses given so far stay."""
     contacts = world.contacts[: world.state.contact_count]
     given = [(c.normal_impulse, c.tangent_impulse) for c in contacts]
     for c in contacts:

@@ -10,7 +10,7 @@ _EXACT = "collisions are computed at their times, not seen after a step"
 
 
 def run_scene(asked: Request) -> Run:
-    """Let a scene run from event to event."""
+    """Run a scene from event to event."""
     solver = ExactSolver(
         asked.scene,
         combine=asked.combine,

@@ -1,4 +1,4 @@
-"""Block principal pivoting: guess the case of every contact, solve, and mend all wrong guesses.
+"""Block principal pivoting: guess the case of every contact, solve, and correct all wrong guesses.
 
 With the cases given (open, stick, slide this way or that) the impulses are the answer of linear
 equations. Then the case of every contact that does not fit its impulse and velocity changes, and

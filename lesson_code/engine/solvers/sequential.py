@@ -229,7 +229,7 @@ def solve_normal(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
 
 
 def solve_central(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Do the same to bodies that do not turn."""
+    """Do the same to bodies that cannot rotate."""
     missing = central_velocity(c, a, b) - c.target_vn
     total = normal_impulse(missing, c.normal_mass, 0.0, c.normal_impulse)
     apply_central_impulse(c, a, b, total - c.normal_impulse)
@@ -274,7 +274,7 @@ def solve_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
 
 
 def solve_central_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Do the same to bodies that do not turn."""
+    """Do the same to bodies that cannot rotate."""
     missing = central_pseudo_velocity(c, a, b) - c.pseudo_speed
     total = normal_impulse(missing, c.normal_mass, 0.0, c.pseudo_impulse)
     apply_central_pseudo_impulse(c, a, b, total - c.pseudo_impulse)
