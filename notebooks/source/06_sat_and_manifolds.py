@@ -34,7 +34,6 @@ from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.evidence.scenes import corner_impacts, rigid_bodies
 from lesson_code.formulas import reflect
-from lesson_code.formulas.smooth_pair import separating_push
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
 from lesson_code.view.browser.interactive import Slider, explore
@@ -187,6 +186,8 @@ show(
 # one further, and the ratio is that of the inverse masses.
 
 # %%
+from lesson_code.formulas.smooth_pair import separating_push
+
 m_a, m_b = 1.0, 3.0
 normal, depth = mtv(slab, brick + right)
 push = separating_push(m_a, m_b, normal, depth)

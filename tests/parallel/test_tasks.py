@@ -39,7 +39,7 @@ def test_results_are_those_of_a_loop_to_the_last_bit(
 def test_two_workers_are_two_other_processes(chores: ModuleType) -> None:
     """One worker is this process; of two each gets a task, as none can do both at once."""
     assert set(map_tasks(chores.process_of, range(5), workers=1)) == {os.getpid()}
-    others = set(map_tasks(chores.slow_process_of, range(2), workers=2))
+    others = set(map_tasks(chores.naps, [1.0, 1.0], workers=2))
     assert len(others) == 2
     assert os.getpid() not in others
 
