@@ -96,7 +96,7 @@ def gas_energy_error(trial: Trial) -> float:
 
 
 WALL_SPEED, BALL_SPEED, ROOM = 0.1, 1.0, 10.0
-"""m/s, m/s, m: speed of the moving wall, speed of the ball, distance of the two walls."""
+"""m/s, m/s, m: speed of the moving wall, speed of the ball, room for the ball."""
 
 
 def closing_walls() -> Scene:

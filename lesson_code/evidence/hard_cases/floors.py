@@ -1,4 +1,4 @@
-"""Hard cases: floors, slopes and internal edges, where motion on flat ground has closed forms."""
+"""Hard cases: floors, slopes and internal edges, where friction has closed forms."""
 
 from __future__ import annotations
 
