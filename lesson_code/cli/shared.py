@@ -71,7 +71,7 @@ def cell_watcher(progress: Progress) -> Watcher:
 
 @contextmanager
 def share_bar() -> Iterator[Callable[[str, float], None]]:
-    """Show a bar; what is yielded hears what is being done, and what share of all is done."""
+    """Show a bar; yields a callback that receives progress messages and the share done."""
     columns = TextColumn("{task.description:40.40}"), BarColumn(), TimeElapsedColumn()
     with Progress(*columns, TimeRemainingColumn(), console=errors, transient=True) as progress:
         bar = progress.add_task("", total=1.0)

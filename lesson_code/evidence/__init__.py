@@ -1,4 +1,4 @@
-"""Claims compared with what was measured."""
+"""Compare claims with measurements."""
 
 from lesson_code.evidence.check import CheckFailedError, check
 

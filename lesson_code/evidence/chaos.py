@@ -1,14 +1,15 @@
-"""Chaos in the gas of chapter 07: how fast two runs part that began almost alike.
+"""Chaos in the gas of chapter 07: how fast two almost identical runs separate.
 
-The same discs start twice, and the second time one of them stands a hair's breadth off. Both runs
-are exact, so what parts them is the laws' doing. At first the distance grows by about the same
-factor with each collision:
+The same discs start twice; the second time, one of them is displaced by a tiny amount. Both runs
+are exact, so the laws of motion alone drive them apart. At first the distance grows by about the
+same factor with each collision:
 
     error = displacement exp(rate hits),    ln error = ln displacement + rate hits
 
     displacement   how far one disc was moved at the start, m
-    error          how far the farthest disc is from where it is in the other run, m
-    hits           how many others each disc has hit so far, on average
+    error          largest distance between a disc and the same disc in the other run, m
+    hits           collisions per disc so far, on average
+
     rate           growth rate, per collision of a disc; each one multiplies the error by exp(rate)
 """
 
@@ -36,8 +37,8 @@ VERSION = 1
 """Version of the form that :meth:`Chaos.as_dict` writes; it grows when a key changes."""
 
 DISPLACEMENTS = tuple(10.0**power for power in range(-12, -5))
-"""m: how far a disc is moved. The smallest is a thousand times what rounding would do to a
-place in the box, 1e-15 m; at the largest there is still room to grow."""
+"""m: how far a disc is moved. The smallest is a thousand times the rounding error of a position in
+the box, 1e-15 m; the largest still leaves room to grow."""
 
 RUNS = 28
 """Four for each displacement: enough for a median and its quartiles, in a few seconds."""
@@ -46,20 +47,20 @@ SIDE, COVERED = 8, 0.5
 """Rows of discs, and the share of the box that they cover: the gas of chapter 07."""
 
 DURATION, SAMPLES = 9.0, 181
-"""s, and times at which two runs are compared. Each disc has hit 66 others by then; even
-runs that began 1e-12 m apart have long parted."""
+"""s, and times at which two runs are compared. Each disc has hit 66 others by then; even runs that
+began 1e-12 m apart separated long before."""
 
 SETTLED, SATURATED = 10.0, 0.01 * DIAMETER
 """The rate is fitted from this many displacements to this many metres: before that one disc's error
 has not spread to the others, and later the box leaves no room to grow."""
 
 LOST = 0.1 * DIAMETER
-"""m: with an error this large it is another gas."""
+"""m: with an error this large, the two runs have nothing in common."""
 
 
 @dataclass(frozen=True)
 class Parting:
-    """How one run parted from the one that was not disturbed.
+    """How one run departed from the undisturbed one.
 
     Attributes
     ----------
@@ -79,7 +80,7 @@ class Parting:
 
 @dataclass(frozen=True)
 class Spread:
-    """Median and quartiles of an ensemble: values that some run has."""
+    """Median and quartiles of an ensemble; each is the value of an actual run."""
 
     median: float
     lower_quartile: float
@@ -88,16 +89,16 @@ class Spread:
 
 @dataclass(frozen=True)
 class Chaos:
-    """How an ensemble of runs parted from the one that was not disturbed.
+    """How an ensemble of runs departed from the undisturbed one.
 
     Attributes
     ----------
     discs : int
-        How many there are in the box.
+        Number of discs in the box.
     covered : float
         Share of the box that they cover.
     seed : int
-        Has drawn the gas, and who was moved where.
+        Seed that drew the gas and the displacements.
     partings : tuple of Parting
         One for each run.
     """
@@ -118,7 +119,7 @@ class Chaos:
         return {size: [p for p in self.partings if p.displacement == size] for size in sizes}
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the result as one JSON object; None stands for never."""
+        """Return the result as one JSON object; None means never."""
         return {
             "version": VERSION,
             "command": "measure chaos",
@@ -170,8 +171,8 @@ def measure_chaos(
 ) -> Chaos:
     """Disturb a gas in many ways, and measure how fast each run parts from the undisturbed one.
 
-    The displacements of :data:`DISPLACEMENTS` take turns. Which disc is moved, and where to, is
-    drawn for each run by itself.
+    The displacements of :data:`DISPLACEMENTS` take turns. Each run draws separately which disc is
+    moved, and in which direction.
 
     Parameters
     ----------
@@ -214,7 +215,7 @@ def measure_chaos(
 
 
 def displaced(scene: Scene, body: int, by: Vector) -> Scene:
-    """Return a scene in which one body stands elsewhere by a vector, m.
+    """Return the scene with one body displaced by a vector, m.
 
     >>> from lesson_code import Body, Circle
     >>> displaced(Scene([Body(Circle(1.0), position=(1, 2))]), 0, by=(0.5, 0)).bodies[0].position
@@ -233,7 +234,7 @@ def farthest_apart(positions: NDArray[np.float64], run: Run) -> NDArray[np.float
 
 
 def hits_in_time(run: Run) -> NDArray[np.float64]:
-    """Return how many other discs each disc of a gas has hit so far, on average, shape (F,)."""
+    """Return the average number of collisions per disc of a gas so far, shape (F,)."""
     when = np.sort(run.contacts.time[run.contacts.body_a >= WALLS])
     so_far = np.searchsorted(when, run.times, side="right")
     return 2 * so_far / (len(run.scene.bodies) - WALLS)

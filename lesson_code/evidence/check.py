@@ -12,7 +12,7 @@ from lesson_code.formulas.validation import non_negative
 
 
 class CheckFailedError(AssertionError):
-    """A claim that the measurement does not bear out; it stops the notebook."""
+    """The measurement contradicts the claim; the error stops the notebook."""
 
 
 def check(claim: str, measured: Any, expected: Any, tolerance: float = 0.0) -> None:
@@ -62,7 +62,7 @@ def check(claim: str, measured: Any, expected: Any, tolerance: float = 0.0) -> N
 
 
 def _fault(measured: Any, expected: Any, tolerance: float) -> str:
-    """Return what keeps the two from agreeing, or "" when nothing does."""
+    """Return why the two disagree, or "" if they agree."""
     if not (_is_numeric(measured) and _is_numeric(expected)):
         return "" if _same(measured, expected) else "not the same"
     m, x = np.asarray(measured), np.asarray(expected)
@@ -84,7 +84,7 @@ def _same(measured: Any, expected: Any) -> bool:
 
 
 def _plain(value: Any) -> Any:
-    """Return what NumPy wraps as Python's own: np.True_ as True, an array of texts as a list."""
+    """Convert NumPy values to Python's own: np.True_ to True, an array of texts to a list."""
     return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
 
 

@@ -1,4 +1,4 @@
-"""Every engine that is compared, at work on a scene behind the same two methods."""
+"""Every engine in the comparisons, behind the same two methods."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from lesson_code.reference.pymunk_reference import PymunkStepper
 Stepper: TypeAlias = EngineStepper | PymunkStepper | Box2DStepper
 
 ITERATIONS = 10
-"""Sweeps in a step, unless something else is asked for."""
+"""Default number of sweeps in a step."""
 
 
 class Engine(Protocol):
-    """An engine at work on a scene."""
+    """An engine that is running a scene."""
 
     def advance(self, steps: int) -> None:
         """Advance by some steps."""
@@ -57,7 +57,7 @@ def stepper_for(
     substeps: int = 1,
     **own: Any,
 ) -> Stepper:
-    """Return an engine that makes steps, and records no impulses unless it is told to.
+    """Return an engine that makes steps; by default it records no impulses.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def stepper_for(
     dt, iterations, substeps
         As :func:`lesson_code.simulate` takes them.
     **own
-        What this engine alone takes, such as `slop` for pymunk or `compiled` for ours.
+        Options of this engine alone, such as `slop` for pymunk or `compiled` for ours.
 
     Raises
     ------

@@ -63,18 +63,18 @@ def simulate_many(
 
     [simulate(scene, duration, **options) for scene in scenes]
 
-    The results are the same to the last bit, however many workers there are.
+    The results are the same to the last bit for any number of workers.
 
     Parameters
     ----------
     scenes : iterable of Scene
-        The scenes. On several cores their callbacks must be functions of a module: what
-        anything else writes down would stay in the other process.
+        The scenes. On several cores their callbacks must be functions of a module: data recorded by
+        any other callable would stay in the other process.
     duration : float
         s, >= 0.
     each : sequence of dict, optional
-        One for each scene: arguments of :func:`lesson_code.simulate` that this scene has for
-        itself, such as ``[{"dt": 1 / 60}, {"dt": 1 / 120}]``; a "duration" among them, too.
+        One for each scene: arguments of :func:`lesson_code.simulate` for this scene alone, such as
+        ``[{"dt": 1 / 60}, {"dt": 1 / 120}]``; a "duration" among them, too.
     measure : callable, optional
         Takes a Run and returns what is measured. It is called where the run was made, so that of
         thousands of runs only the measurements are kept and sent. By default the runs are returned.
@@ -139,7 +139,7 @@ def _simulated(measure: Callable[[Run], Any] | None, task: tuple[Scene, dict[str
 
 
 def _require_scene(name: str, scene: Scene, *, travels: bool) -> None:
-    """Refuse what is no scene, and callbacks that would be called in vain."""
+    """Refuse anything but scenes, and callbacks whose effects would be lost."""
     if not isinstance(scene, Scene):
         raise TypeError(f"{name} must be a Scene, got {scene!r}")
     for field in fields(Callbacks):

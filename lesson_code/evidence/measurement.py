@@ -1,4 +1,4 @@
-"""What was measured: rows of figures, their targets, and the machine that they are from.
+"""The results of a measurement: rows of figures, their targets, and the machine.
 
 Speed, accuracy, effects and hard cases each give a :class:`Measurement`. It is shown as tables or
 as one JSON object with a version. A notebook, which has no time to measure, reads a stored one.
@@ -26,7 +26,7 @@ from lesson_code.parallel import usable_cores
 Row = TypeVar("Row")
 
 PACKAGES = ("numpy", "numba", "pymunk", "Box2D")
-"""Whose versions a time depends on."""
+"""Packages whose versions affect a measured time."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Measurement:
     Attributes
     ----------
     command : str
-        What measures it, after ``workbook``.
+        The words after ``workbook`` that start the measurement.
     version : int
         Of the JSON object; it grows when a key changes.
     file : Path
@@ -148,7 +148,7 @@ def _lines(value: Any) -> str:
     return "[\n" + ",\n".join(f"  {json.dumps(item)}" for item in value) + "\n ]"
 
 
-# What is wanted
+# Targets
 
 
 @dataclass(frozen=True)
@@ -174,7 +174,7 @@ class Limit:
 
 
 def at_least(what: str, value: float, least: float) -> Limit:
-    """Return a figure that is to be no smaller.
+    """Return a figure whose target is a lower limit.
 
     >>> at_least("times faster", 1.9, 2.0)
     Limit(what='times faster', value=1.9, wanted='at least 2', reached=False)
@@ -183,12 +183,12 @@ def at_least(what: str, value: float, least: float) -> Limit:
 
 
 def at_most(what: str, value: float, most: float) -> Limit:
-    """Return a figure that is to be no larger; nan reaches nothing."""
+    """Return a figure whose target is an upper limit; nan never reaches it."""
     return Limit(what, value, f"at most {most:,g}", value <= most)
 
 
 def limits_table(limits: Iterable[Limit]) -> Table:
-    """Return what is wanted and whether it is reached."""
+    """Return the target and whether it is reached."""
     columns: dict[str, Callable[[Limit], str]] = {
         "what": lambda limit: limit.what,
         "measured": lambda limit: digits(limit.value),
@@ -198,7 +198,7 @@ def limits_table(limits: Iterable[Limit]) -> Table:
     return table("What is wanted", columns, limits, wraps=True)
 
 
-# What is asked for
+# Selection
 
 
 def chosen(
@@ -206,7 +206,7 @@ def chosen(
     only: Sequence[str],
     fits: Callable[[str, str], bool] = operator.eq,
 ) -> list[str]:
-    """Return the known names that are asked for; all if none is.
+    """Return the known names that were requested; all if there was no request.
 
     Parameters
     ----------
@@ -215,12 +215,12 @@ def chosen(
     only : sequence of str
         What is to be measured.
     fits : callable
-        Takes a known name and one that is asked for; says whether the first is meant.
+        Takes a known name and a requested one; returns whether they match.
 
     Raises
     ------
     ValueError
-        A name fits nothing.
+        A name matches nothing.
     """
     names = list(known)
     for wanted in only:
@@ -233,7 +233,7 @@ REPEATS, QUICK_REPEATS = 7, 3
 
 
 def repeats_of(repeats: int | None, *, quick: bool) -> int:
-    """Return how often to measure: 7 times unless something else is asked for, 3 if quick.
+    """Return how often to measure: by default 7 times, or 3 if quick.
 
     Raises
     ------
@@ -250,7 +250,7 @@ def repeats_of(repeats: int | None, *, quick: bool) -> int:
 
 
 def machine() -> dict[str, Any]:
-    """Return what times depend on."""
+    """Return what measured times depend on."""
     return {
         "python": platform.python_version(),
         "system": platform.platform(),
@@ -261,7 +261,7 @@ def machine() -> dict[str, Any]:
 
 
 def machine_line() -> str:
-    """Return the same in a line."""
+    """Return the machine's description as one line."""
     facts = machine()
     packages = ", ".join(f"{name} {version}" for name, version in facts["packages"].items())
     return f"{facts['cores']} cores, Python {facts['python']}, {packages}, {facts['system']}"
@@ -297,7 +297,7 @@ def table(
     columns : mapping of str to callable
         By heading, the text of a row's cell.
     rows : iterable
-        What the columns are asked about.
+        The objects from which the columns take their text.
     words : int
         How many of the first columns hold words; the others hold figures, flush right.
     wraps : bool

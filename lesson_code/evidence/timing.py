@@ -1,4 +1,4 @@
-"""Times, taken in turns, so that what else the machine does meets all engines alike."""
+"""Times, taken in turns, so that other load on the machine affects all engines alike."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Key = TypeVar("Key")
 
 
 class Advances(Protocol):
-    """What can make steps."""
+    """An object that can make steps."""
 
     def advance(self, steps: int, /) -> None:
         """Make some steps."""
@@ -29,7 +29,7 @@ class Seconds(NamedTuple):
 
     @property
     def worked(self) -> float:
-        """The processor's time, which other programs do not enter, or the clock's if it is coarse.
+        """CPU time, which excludes other programs, or wall-clock time where CPU time is too coarse.
 
         No engine here uses more than one core: on an idle machine both are the same.
         """
@@ -37,7 +37,7 @@ class Seconds(NamedTuple):
 
 
 def timed(work: Callable[[], object]) -> Seconds:
-    """Return how long a call takes; nothing is thrown away meanwhile."""
+    """Return how long a call takes, with garbage collection off."""
     gc.disable()
     try:
         cpu, wall = time.process_time(), time.perf_counter()
@@ -59,7 +59,7 @@ def in_turns(
     repeats : int
         Rounds in which each is called once, >= 1.
     patience : float
-        s: a job that takes longer is called once. What disturbs it is a small part of it.
+        s: a job that takes longer is called once. Disturbances are a small part of so long a time.
     """
     times: dict[Key, list[float]] = {key: [] for key in jobs}
     gc.collect()

@@ -51,7 +51,7 @@ class Struck(NamedTuple):
 
 
 class Impact(NamedTuple):
-    """What an impact does."""
+    """The result of an impact."""
 
     kind: str
     """"parts" (no approach, no impulse), "sticks" (ut' = 0) or "slides"."""
@@ -68,15 +68,15 @@ class Impact(NamedTuple):
 def impact_with_friction(
     a: Struck, b: Struck, normal: Vector, restitution: float, friction: float
 ) -> Impact:
-    """Return what one contact does to two bodies of any shape, by Newton's rule and Coulomb's.
+    """Return the impact of two bodies of any shape at one contact, by Newton's and Coulomb's rules.
 
     un' = un + knn jn + knt jt = -e un
     ut' = ut + knt jn + ktt jt            and either     ut' = 0 and abs(jt) <= mu jn  (sticks)
                                               or     jt = +-mu jn, against ut'         (slides)
 
-    A blow beside the centre of mass turns the body, so that a push along n also changes ut, and
-    friction changes un: the two are coupled by knt. One solves for sticking, which is two linear
-    equations, and looks whether friction can do that; if not, jt is known but for jn.
+    An off-centre impact turns the body, so that an impulse along n also changes ut, and friction
+    changes un: the two are coupled by knt. One solves for sticking, which is two linear equations,
+    and looks whether friction can do that; if not, jt is known but for jn.
 
     For an approach this has exactly one answer, whatever mu is, if one of the bodies can be
     moved. A solver that treats un and ut in turn finds a sliding one only if mu abs(knt) < knn.
@@ -138,13 +138,13 @@ def impact_with_friction(
 def disc_impact(
     a: Struck, b: Struck, normal: Vector, restitution: float, friction: float
 ) -> Impact:
-    """Return what one contact does to two bodies that are touched in line with their centres.
+    """Return the impact of two bodies whose contact lies in line with their centres.
 
     jn = -(1 + e) un / knn,   jt = -ut / ktt, but no larger than mu jn either way
     knn = 1/m_a + 1/m_b,   ktt = knn + r_a^2/I_a + r_b^2/I_b
 
-    So it is for two discs, and for a disc on any surface that cannot turn: the arms lie along
-    the normal, knt is 0, and normal and tangent do not know of each other.
+    This covers two discs, and a disc on any surface that cannot turn: the arms lie along the
+    normal, knt is 0, and normal and tangent are independent.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Reference: what is known of bodies that fly freely and meet at instants.
+"""Reference: closed forms for bodies that fly freely and collide instantaneously.
 
 Nothing here uses the lesson's equations (only the rules for arguments are shared).
 
@@ -23,11 +23,11 @@ import math
 from lesson_code.formulas.validation import finite, non_negative, one_number, positive
 
 CLOSEST_PACKING = math.pi / math.sqrt(12)
-"""Equal discs cover at most so much of a plane."""
+"""Largest share of a plane that equal discs can cover."""
 
 
 def escape_fraction(speed: float, dt: float, radius: float, thickness: float) -> float:
-    """Return how many of many balls pass a wall that is looked for at the ends of steps only.
+    """Return the share of balls that pass a wall that is checked only at the ends of steps.
 
     1 - (r + th/2) / (v h),   or 0 if that is negative
 
@@ -71,7 +71,7 @@ def escape_fraction(speed: float, dt: float, radius: float, thickness: float) ->
 
 
 def missed_by_samples(spacing: float, reach: float) -> float:
-    """Return how many of all hits of two circles are over between two samples.
+    """Return the share of all hits of two circles that lie entirely between two samples.
 
     1 - sqrt(1 - k^2)/2 - arcsin(k)/(2 k)   for k <= 1,   about k^2/6 for a small k
     1 - pi/(4 k)                            for k >= 1,   k = s / (2 R)
@@ -111,16 +111,16 @@ def missed_by_samples(spacing: float, reach: float) -> float:
 
 
 def block_collisions(mass_ratio: float) -> int:
-    """Return how often two elastic blocks and a wall collide until nothing meets any more.
+    """Return the total number of collisions between two elastic blocks and a wall.
 
     ceil(pi / theta) - 1,   tan(theta) = 1 / sqrt(M)
 
-    A block at rest stands before a wall; a block of M times its mass comes. In the plane of
-    (sqrt(m1) x1, sqrt(m2) x2) the two are one point that flies in a wedge of the angle theta:
-    one side is the wall, the other the contact of the blocks, and every collision is a
-    reflection. Unfolded, the way is a straight line along one side. Seen from the tip of the
-    wedge it turns by pi in all, and at each multiple of theta on the way it crosses a side. For
-    M = 100^k the count is made of the first k + 1 digits of pi.
+    A block at rest stands in front of a wall; a block of M times its mass approaches. In the plane
+    of (sqrt(m1) x1, sqrt(m2) x2) the two are one point that flies in a wedge of the angle theta:
+    one side is the wall, the other the contact of the blocks, and every collision is a reflection.
+    Unfolded, the way is a straight line along one side. Seen from the tip of the wedge it turns by
+    pi in all, and at each multiple of theta on the way it crosses a side. For M = 100^k the count
+    is made of the first k + 1 digits of pi.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def blocks_at(time: float, mass_ratio: float, inner: float, outer: float) -> tup
 
 
 def hard_disc_compressibility(covered: float) -> float:
-    """Return how much more a gas of discs presses than points would, p A / (N T).
+    """Return the pressure of a gas of discs relative to that of points, p A / (N T).
 
     Z = (1 + eta^2 / 8) / (1 - eta)^2
 
@@ -251,7 +251,7 @@ def hard_disc_collision_rate(covered: float, diameter: float, mass: float, energ
     n = 4 eta / (pi sigma^2),   chi = (1 - 7 eta / 16) / (1 - eta)^2
 
     chi says how much more often than in a thin gas two discs are found in touch. Enskog's theory
-    takes it that the velocities of two discs that meet have nothing to do with each other.
+    assumes that the velocities of two colliding discs are uncorrelated.
 
     Parameters
     ----------

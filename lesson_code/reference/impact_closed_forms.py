@@ -1,4 +1,4 @@
-"""Reference: what comes of some well-known impacts, from algebra alone.
+"""Reference: the results of some well-known impacts, from algebra alone.
 
 Nothing here uses the lesson's equations (only the rules for arguments are shared).
 
@@ -42,7 +42,7 @@ def off_centre_hit(
     arm: float,
     restitution: float,
 ) -> tuple[float, float, float]:
-    """Return what a ball does that hits a free body at rest beside its centre, head-on.
+    """Return the impact of a ball that hits a free body at rest off its centre, head-on.
 
     m v' + M V'     = m v             momentum
     m b v' + I w'   = m b v           angular momentum about the body's place
@@ -91,7 +91,7 @@ def off_centre_hit(
 def flat_landing(
     width: float, height: float, speed: float, restitution: float, sweeps: float = math.inf
 ) -> tuple[float, float]:
-    """Return how a box leaves the floor on which it lands flat, after some sweeps of a solver.
+    """Return how a box that lands flat leaves the floor, after some sweeps of a solver.
 
     v' = e v and w' = 0 in the end. After n sweeps the impulses at the first and the second corner
     are the parts 1 - rho^(2n - 1) and 1 - rho^(2n) of the right ones,
@@ -149,7 +149,7 @@ def flat_landing(
 def two_ball_drop(
     lower_mass: Number, upper_mass: Number, speed: Number
 ) -> tuple[Fraction, Fraction]:
-    """Return how two elastic balls, dropped one on the other, leave the floor.
+    """Return the velocities of two elastic balls that are dropped one on top of the other.
 
     lower: (M - 3 m)/(M + m) v,   upper: (3 M - m)/(M + m) v
 
@@ -187,7 +187,7 @@ def two_ball_drop(
 
 
 def cradle_one_by_one(count: int, speed: float) -> Any:
-    """Return how a row of equal elastic balls leaves when the first is shot at the others.
+    """Return the velocities of a row of equal elastic balls after the first hits the others.
 
     (0, ..., 0, v)
 
@@ -222,7 +222,7 @@ def cradle_one_by_one(count: int, speed: float) -> Any:
 
 
 def cradle_all_at_once(count: int, speed: float) -> Any:
-    """Return the same if every contact obeys Newton's rule at the same instant.
+    """Return the cradle's velocities if all contacts obey Newton's rule at the same instant.
 
     (-(n - 2)/n v, 2/n v, ..., 2/n v)
 
@@ -257,7 +257,7 @@ def cradle_all_at_once(count: int, speed: float) -> Any:
 
 
 def break_shot(speed: float, restitution: float) -> Any:
-    """Return what a cue ball does that hits two touching balls of its kind at once, head-on.
+    """Return the impact of a cue ball that hits two equal touching balls at once, head-on.
 
     cue: v (1 - 3 (1 + e)/5, 0),   the others: v (1 + e)/10 (3, +-sqrt(3))
 

@@ -180,7 +180,7 @@ def friction_to_roll(angle: float, inertia_ratio: float) -> float:
 def roll_down(
     angle: float, inertia_ratio: float, friction: float, gravity: float
 ) -> tuple[float, float]:
-    """Return how a round body speeds up on an incline: its centre, and its rim about it.
+    """Return the accelerations of a round body on an incline: of its centre, and of its rim.
 
     rolling:    a = g sin(theta) / (1 + k),             rim: the same
     slipping:   a = g (sin(theta) - mu cos(theta)),     rim: mu g cos(theta) / k
@@ -226,7 +226,7 @@ def roll_down(
 
 
 def slide_down(angle: float, friction: float, gravity: float) -> float:
-    """Return how a box, let go on an incline, speeds up if it does not tip.
+    """Return the acceleration of a box released on an incline, if it does not tip.
 
     a = g (sin(theta) - mu cos(theta)),   or 0 if mu >= tan(theta)
 
@@ -295,7 +295,7 @@ def tipping_angle(width: float, height: float) -> float:
 
 
 def wedge_forces(weight: float, left_angle: float, right_angle: float) -> tuple[float, float]:
-    """Return with what force each of two smooth walls holds a disc that lies between them.
+    """Return the force of each of two smooth walls on a disc that lies between them.
 
     F_left = W sin(right) / sin(left + right),   F_right = W sin(left) / sin(left + right)
 

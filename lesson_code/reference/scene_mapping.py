@@ -1,4 +1,4 @@
-"""What every other engine is told about a scene: its pairs' coefficients, by the engine's own rule.
+"""Coefficients for other engines: values that give each pair ours by the engine's own rule.
 
 An engine combines the coefficients of two bodies by a rule of its own. Often each body can be given
 a value that this rule turns into what ours makes of the pair; then nothing has to be set contact by
@@ -117,7 +117,7 @@ def _values(
 
 
 def _candidates(stated: set[float]) -> list[dict[float, float]]:
-    """Return what may be given in place of each value, the simplest first.
+    """Return the candidates for replacing each value, the simplest first.
 
     One that is left open becomes 1, 0, or the only one that is stated.
     """

@@ -1,1 +1,1 @@
-"""What is seen: figures, interactive figures, the pygame window."""
+"""Everything visible: figures, interactive figures, the pygame window."""

@@ -30,7 +30,7 @@ NEAR = 10.0
 """Diameters within which the nearest point of a static body always comes into view."""
 
 MORE = 1.5
-"""A static body is also shown whole while it makes the larger side at most so much longer."""
+"""A static body is also shown whole if it lengthens the larger side by at most this factor."""
 
 SMALLEST_SIDE = 3.0
 """Diameters: a single body does not fill the view."""
@@ -98,7 +98,7 @@ class View(NamedTuple):
         )
 
     def padded(self, x: float, y: float) -> View:
-        """Return the view with so much more at either side.
+        """Return the view with this margin added on either side.
 
         >>> View(0, 2, 0, 1).padded(1, 0)
         View(left=-1, right=3, bottom=0, top=1)
@@ -203,7 +203,7 @@ def in_unit(length: float) -> str:
 
 
 def _given(around: Iterable[float]) -> View:
-    """Return the view that somebody asked for."""
+    """Return the requested view."""
     edges = tuple(float(edge) for edge in around)
     if len(edges) != 4 or not (edges[0] < edges[1] and edges[2] < edges[3]):
         raise ValueError(f"around must hold left < right and bottom < top, m, got {around!r}")

@@ -1,4 +1,4 @@
-"""What a class has handed in: one folder or file a student, found and named, not yet read."""
+"""A class's submissions: one folder or file per student, found and named, not yet read."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Paper:
 
 @dataclass(frozen=True)
 class HandIn:
-    """A student, what came from the student, and what is to be said of it."""
+    """A student, the student's files, and remarks about them."""
 
     student: Enrolled
     papers: tuple[Paper, ...] = ()
@@ -54,7 +54,7 @@ class HandIn:
 
     @property
     def is_missing(self) -> bool:
-        """Whether nothing at all came."""
+        """Whether the student handed in nothing at all."""
         return not self.entries
 
 

@@ -77,7 +77,7 @@ def grade_class(
     fresh : bool
         Forget an earlier run.
     told : callable
-        Is told in a line what goes on.
+        Receives progress messages, one line each.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What came of a call to a student's function: a plain value, or why there is none."""
+"""The outcome of a call to a student's function: a plain value, or why there is none."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LONGEST_TEXT = 500
 
 @dataclass(frozen=True)
 class CallOutcome:
-    """What came of a call: a plain value, or the reason why there is none."""
+    """The outcome of a call: a plain value, or the reason why there is none."""
 
     kind: Kind
     value: Any = None

@@ -107,8 +107,8 @@ class PipeChannel:
     def close(self) -> None:
         """Close our ends, once the child has ended.
 
-        A process that has left the child's group may outlive it and keep its pipe open. Who
-        waits for a line from it goes on waiting, and closing would wait as well.
+        A process that has left the child's group may outlive it and keep its pipe open. A reader
+        that waits for its next line would wait on, and closing would wait as well.
         """
         if self._reader is not None:
             self._reader.join(timeout=1.0)

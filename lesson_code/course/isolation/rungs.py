@@ -198,7 +198,7 @@ RUNGS = (
 def isolated(
     limits: Limits, least: str | None = None, only: str | None = None
 ) -> Iterator[tuple[Children, InForce]]:
-    """Yield who makes children on the highest rung that holds here, and what that is worth.
+    """Yield the maker of children on the highest rung that works here, and its level.
 
     Parameters
     ----------
@@ -236,7 +236,7 @@ def isolated(
 
 
 def opened(rung: Rung, limits: Limits) -> tuple[Children, InForce]:
-    """Return who makes children on a rung, ready, and what was found out that it is worth.
+    """Return the started maker of children on a rung, and its measured level.
 
     Raises
     ------

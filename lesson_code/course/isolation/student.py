@@ -1,4 +1,4 @@
-"""The parent's side of the wall: asks a child, and believes nothing but plain values.
+"""The parent's side of the wall: asks a child, and trusts only plain values.
 
 What is expected never crosses the wall. No result, a result of another form, a crash or silence is
 a :class:`CallOutcome` that says so, and earns nothing.

@@ -56,7 +56,7 @@ class Hostile:
 
 @dataclass(frozen=True)
 class OnRung:
-    """What came of all hostile submissions on one rung: the isolation, and what got through."""
+    """The outcome of all hostile submissions on one rung: the isolation, and what got through."""
 
     rung: str
     in_force: InForce | None

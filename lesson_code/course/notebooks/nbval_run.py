@@ -87,7 +87,7 @@ def run_notebooks(
     cell_seconds : int
         A cell that runs longer fails, and so do those after it.
     watcher : Watcher, optional
-        Is told what goes on.
+        Receives the number of cells and each result.
 
     Raises
     ------

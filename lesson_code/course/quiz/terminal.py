@@ -1,7 +1,7 @@
 """The quiz in a terminal: one question after the other, each answer judged at once.
 
-A wrong answer gets its feedback and a second try; then the answer is told. The end of input or
-Ctrl-C ends the quiz with the summary of what has been answered so far. Standard input need not
+A wrong answer gets its feedback and a second try; then the right answer is shown. The end of input
+or Ctrl-C ends the quiz with the summary of what has been answered so far. Standard input need not
 be a terminal.
 """
 

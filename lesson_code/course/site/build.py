@@ -65,7 +65,7 @@ SETTINGS: dict[str, Any] = {
 """Sphinx's, in place of a conf.py. With them no page asks the network for anything."""
 
 Told = Callable[[str, float], None]
-"""Hears what is being done, and what share of all is done."""
+"""Receives progress messages, and the share of the work that is done."""
 
 
 class SiteError(RuntimeError):
@@ -96,7 +96,7 @@ def build(
         The notebooks whose figures with sliders are drawn ahead, by name; None for all. In the
         others they stand still. Drawing them for all places of the sliders takes the time.
     told : callable, optional
-        Hears how far it is.
+        Receives progress messages.
 
     Returns
     -------

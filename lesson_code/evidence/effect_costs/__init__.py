@@ -1,4 +1,4 @@
-"""What an effect costs, and what leaving it out saves: what ``workbook measure effects`` prints.
+"""The cost of each effect, and the saving without it, as ``workbook measure effects`` prints them.
 
 ===========  ===========================================================================
 module       what it does
@@ -6,7 +6,7 @@ module       what it does
 ``calls``    counts the calls of the functions that only an effect needs
 ``runners``  gives a scene to our engine or to pymunk, with an effect in or out
 ``measure``  times them in turns
-``result``   what was measured, and what is wanted
+``result``   the figures and their targets
 ===========  ===========================================================================
 
 The scenes are in :mod:`lesson_code.evidence.scenes.effects`.

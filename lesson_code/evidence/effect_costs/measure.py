@@ -1,7 +1,7 @@
 """The measurement: the runs of a pair of scenes make batches of steps in turns, and are timed.
 
-What disturbs the machine meets all runs of a pair alike, and what counts is the processor's time.
-Our engine writes impulses down, as `simulate` does, unless that is the effect in question.
+A disturbance of the machine thus affects all runs of a pair alike, and only CPU time counts. Our
+engine records impulses, as `simulate` does, unless recording is the effect in question.
 """
 
 from __future__ import annotations
@@ -38,19 +38,19 @@ from lesson_code.evidence.timing import Advances, in_turns, steps_of_a_batch, ti
 from lesson_code.simulation import simulate
 
 BATCH_SECONDS, MOST_STEPS = 0.05, 2_000
-"""s, about, that a batch takes, and steps that it has at the most."""
+"""Approximate duration of a batch, s, and its largest number of steps."""
 
 COUNTED_STEPS = 5
 """Steps whose calls are counted."""
 
 NO_CODE = "callbacks"
-"""What has no compiled form: callbacks are Python functions."""
+"""Effects without a compiled form: callbacks are Python functions."""
 
 BILLIARDS_DURATION = 2.0
-"""s, of which the balls collide most of the time."""
+"""s; the balls collide during most of this time."""
 
 PLANNED_OFTEN = 5
-"""Times as many repeats for what takes milliseconds."""
+"""Factor on the repeats of a run that takes only milliseconds."""
 
 BILLIARDS = "billiards"
 """The name of the scene of a few balls, beside those of the effects."""
@@ -76,7 +76,7 @@ def measure_effects(
     repeats : int, optional
         Batches of each run, >= 1; 7 unless given, 3 if it has to be quick.
     told : callable
-        Is called with the name of each effect as it begins, and with the share that is done.
+        Called with the name of each effect as it begins, and with the share that is done.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def measure_effects(
 
 
 def measure_pair(pair: EffectPair, codes: Sequence[str], repeats: int) -> list[EffectCost]:
-    """Return what an effect costs: in each of our codes, and in pymunk."""
+    """Return the cost of an effect in each of our codes and in pymunk."""
     counted = dict(_counted(pair))
     rows = []
     for code in codes:
@@ -124,8 +124,8 @@ def measure_pair(pair: EffectPair, codes: Sequence[str], repeats: int) -> list[E
 def step_times(engines: Mapping[str, Advances], warm_up: int, repeats: int) -> dict[str, float]:
     """Return the time of a step of each engine, s: the median of batches that they make in turns.
 
-    A batch takes equally long in all; how many steps that are is found in the warm-up. The scenes
-    stay as they are: a gas goes on, and a pile rests.
+    A batch takes equally long for every engine; the warm-up finds the number of steps. The scenes
+    do not change their character: a gas keeps moving, and a pile stays at rest.
     """
     batches = {}
     for name, engine in engines.items():
@@ -158,7 +158,7 @@ def measure_billiards(repeats: int) -> FewBalls:
 
 
 def measure_all(name: str, code: str, repeats: int) -> EffectCost:
-    """Return what a gas costs as it is planned, and with every effect forced on."""
+    """Return the cost of a gas as planned, and with every effect forced on."""
     scene, compiled = gases()[name], code == COMPILED
     every = {effect: True for effect in EFFECTS if not (compiled and effect == NO_CODE)}
     engines = {
@@ -169,7 +169,7 @@ def measure_all(name: str, code: str, repeats: int) -> EffectCost:
 
 
 def _counted(pair: EffectPair) -> Iterator[tuple[str, float]]:
-    """Yield, by the field of the result, the calls a step of what only an effect needs."""
+    """Yield, for each field of the result, the calls per step that only the effect needs."""
     for name, (scene, asked) in settings_of(pair).items():
         if name != "switched_off":
             engine = ours(scene, asked, compiled=False, duration=pair.duration)

@@ -1,4 +1,4 @@
-"""What effects cost: a row for each effect and code, and what is wanted of the savings."""
+"""The costs of effects: a row for each effect and code, and the targets for the savings."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ CODES = (PLAIN, COMPILED, PYMUNK)
 """What a row was measured in."""
 
 ALL = "all effects"
-"""The row in which not one effect is forced on but all of them."""
+"""The row in which all effects are forced on at once."""
 
 GAS_RATIO = 1.5
 """Times as fast as with every effect forced on: a gas of discs without friction."""
@@ -50,7 +50,7 @@ class EffectCost:
     code : str
         One of :data:`CODES`.
     difference : str
-        In what the two scenes differ, as "the one that needs it | the one that does not".
+        The difference between the two scenes, as "the one that needs it | the one that does not".
     needed : float
         In the scene that needs the effect, with it.
     switched_off : float
@@ -76,7 +76,7 @@ class EffectCost:
 
     @property
     def saved(self) -> float:
-        """What share of the time leaving it out saves, where it is not needed; nan: unknown.
+        """Share of the time saved by leaving the effect out where it is not needed; nan: unknown.
 
         >>> EffectCost("friction", PLAIN, "", left_out=3.0, forced=4.0).saved
         0.25
@@ -87,7 +87,7 @@ class EffectCost:
     def cheaper(self) -> float:
         """What share of the time the scene that does not need it saves; nan: unknown.
 
-        Where the effect is a saving itself, that says nothing: there is `switched_off` for it.
+        If the effect itself saves time, use `switched_off` instead: this share says nothing then.
         """
         return math.nan if self.switched_off >= 0 else 1 - self.left_out / self.needed
 
@@ -113,7 +113,7 @@ class FewBalls:
 
 @dataclass(frozen=True)
 class EffectCosts(Measurement):
-    """All that was measured, and where and how.
+    """All results, with the machine and the settings.
 
     Attributes
     ----------
@@ -153,7 +153,7 @@ class EffectCosts(Measurement):
 
     @property
     def limits(self) -> list[Limit]:
-        """What is wanted, and whether it is reached."""
+        """The targets, and whether they are reached."""
         found = []
         for cost in self.costs:
             if cost.effect == ALL:
@@ -168,7 +168,7 @@ class EffectCosts(Measurement):
         return found
 
     def tables(self) -> Iterator[Table]:
-        """Yield a table for each code, then what is wanted."""
+        """Yield a table for each code, then the targets."""
         for code in dict.fromkeys(cost.code for cost in self.costs):
             title, columns, caption = PYMUNK_TABLE if code == PYMUNK else OUR_TABLE
             yield table(f"{code}: {title}", columns, self.in_code(code), words=2, caption=caption)

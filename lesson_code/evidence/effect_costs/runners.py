@@ -17,7 +17,7 @@ from lesson_code.reference.pymunk_reference import PymunkStepper
 
 
 def settings_of(pair: EffectPair) -> dict[str, tuple[Scene, dict[str, bool]]]:
-    """Return what our engine is to run: by the field of the result, a scene and what is asked."""
+    """Return the runs of our engine: for each field of the result, a scene and its effects."""
     effect, along = pair.effect, dict(pair.along)
     asked: dict[str, tuple[Scene, dict[str, bool]]] = {
         "needed": (pair.needs, along),
@@ -34,7 +34,7 @@ def settings_of(pair: EffectPair) -> dict[str, tuple[Scene, dict[str, bool]]]:
 def ours(
     scene: Scene, asked: Mapping[str, bool], *, compiled: bool, duration: float = math.inf
 ) -> EngineStepper:
-    """Return our engine at work on a scene, with effects as they are asked for."""
+    """Return our engine at the start of a scene, with the requested effects."""
     own: dict[str, Any] = {
         "compiled": compiled,
         "effects": asked,
@@ -45,7 +45,7 @@ def ours(
 
 
 def pymunk_for(pair: EffectPair) -> dict[str, PymunkStepper]:
-    """Return pymunk at work on the scenes of a pair, by the field of the result."""
+    """Return pymunk at the start of both scenes of a pair, by the field of the result."""
     made = {"needed": _pymunk(pair.needs), "left_out": _pymunk(pair.spared)}
     if pair.tells_pymunk is not None:
         pair.tells_pymunk(made["needed"].space)
@@ -55,5 +55,5 @@ def pymunk_for(pair: EffectPair) -> dict[str, PymunkStepper]:
 
 
 def _pymunk(scene: Scene) -> PymunkStepper:
-    """Return pymunk at work on a scene of bodies 1 m wide, as fast as it can."""
+    """Return pymunk at the start of a scene of bodies 1 m wide, with its fastest settings."""
     return cast(PymunkStepper, stepper_for("pymunk", scene, dt=DT, slop=SLOP))

@@ -1,8 +1,8 @@
 """Hard cases: scenes in which solvers go wrong, each with a law and a bound.
 
-The catalogue is written down case by case, a module for each theme. A case is a scene, a measure,
-which is 0 where all is right, and a bound, which was written before the case was run. The tests
-hold our solver to the bounds; ``workbook measure hard-cases`` sets the others beside it.
+The catalogue has a module for each theme. A case is a scene, a measure, which is 0 for a perfect
+result, and a bound, which was written before the case was run. The tests hold our solver to the
+bounds; ``workbook measure hard-cases`` compares it with the others.
 """
 
 from lesson_code.evidence.hard_cases.case import OURS, PEERS, HardCase, Outcome, Trial, run_case

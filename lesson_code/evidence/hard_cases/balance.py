@@ -1,4 +1,4 @@
-"""Hard cases: things in balance, which stand by a hair or share a load."""
+"""Hard cases: bodies in balance, which barely stand or share a load."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def unevenness(trial: Trial) -> float:
 
 
 def disc_in_narrow_wedge() -> Scene:
-    """Return a smooth disc between two walls at 80 degrees, in touch with both."""
+    """Return a smooth disc that touches two walls at 80 degrees."""
     scene = scenes.disc_in_wedge(*NARROW)
     left, right, disc = scene.bodies
     x, y = disc.position
@@ -46,7 +46,7 @@ NARROW = (math.radians(80), math.radians(80))
 
 
 def wedge_errors(trial: Trial) -> float:
-    """Return the error of the forces of both walls after a second, as a part."""
+    """Return the relative error of the forces of both walls after a second."""
     forces = pair_forces(trial.run(1.0), DT)
     measured = [forces.get((n, 2), 0.0) for n in range(2)]
     return relative_errors(measured, wedge_forces(scenes.GRAVITY, *NARROW))
@@ -67,7 +67,7 @@ def arch(thickness: float, stones: int = 11) -> Scene:
     Parameters
     ----------
     thickness : float
-        Of the arch, m; its middle line has a radius of 1 m.
+        Thickness of the arch, m; its middle line has a radius of 1 m.
     stones : int
         How many.
     """
@@ -90,7 +90,7 @@ def arch(thickness: float, stones: int = 11) -> Scene:
 
 
 PRESSED = 1e-4
-"""rad: by this each stone is longer at both ends, so that all are in touch."""
+"""rad: each stone is longer by this angle at both ends, so that neighbours touch."""
 
 LEANS = math.radians(30)
 """rad, from the vertical."""
@@ -118,9 +118,9 @@ LEAST = math.tan(LEANS) / 2
 
 
 def ladder_way(trial: Trial) -> float:
-    """Return how far a ladder comes in 5 s with 1 % too much friction, m.
+    """Return how far a ladder moves in 5 s with 1 % more friction than it needs, m.
 
-    Infinite if one with 1 % too little does not slip.
+    The result is infinite if a ladder with 1 % too little friction does not slip.
     """
     slips = way_of(trial.run(5.0, ladder(0.99 * LEAST), sample="end"))
     stays = way_of(trial.run(5.0, ladder(1.01 * LEAST), sample="end"))

@@ -1,4 +1,4 @@
-"""Hard cases: bounces. Each happens between two steps, and what is lost there adds up."""
+"""Hard cases: bounces. Each happens between two steps, and the errors add up."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ THEME = "Bounces"
 
 
 def energy_error(trial: Trial) -> float:
-    """Return the largest change of the energy in 60 s, as a part."""
+    """Return the largest relative change of the energy in 60 s."""
     run = trial.run(60.0)
     above = run.energy - np.asarray(trial.scene.gravity) @ np.array([0, -0.5])
     return largest(above / above[0] - 1)
@@ -32,7 +32,7 @@ RESTITUTIONS = (0.3, 0.5, 0.8, 0.95)
 
 
 def rebound_error(trial: Trial) -> float:
-    """Return the largest error of the height of the first bounce, as a part of the drop."""
+    """Return the largest error of the first bounce's height, relative to the drop."""
     worst = 0.0
     for e in RESTITUTIONS:
         height = 2.0
@@ -69,13 +69,13 @@ PI_RATIO = 1e6
 
 
 def pi_error(trial: Trial) -> float:
-    """Return by how many the collisions of two blocks and a wall are miscounted."""
+    """Return the error in the number of collisions of two blocks and a wall."""
     run = trial.run(1e3 if trial.solver == "auto" else 10.0, sample="end")
     return abs(len(run.contacts) - block_collisions(PI_RATIO))
 
 
 def return_error(trial: Trial) -> float:
-    """Return how far from its start a gas is after its way there and back, m."""
+    """Return how far a gas is from its start after a run forwards and back, m."""
     run = trial.run(1.0, sample="end")
     back = trial.run(1.0, exact_scenes.turned_back(run), sample="end")
     return exact_scenes.error_after_return(run, back)
@@ -87,7 +87,7 @@ def gas() -> Scene:
 
 
 def gas_energy_error(trial: Trial) -> float:
-    """Return the change of the energy of a gas in 20 s, as a part; infinite if a disc escapes."""
+    """Return the relative change of a gas's energy in 20 s; infinite if a disc escapes."""
     run = trial.run(20.0, sample="end")
     length = max(y for _, y in trial.scene.bodies[1].shape.outline)  # the wall at the top
     if not stays_inside(run, length, length):
@@ -96,11 +96,11 @@ def gas_energy_error(trial: Trial) -> float:
 
 
 WALL_SPEED, BALL_SPEED, ROOM = 0.1, 1.0, 10.0
-"""m/s, m/s, m: of a wall that closes in, of a ball, and between that wall and a fixed one."""
+"""m/s, m/s, m: speed of the moving wall, speed of the ball, room for the ball."""
 
 
 def closing_walls() -> Scene:
-    """Return a fixed wall, one that comes nearer, and an elastic ball between them."""
+    """Return a fixed wall, an approaching wall, and an elastic ball between them."""
     smooth = Material(restitution=1.0)
     side = Segment((0, -1), (0, 1))
     return Scene(
@@ -113,7 +113,7 @@ def closing_walls() -> Scene:
 
 
 def speed_between_closing_walls(seconds: float) -> float:
-    """Return the ball's speed by hand: it gains 2 u at each hit of the wall that comes."""
+    """Return the ball's exact speed: it gains 2 u at each hit of the moving wall."""
     room, speed, x, clock = ROOM, BALL_SPEED, 0.0, 0.0
     while True:
         until = (room - x) / (speed + WALL_SPEED)
@@ -138,7 +138,7 @@ TUMBLING_BOX = (4.0, 3.0)
 
 
 def stays_inside(run: Run, width: float, height: float) -> bool:
-    """Return whether no centre is ever seen outside of a box at the origin."""
+    """Return whether every centre stays inside a box at the origin."""
     places = run.positions[:, exact_scenes.WALLS :]
     return bool(((places >= 0) & (places <= (width, height))).all())
 
@@ -158,7 +158,7 @@ def tumbling_square() -> Scene:
 
 
 def kinetic_error(trial: Trial) -> float:
-    """Return the largest change of the kinetic energy in 60 s, as a part; infinite outside."""
+    """Return the largest relative change of the kinetic energy in 60 s; infinite outside."""
     run = trial.run(60.0)
     if not stays_inside(run, *TUMBLING_BOX):
         return math.inf

@@ -1,4 +1,4 @@
-"""What a hard case is: a scene, what is measured in it, and the bound that a solver has to hold."""
+"""A hard case: a scene, a measure of the error, and the bound that a solver has to hold."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Options: TypeAlias = Mapping[str, Any]
 """Arguments of :func:`lesson_code.simulate`, by name."""
 
 OURS = "ours"
-"""What our solver is called, whichever of ours a case is given to."""
+"""The name for our solver, whichever of our solvers runs the case."""
 
 PEERS = ("naive", "pymunk", "box2d")
 """The solvers that ours is compared with."""
@@ -35,7 +35,7 @@ class Trial:
     scene : Scene
         The case's scene.
     options : mapping
-        What :func:`lesson_code.simulate` is told: the solver and its settings.
+        Arguments of :func:`lesson_code.simulate`: the solver and its settings.
     """
 
     scene: Scene
@@ -47,7 +47,7 @@ class Trial:
         return str(self.options["solver"])
 
     def run(self, duration: float, scene: Scene | None = None, **more: Any) -> Run:
-        """Return a run of the case's scene, or of another one; the case's options come first."""
+        """Run the case's scene, or another one; the case's options take precedence."""
         return simulate(
             self.scene if scene is None else scene, duration, **{**more, **self.options}
         )
@@ -59,7 +59,7 @@ Measure: TypeAlias = Callable[[Trial], float]
 
 @dataclass(frozen=True)
 class HardCase:
-    """A scene in which solvers go wrong, and how it is found out whether one does.
+    """A scene in which solvers go wrong, and a measure that detects it.
 
     Attributes
     ----------
@@ -74,9 +74,9 @@ class HardCase:
     law : str
         The law or reference that says what is right.
     scene : callable
-        Returns the scene; where many are needed, a typical one.
+        Returns the scene, or a typical one if the case needs many.
     measure : callable
-        Takes a Trial; returns a number >= 0 that is 0 where all is right.
+        Takes a Trial; returns a number >= 0, which is 0 for a perfect result.
     unit : str
         Of that number; "" for a ratio or a count.
     bound : float
@@ -87,7 +87,7 @@ class HardCase:
         Our solver and its settings: the solver that the plan chooses, and in a few cases a rule
         for impacts.
     options : mapping
-        What every solver is told, such as dt.
+        Arguments for every solver, such as dt.
     failed_by : tuple of str
         Solvers that are known not to hold the bound.
     is_long : bool
@@ -132,13 +132,13 @@ class Outcome:
     case, solver : str
         Their names.
     value : float
-        What was measured; nan where the solver came to no end.
+        The measured value; nan if the solver did not finish.
     bound : float
         The case's.
     seconds : float
         Wall-clock time.
     error : str
-        Why there is no value; "" where there is one.
+        Why there is no value; "" if there is one.
     """
 
     case: str
@@ -164,18 +164,18 @@ class Outcome:
 def run_case(case: HardCase, solver: str = OURS) -> Outcome:
     """Return how a solver does in a case; an exception of the solver is an outcome, too.
 
-    A solver that takes the whole process with it (pymunk does on some input) can only be survived
-    from outside: :func:`lesson_code.evidence.hard_cases.measure_hard_cases` does that.
+    A solver that kills the whole process (pymunk does on some input) must run in another process:
+    :func:`lesson_code.evidence.hard_cases.measure_hard_cases` takes care of that.
     """
     trial = case.trial(solver)
     begin = time.perf_counter()
     value, error = math.nan, ""
     try:
-        with np.errstate(all="ignore"):  # what overflows is the result
+        with np.errstate(all="ignore"):  # an overflow shows in the result
             value = float(case.measure(trial))
     except ModuleNotFoundError:
         raise
-    except Exception as fault:  # whatever a solver dies of is its result
+    except Exception as fault:  # any failure of a solver is a result
         error = f"{type(fault).__name__}: {fault}"
     if not math.isfinite(value) and not error:
         error = "no finite number"

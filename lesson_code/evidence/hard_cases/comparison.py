@@ -21,7 +21,7 @@ from lesson_code.parallel import WorkerDiedError, iter_tasks, usable_cores
 HEADINGS = {"ours": "ours", "naive": "naive", "pymunk": "pymunk", "box2d": "Box2D"}
 
 SAID = ("name", "theme", "title", "why", "law", "unit", "bound", "reason", "ours")
-"""What of a case stands beside its outcomes."""
+"""The fields of a case that are stored beside its outcomes."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Comparison(Measurement):
     Attributes
     ----------
     outcomes : tuple of Outcome
-        In the order of the catalogue; of each case in the order of the solvers.
+        In the order of the catalogue, and within a case in the order of the solvers.
     """
 
     command = "measure hard-cases"
@@ -41,7 +41,7 @@ class Comparison(Measurement):
 
     @property
     def solvers(self) -> tuple[str, ...]:
-        """Who took part."""
+        """The solvers that took part."""
         present = {outcome.solver for outcome in self.outcomes}
         return tuple(solver for solver in SOLVERS if solver in present)
 
@@ -63,11 +63,11 @@ class Comparison(Measurement):
         return [o.case for o in self.outcomes if o.solver == solver and not o.held]
 
     def without_times(self) -> Comparison:
-        """Return it without the seconds, which differ from run to run."""
+        """Return the comparison without the seconds, which differ from run to run."""
         return Comparison(tuple(replace(outcome, seconds=math.nan) for outcome in self.outcomes))
 
     def as_dict(self) -> dict[str, Any]:
-        """Return all of it as one JSON object; a value of null stands for no finite number."""
+        """Return the comparison as one JSON object; null stands for a value that is not finite."""
         return {
             "version": self.version,
             "command": self.command,
@@ -100,7 +100,7 @@ class Comparison(Measurement):
         )
 
     def tables(self) -> Iterator[Table]:
-        """Yield the one table, grouped by theme; what does not hold the bound is marked."""
+        """Yield the table, grouped by theme; values beyond the bound are marked."""
         columns: dict[str, Callable[[str], str]] = {
             "case": lambda name: f" {name}",
             "unit": lambda name: case_by_name(name).unit,
@@ -159,7 +159,7 @@ def measure_hard_cases(
 ) -> Comparison:
     """Run hard cases in every solver, over processes, and return how they did.
 
-    A solver that takes its process with it has no result in that case; the others go on.
+    A solver that kills its process has no result in that case; the others go on.
 
     Parameters
     ----------
@@ -168,8 +168,8 @@ def measure_hard_cases(
     solvers : sequence of str, optional
         "ours" and others; all that are installed by default.
     workers, cluster, progress
-        As :func:`lesson_code.parallel.map_tasks` takes them; but there are two workers at the
-        least unless one is asked for. One alone would be this process, and die with a solver.
+        As :func:`lesson_code.parallel.map_tasks` takes them; but the default is at least two
+        workers. A single worker would be this process, and would die with a solver.
 
     Raises
     ------
@@ -197,7 +197,7 @@ Task = tuple[str, str]
 
 
 def run_task(task: Task) -> Outcome:
-    """Return how a solver does in a case; both are names, so that another process can be told."""
+    """Return how a solver does in a case; both are names, which can be sent to another process."""
     name, solver = task
     return run_case(case_by_name(name), solver)
 

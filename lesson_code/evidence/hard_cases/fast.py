@@ -1,4 +1,4 @@
-"""Hard cases: fast bodies. What a step jumps over is never seen at its end."""
+"""Hard cases: fast bodies. A step can jump over a contact, which its end does not show."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TURNINGS = (2.0, 5.0, 10.0, 20.0, 40.0, 100.0)
 
 
 def through_wall(trial: Trial) -> float:
-    """Return the largest part of the balls that get through a wall, over all speeds."""
+    """Return the largest share of the balls that get through a wall, over all speeds."""
     worst = 0.0
     for speed in SPEEDS:
         scene = exact_scenes.balls_at_wall(speed, count=20, dt=DT, thickness=0.01)
@@ -35,7 +35,7 @@ def through_wall(trial: Trial) -> float:
 
 
 def passed_by_rod(trial: Trial) -> float:
-    """Return the largest part of the balls that a turning rod passes over, over all rates."""
+    """Return the largest share of the balls that a turning rod misses, over all rates."""
     worst = 0.0
     for turning in TURNINGS:
         missed = 0
@@ -61,7 +61,7 @@ def ball_at_plate(speed: float, phase: float = 0.5) -> Scene:
 
 
 def plate_error(trial: Trial) -> float:
-    """Return the largest error of both velocities, as a part of the speed: they change places."""
+    """Return the largest relative error of both velocities, which should be exchanged."""
     worst = 0.0
     for speed in (10.0, 100.0, 1e3):
         for phase in (0.1, 0.3, 0.5, 0.7, 0.9):
@@ -72,7 +72,7 @@ def plate_error(trial: Trial) -> float:
 
 
 def ball_in_cage(speed: float = 1e4) -> Scene:
-    """Return an elastic ball in a closed box of 4 m by 3 m with walls of no thickness."""
+    """Return an elastic ball in a closed box of 4 m by 3 m; its walls have no thickness."""
     ball = Body(
         Circle(0.25),
         mass=1,
@@ -84,7 +84,7 @@ def ball_in_cage(speed: float = 1e4) -> Scene:
 
 
 def out_of_cage(trial: Trial) -> float:
-    """Return how far outside of the box the ball comes in a second, m."""
+    """Return how far outside the box the ball gets in a second, m."""
     places = trial.run(1.0).positions[:, 4]
     beyond = np.maximum(-places, places - [4.0, 3.0])
     return max(largest(np.maximum(beyond, 0.0)), 0.0)
@@ -98,7 +98,7 @@ def shot_at_tower() -> Scene:
 
 
 def below_the_top(trial: Trial) -> float:
-    """Return how far the ball has come below the top of the pile in half a second, m."""
+    """Return how far the ball has sunk below the top of the pile in half a second, m."""
     heights = trial.run(0.5).positions[:, 4, 1]
     return max(3.0 - float(heights.min()), 0.0)
 

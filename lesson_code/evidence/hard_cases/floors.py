@@ -1,4 +1,4 @@
-"""Hard cases: floors, slopes and seams, where friction and a flat ground have closed forms."""
+"""Hard cases: floors, slopes and internal edges, where friction has closed forms."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SUNK = 4e-4
 """Of a body of 1 m: how deep it stands in the floor at the start."""
 
 DROP = 0.01
-"""m: what slides over seams lands first, so that it sinks in a little."""
+"""m: a body that slides over internal edges lands first, so that it sinks in a little."""
 
 
 def pieces(friction: float = 0.0) -> list[Body]:
@@ -93,7 +93,7 @@ FRICTIONS = (0.0, 0.2, 0.5, 0.57, 0.5773, 0.5774, 0.58, 0.9)
 
 
 on_slope = partial(slopes.body_on_slope, sunk=SUNK)
-"""A body in touch with a slope from the start."""
+"""A body that touches a slope from the start."""
 
 
 def velocity_on_slope(trial: Trial, scene: Scene) -> float:

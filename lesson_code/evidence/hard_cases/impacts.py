@@ -24,13 +24,13 @@ ENERGETIC = {"solver": "auto", "restitution_law": "energetic"}
 
 
 IMPACTS, BATCH, PITCH = 15_000, 500, 6.0
-"""Random impacts in all, impacts in a scene, and the distance between two of them, m."""
+"""Number of random impacts, impacts in a scene, and the distance between two of them, m."""
 
 
 def many_corners(count: int, seed: int) -> Scene:
     """Return boxes that hit a long rough floor with one corner, far from one another.
 
-    Each has a restitution and a friction of its own: the floor leaves both to the boxes.
+    Each has its own restitution and friction: the floor leaves both to the boxes.
     """
     rng = np.random.default_rng(seed)
     boxes = []
@@ -66,7 +66,7 @@ def gains_in(run: Run) -> int:
 
 
 SAME = 1e-10
-"""Relative: energies no further apart are the same, but for rounding."""
+"""Relative: a smaller difference of energies is rounding."""
 
 
 def gains(trial: Trial) -> float:
@@ -95,18 +95,18 @@ def rod_on_floor(
 
 
 KANE = {"angle": math.pi / 4, "vx": 0.0, "vy": -1.0, "w": 2.0, "e": 1.0, "mu": 1.0}
-"""A rod that falls and turns, and does not slide at first. By Newton's rule with e = 1 the blow,
-which comes beside its centre, makes 56 % more energy of what there was."""
+"""A rod that falls and turns, and does not slide at first. By Newton's rule with e = 1 this
+off-centre impact raises the energy by 56 %."""
 
 
 def energy_gain(trial: Trial) -> float:
-    """Return the kinetic energy gained in one impact, as a part of what there was; 0 if none."""
+    """Return the relative gain of kinetic energy in one impact; 0 if there is none."""
     run = trial.run(STEP, sample="end")
     return max(float(run.kinetic_energy[-1] / run.kinetic_energy[0]) - 1, 0.0)
 
 
 def limit_cycle_error(trial: Trial) -> float:
-    """Return the error of the impulse, as a part: jn = 1e-3 / (knn + mu knt) = 1e-3 / 5.5."""
+    """Return the relative error of the impulse: jn = 1e-3 / (knn + mu knt) = 1e-3 / 5.5."""
     impulses = trial.run(STEP).contacts.normal_impulse
     return abs(float(impulses.sum()) * 5.5e3 - 1)
 
@@ -123,7 +123,7 @@ CORNERS = 200
 
 
 def corner_error(trial: Trial) -> float:
-    """Return the largest error of a velocity in random impacts of corners, as a part."""
+    """Return the largest relative error of a velocity in random impacts of corners."""
     worst = 0.0
     for impact in corner_impacts.random_corners(CORNERS, seed=3):
         run = trial.run(corner_impacts.STEP, impact.scene, sample="end")
@@ -136,9 +136,10 @@ DISCS = 300
 
 
 def disc_error(trial: Trial) -> float:
-    """Return the largest error of a velocity in random impacts of discs, as a part.
+    """Return the largest relative error of a velocity in random impacts of discs.
 
-    The discs start a step back, so that the solver finds them where the closed form has them.
+    The discs start one step earlier, so that the solver resolves the impact at the positions of the
+    closed form.
     """
     worst = 0.0
     for a, b, e, mu in spinning_discs.random_impacts(DISCS, seed=5):

@@ -1,4 +1,4 @@
-"""Hard cases: loads and towers. Their sweeps carry a force up or down by one body at a time."""
+"""Hard cases: loads and towers. Each sweep carries a force up or down by one body."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from lesson_code.reference.rigid_body_closed_forms import stack_forces
 THEME = "Loads and towers"
 
 SUNK = 4e-4
-"""m: how deep bodies of 1 m stand in each other at the start, so that they touch from the start.
-Every engine here leaves that much alone."""
+"""m: initial overlap of bodies of 1 m, so that they touch from the start. Every engine here
+tolerates that much."""
 
 DT = 1 / 60
 """s."""
@@ -34,7 +34,7 @@ LOAD = 1e6
 """kg, on a box of 1 kg."""
 
 NOT_SEEN = 1e-3
-"""m: a thousandth of the size of a body, too small to be seen."""
+"""m: a thousandth of the size of a body, too small to see."""
 
 NO_DRIFT = "a thousandth of a box; what comes further in this time does not stand"
 
@@ -56,7 +56,7 @@ def tower(
     restitution, friction : float
         Of all.
     aside : float
-        How far every other box stands to the right, and the rest to the left, m.
+        How far every other box is shifted to the right, and the rest to the left, m.
     at : float
         Both coordinates of the middle of the floor, m.
 
@@ -81,13 +81,13 @@ def tower(
 
 
 def sinks(trial: Trial) -> float:
-    """Return the deepest overlap after 10 s, or how far the load has come, if that is more, m."""
+    """Return the deepest overlap after 10 s, or how far the load has moved if that is more, m."""
     run = trial.run(10.0, sample="end")
     return max(float(run.max_penetration[-1]), way_of(run))
 
 
 def force_errors(trial: Trial) -> float:
-    """Return the error of the forces under the boxes of a tower, after a second, as a part."""
+    """Return the relative error of the forces under the boxes of a tower after a second."""
     run = trial.run(1.0)
     forces = pair_forces(run, DT)
     masses = [body.mass for body in trial.scene.bodies[1:]]
@@ -117,7 +117,7 @@ def pyramid() -> Scene:
 
 
 def energy_gained(trial: Trial) -> float:
-    """Return the most kinetic energy in 10 s, J, of what has none at the start."""
+    """Return the largest kinetic energy in 10 s of a scene that starts at rest, J."""
     return largest(trial.run(10.0).kinetic_energy)
 
 

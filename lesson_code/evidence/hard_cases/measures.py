@@ -1,4 +1,4 @@
-"""What is measured in more than one hard case."""
+"""Measures that more than one hard case uses."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from lesson_code.engine.core.scene import Scene
 from lesson_code.evidence.hard_cases.case import Measure, Trial
 
 STEP = 1e-9
-"""s: a step in which nothing moves, but what overlaps collides."""
+"""s: a step so short that nothing moves, but overlapping bodies collide."""
 
 TOUCH = 1e-9
-"""m: overlap of bodies of 1 m that are to be in touch."""
+"""m: overlap that puts bodies of 1 m in contact."""
 
 
 def free(scene: Scene) -> list[int]:
@@ -28,13 +28,13 @@ def largest(differences: Any) -> float:
 
 
 def way_of(run: Run) -> float:
-    """Return how far the body that has come farthest is from its start, m."""
+    """Return the largest distance of a body from its start, m."""
     moved = run.positions[-1] - run.positions[0]
     return float(np.max(np.hypot(*moved[free(run.scene)].T)))
 
 
 def drift(seconds: float) -> Measure:
-    """Return a measure: how far any body has come after a time, m."""
+    """Return a measure: the largest displacement of a body after a time, m."""
     return lambda trial: way_of(trial.run(seconds, sample="end"))
 
 
@@ -44,7 +44,7 @@ def fastest(run: Run) -> float:
 
 
 def pair_forces(run: Run, dt: float) -> dict[tuple[int, int], float]:
-    """Return the normal force between each two bodies that touch in the last step, N."""
+    """Return the normal force of each pair of bodies that touch in the last step, N."""
     hits = run.contacts
     last = np.abs(hits.time - run.times[-1]) < dt / 2
     forces: dict[tuple[int, int], float] = {}
@@ -59,7 +59,7 @@ def pair_forces(run: Run, dt: float) -> dict[tuple[int, int], float]:
 
 
 def relative_errors(measured: Any, expected: Any) -> float:
-    """Return the largest difference, as a part of what is expected."""
+    """Return the largest difference, relative to the expected value."""
     return largest(np.asarray(measured) / np.asarray(expected) - 1)
 
 

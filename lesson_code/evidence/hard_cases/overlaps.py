@@ -1,4 +1,4 @@
-"""Hard cases: bodies that stand in each other, or have no room. Pushes must not become speed."""
+"""Hard cases: bodies that overlap or have no room. Position correction must not add speed."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def still_overlapping(trial: Trial) -> float:
 
 
 def elastic_overlap(depth: float = 0.2) -> Scene:
-    """Return two elastic discs of 1 kg and 1000 kg that stand in each other, at rest."""
+    """Return two overlapping elastic discs of 1 kg and 1000 kg, at rest."""
     smooth = Material(restitution=1.0)
     return Scene(
         [
@@ -83,7 +83,7 @@ def thrown_out(trial: Trial) -> float:
 
 
 def squeezed() -> Scene:
-    """Return a ball between two blocks that close in at 1 m/s, until there is no room for it."""
+    """Return a ball between two blocks that close in at 1 m/s until they squeeze it."""
     blocks = [
         Body(Polygon.box(1, 2), position=(-1.5 * side, 0), velocity=(side, 0))
         for side in (1.0, -1.0)
@@ -115,7 +115,7 @@ def spinning_hit() -> Scene:
 
 
 def change_of_angular_momentum(trial: Trial) -> float:
-    """Return the largest change of the angular momentum in a second, as a part."""
+    """Return the largest relative change of the angular momentum in a second."""
     run = trial.run(1.0)
     return largest(run.angular_momentum / run.angular_momentum[0] - 1)
 

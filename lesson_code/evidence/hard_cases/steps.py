@@ -25,11 +25,11 @@ DT = 1 / 60
 """s."""
 
 RATIOS = (1.5, 2.6, 2.7, 5.0, 10.0)
-"""Of two steps that take turns. pymunk's limit is 2.618, the square of the golden section."""
+"""Ratios of two alternating step lengths. pymunk's limit is 2.618, the golden ratio squared."""
 
 
 def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Callable[[], Any]]:
-    """Return a function that makes one step of any length, and one that tells the states."""
+    """Return a function that makes one step of any length, and one that returns the states."""
     settings: dict[str, Any] = {
         "dt": DT,
         "iterations": 10,
@@ -76,7 +76,7 @@ def resting_disc() -> Scene:
 
 
 def moved_by_jumps(trial: Trial) -> float:
-    """Return the farthest that anything moves up or down, over all ratios, m."""
+    """Return the largest vertical displacement of any body, over all ratios, m."""
     worst = 0.0
     for ratio in RATIOS:
         for scene in (resting_disc(), tower((1.0,) * 3)):
@@ -88,7 +88,7 @@ def moved_by_jumps(trial: Trial) -> float:
 
 
 def moved_by_hitch(trial: Trial) -> float:
-    """Return how far a tower of three moves by one step of a quarter of a second, m."""
+    """Return how far a tower of three moves in one step of a quarter of a second, m."""
     step, states = single_steps(tower((1.0,) * 3), trial.solver)
     start = states()
     for n in range(120):

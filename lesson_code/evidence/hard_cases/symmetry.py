@@ -1,4 +1,4 @@
-"""Hard cases: size, place and order. What physics does not know, a result must not depend on."""
+"""Hard cases: size, place and order, on which physics, and so a result, does not depend."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def dropped_disc(radius: float = 0.01) -> Scene:
 
 
 def rest_height_error(trial: Trial) -> float:
-    """Return how far a disc at rest is from its radius, as a part of it, over all radii."""
+    """Return the largest relative error of a resting disc's height, over all radii."""
     worst = 0.0
     for radius in RADII:
         height = float(trial.run(3.0, dropped_disc(radius), sample="end").positions[-1, 1, 1])
@@ -44,7 +44,7 @@ def rest_height_error(trial: Trial) -> float:
 def falling_shapes(size: float = 1.0) -> Scene:
     """Return a box, a disc and a plank that fall on a floor, all scaled by a factor.
 
-    Gravity is as many times as strong, so that all happens in the same time.
+    Gravity is scaled by the same factor, so that everything takes the same time.
     """
     surface = Material(0.3, 0.4)
     bodies: list[tuple[Shape, tuple[float, float], float]] = [
@@ -66,11 +66,11 @@ def falling_shapes(size: float = 1.0) -> Scene:
 
 
 SHORT = 1.0
-"""s: how long falls are compared. Later a corner that lands differently makes another fall."""
+"""s: how long falls are compared. Later, small differences in a landing change the motion."""
 
 
 def scale_error(trial: Trial) -> float:
-    """Return how far a fall a thousand times smaller or larger ends elsewhere, in sizes."""
+    """Return how far the end of a fall changes at 1/1000 or 1000 times the size, in sizes."""
     right = trial.run(SHORT, sample="end").positions[-1]
     return max(
         largest(trial.run(SHORT, falling_shapes(size), sample="end").positions[-1] / size - right)
@@ -83,7 +83,7 @@ OFFSET = 1e6
 
 
 def offset_error(trial: Trial) -> float:
-    """Return what an offset changes of a tower of 5 in 5 s: m, and m/s."""
+    """Return how an offset from the origin changes a tower of 5 in 5 s: m, and m/s."""
     near = trial.run(5.0, sample="end")
     far = trial.run(5.0, tower((1.0,) * 5, at=OFFSET), sample="end")
     shift = np.array([OFFSET, OFFSET])
@@ -119,7 +119,7 @@ def turned(scene: Scene, angle: float) -> Scene:
 
 
 def turn_error(trial: Trial) -> float:
-    """Return how far a fall in a turned world ends elsewhere, m."""
+    """Return how far the end of a fall changes in a rotated world, m."""
     right = trial.run(SHORT, sample="end").positions[-1]
     found = trial.run(SHORT, turned(trial.scene, TURN), sample="end").positions[-1]
     cos, sin = math.cos(TURN), math.sin(TURN)
@@ -127,7 +127,7 @@ def turn_error(trial: Trial) -> float:
 
 
 FRAME = np.array([3.0, 0.0])
-"""m/s: of the train in which the same is seen."""
+"""m/s: speed of the train from which the scene is seen."""
 
 
 def moving(scene: Scene) -> Scene:
@@ -139,7 +139,7 @@ def moving(scene: Scene) -> Scene:
 
 
 def frame_error(trial: Trial) -> float:
-    """Return how far a fall seen from a train ends elsewhere, m."""
+    """Return how far the end of a fall changes when seen from a train, m."""
     right = trial.run(SHORT, sample="end").positions[-1]
     found = trial.run(SHORT, moving(trial.scene), sample="end").positions[-1]
     return largest(found - FRAME * SHORT - right)
@@ -169,7 +169,7 @@ def asymmetry(trial: Trial) -> float:
 
 
 def order_error(trial: Trial) -> float:
-    """Return what the order of the bodies in the list changes in a pyramid after 3 s, m."""
+    """Return how much the order of the bodies in the list changes a pyramid after 3 s, m."""
     floor, *boxes = trial.scene.bodies
     listed = trial.run(3.0, sample="end").positions[-1, 1:]
     backwards = Scene([floor, *boxes[::-1]], gravity=trial.scene.gravity)
@@ -209,7 +209,7 @@ def fingerprint(run: Run) -> str:
 
 
 def processes_differ(trial: Trial) -> float:
-    """Return how many of two fresh processes end elsewhere than this one, by a single bit."""
+    """Return how many of two fresh processes differ from this one, by even a single bit."""
     here = fingerprint(trial.run(CROWD_SECONDS, sample="end"))
     command = [sys.executable, "-W", "ignore", "-m", __name__, repr(dict(trial.options))]
     others = [
@@ -220,14 +220,14 @@ def processes_differ(trial: Trial) -> float:
 
 
 def momentum_error(trial: Trial) -> float:
-    """Return the change of momentum of free discs that hit each other for 5 s, as a part."""
+    """Return the relative change of momentum of free discs that collide for 5 s."""
     run = trial.run(5.0, sample="end")
     scale = float(np.sum(np.hypot(*run.velocities[0].T)))
     return largest(run.momentum[-1] - run.momentum[0]) / scale
 
 
 def free_crowd() -> Scene:
-    """Return 36 rough discs of 1 to 1000 kg without walls, which all fly to the middle."""
+    """Return 36 rough discs of 1 to 1000 kg without walls, all flying to the middle."""
     rng = np.random.default_rng(3)
     rough = Material(0.7, 0.5)
     places = [(1.2 * (n % 6) - 3.0, 1.2 * (n // 6) - 3.0) for n in range(36)]

@@ -1,4 +1,4 @@
-"""Hard cases: impacts of many bodies at once, between which the laws leave a choice."""
+"""Hard cases: simultaneous impacts of many bodies, whose outcome the laws leave open."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def break_error(trial: Trial) -> float:
 
 
 def two_balls(ratio: float = 10.0) -> Scene:
-    """Return a heavy ball on the floor and a light one on it, both on their way down at 1 m/s."""
+    """Return a heavy ball on the floor and a light one on it, both moving down at 1 m/s."""
     smooth = Material(restitution=1.0)
     falling: dict[str, Any] = {"velocity": (0, -1), "material": smooth}
     return Scene(
@@ -81,7 +81,7 @@ def two_ball_error(trial: Trial) -> float:
 
 
 def three_on_a_line() -> Scene:
-    """Return three balls, e = 0.05: the outer two come to the one in the middle.
+    """Return three balls, e = 0.05: the outer two approach the one in the middle.
 
     Below e = 7 - 4 sqrt 3 such balls hit each other infinitely often in a finite time.
     """

@@ -1,1 +1,1 @@
-"""Scenes that claims are tried on, by what is known or asked of them."""
+"""Scenes for testing claims, grouped by what is known about them."""

@@ -1,7 +1,7 @@
-"""For each effect a scene that calls for it and one that does not: what leaving it out saves.
+"""For each effect, a scene that needs it and one that does not, to measure what omitting it saves.
 
-The two scenes of a pair differ in as little as they can: one coefficient, one force, one wall. So
-they show too what another engine, which has one program for all scenes, pays in either.
+The two scenes of a pair differ as little as possible: in one coefficient, one force, one wall. So
+they also show the cost of both in another engine, which has one program for all scenes.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ BOUNCE = 0.75**2
 """Restitution of a pile; its root is exact, so that pymunk's product can be the same."""
 
 LONG = 1e5
-"""s: the duration that the plan is told where it matters; no run is as long."""
+"""s: the duration given to the plan where it matters; no run is as long."""
 
 WARM_UP, STEPS_TO_SLEEP = 60, round(4 * QUIET_TIME / DT)
 """Steps before a measurement; a stack comes to rest, and has then to be quiet for QUIET_TIME."""
@@ -70,17 +70,17 @@ class EffectPair:
     needs, spared : Scene
         The two scenes.
     difference : str
-        In what they differ, in words; first of the one that needs the effect.
+        The difference in words; the scene that needs the effect comes first.
     warm_up : int
         Steps before the measurement.
     duration : float
-        s, as it is told to the engine.
+        s, as given to the engine.
     along : mapping
         Effects that are forced on, or left out, in all runs of the pair.
     in_pymunk : bool
         Whether the pair is one for pymunk too.
     tells_pymunk : callable, optional
-        Tells pymunk's space of the scene that needs the effect what no scene can say.
+        Sets in pymunk's space, for the scene that needs the effect, what a scene cannot express.
     """
 
     effect: str
@@ -140,7 +140,7 @@ def gas(count: int = MANY, *, faster: float = 1.0) -> Scene:
 
 
 def heard(scene: Scene) -> Scene:
-    """Return a scene that wants to be told of every contact, and does nothing about it."""
+    """Return a scene with a callback for every contact that does nothing."""
     return Scene(scene.bodies, scene.gravity, scene.damping, Callbacks(post_solve=_ignore))
 
 
@@ -168,7 +168,7 @@ def between_circles() -> Scene:
 
 
 def with_boxes() -> Scene:
-    """Return the gas with a box in the place of every second disc."""
+    """Return the gas with every second disc replaced by a box."""
     box, scene = Polygon.box(0.8, 0.8), gas()
     boxed = [
         replace(body, shape=box, inertia=box.inertia_per_mass) if n % 2 else body
@@ -240,7 +240,7 @@ def _faster(body: Body, times: float) -> Body:
 
 
 def _ignore(_touch: Any) -> None:
-    """Take notice of a contact, and do nothing."""
+    """Receive a contact, and do nothing."""
 
 
 def _let_sleep(space: Any) -> None:

@@ -1,6 +1,6 @@
 """Scenes of events: fast balls at a thin wall, and discs that can be simulated exactly.
 
-Everything is elastic and smooth unless it says otherwise, and no gravity acts but on the ball that
+Unless stated otherwise everything is elastic and smooth, and gravity acts only on the ball that
 bounces to rest. Walls come first in a scene: :data:`WALLS` of them where there is a box.
 """
 
@@ -45,9 +45,9 @@ def balls_at_wall(
 ) -> Scene:
     """Return balls that fly straight at a wall, each a little further away than the one before.
 
-    The wall is body 0 and stands on x = 0. The balls start one step's way apart in `count` equal
-    parts, so that all phases of a step occur: after n steps each is at another place relative
-    to the wall.
+    The wall is body 0 and stands on x = 0. The starting distances cover the path of one step in
+    `count` equal parts, so that all phases of a step occur: after n steps each ball is at a
+    different place relative to the wall.
 
     Parameters
     ----------
@@ -56,9 +56,7 @@ def balls_at_wall(
     count : int
         Of the balls.
     dt : float
-        The step that is meant, s, > 0.
-    radius, thickness : float
-        Of a ball and of the wall, m, > 0.
+        The intended time step, s, > 0. radius, thickness : float Of a ball and of the wall, m, > 0.
 
     Examples
     --------
@@ -88,7 +86,7 @@ def share_beyond(run: Run) -> float:
 
 
 def turning_rod(turning: float, *, phase: float, dt: float) -> Scene:
-    """Return a rod that turns about its middle, and a ball at rest that it will hit.
+    """Return a rod that rotates about its middle, and a ball at rest that it will hit.
 
     The rod is body 0: nothing can push it, and it is 4 m long and 0.1 m thick. The ball has a
     radius of 0.1 m, and its centre lies 1.5 m from the rod's.
@@ -116,7 +114,7 @@ def turning_rod(turning: float, *, phase: float, dt: float) -> Scene:
 
 
 def two_blocks(mass_ratio: float) -> Scene:
-    """Return a wall, a block of 1 kg at rest before it, and a heavier one that comes at 1 m/s.
+    """Return a wall, a block of 1 kg at rest in front of it, and a block approaching at 1 m/s.
 
     The blocks are discs on a line. Body 0 is the wall, body 1 the light block.
 
@@ -186,7 +184,7 @@ def bouncing_to_rest(restitution: float, height: float = 1.0) -> Scene:
 
 
 def turned_back(run: Run) -> Scene:
-    """Return a run's scene as it ends, with every velocity turned round.
+    """Return the scene at the end of a run, with every velocity reversed.
 
     Examples
     --------
@@ -201,5 +199,5 @@ def turned_back(run: Run) -> Scene:
 
 
 def error_after_return(run: Run, back: Run) -> float:
-    """Return how far from its start the farthest body is after a run and its way back, m."""
+    """Return the largest distance of a body from its start after a run and its reversal, m."""
     return float(np.hypot(*(back.positions[-1] - run.positions[0]).T).max())

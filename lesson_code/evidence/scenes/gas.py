@@ -46,7 +46,7 @@ def disc_gas(side: int, covered: float, *, seed: int) -> Scene:
 
 
 def gas_of(count: int, covered: float, *, seed: int) -> Scene:
-    """Return a gas of any number of discs; where they fill no square, the last row is shorter.
+    """Return a gas of any number of discs; the last row may be shorter.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Scenes with a known answer: what slides, rolls, tips, leans and stands.
+"""Scenes with a known answer: bodies that slide, roll, tip, lean and stand.
 
 Each is built once here, for the notebooks and for the tests. Bodies touch the ground from the
 start. Body 0 is the ground; where there is one more body, it is body 1.
@@ -15,7 +15,7 @@ GRAVITY = 10.0
 """m/s^2, downwards: a round number, so that results can be checked by hand."""
 
 HALF_LENGTH = 100.0
-"""m, of the ground: nothing comes to its end."""
+"""m, length of the ground: no body reaches its end."""
 
 
 def level_ground() -> Body:
@@ -46,7 +46,7 @@ def box_on_incline(angle: float, friction: float, width: float = 1.0, height: fl
 
 
 def disc_on_incline(angle: float, friction: float, radius: float = 1.0) -> Scene:
-    """Return a disc that rolls down, or slips."""
+    """Return a disc that rolls or slips down an incline."""
     return on_incline(Circle(radius), angle, friction, radius)
 
 

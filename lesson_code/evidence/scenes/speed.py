@@ -7,7 +7,7 @@ They are made so that every engine solves the same problem:
 - A pair's coefficients are the same by every rule, and can be given to the bodies. Restitution
   is 1 or 0 for all. Friction is 0 or :data:`FRICTION`, whose root is exact: a body of 0.75 makes
   0.5625 by pymunk's product. So no engine is slowed by setting them contact by contact.
-- What is at rest has nothing to fall to, or comes to rest in the steps before the measurement.
+- Bodies at rest have nowhere to fall, or come to rest in the steps before the measurement.
 
 One difference stays: Box2D does not bounce at an approach slower than 1 m/s, so that an elastic
 gas loses energy in it.
@@ -46,8 +46,8 @@ COVERED, DENSELY_COVERED = 0.3, 0.6
 NESTED = SLOP / 2
 """Of the width: how far settled discs, and boxes of a pyramid, stand in each other at the start.
 
-It is half of what is left alone. Where bodies only touch some engines see no contact yet: built so,
-a pyramid of 50 rows sinks in ours by a quarter of a box before it is caught.
+It is half of the slop. Where bodies only touch, some engines see no contact yet: in ours, a pyramid
+of 50 rows built that way sinks by a quarter of a box before it is caught.
 """
 
 MOST_ROWS = 20
@@ -75,7 +75,7 @@ STEPS_TO_STAND = 60
 """
 
 STEPS_STACK_LASTS = 60
-"""After that: pymunk's stack of 20 begins to lean, and is no stack any more."""
+"""Later, pymunk's stack of 20 begins to lean, and is no longer a stack."""
 
 STEPS_TO_MIX = 60
 """Until the discs of a gas have left their rows."""
@@ -99,8 +99,8 @@ class SpeedScene:
     warm_up : int
         Steps before the measurement.
     lasts : int, optional
-        Steps after the warm-up in which it still shows that; then it has to be built anew. None:
-        it lasts as long as one likes.
+        Steps after the warm-up for which the scene stays representative; then it has to be rebuilt.
+        None: it lasts indefinitely.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""How fast the engines are, side by side: what ``workbook measure speed`` prints.
+"""How fast the engines are, side by side, as ``workbook measure speed`` prints it.
 
 ==============  =======================================================================
 module          what it does
@@ -9,7 +9,7 @@ module          what it does
 ``piles``       looks for the least that lets a pile hold in each engine, and times that
 ``few_bodies``  compares the exact solver with pymunk at equal error
 ``processes``   measures in fresh processes: imports, first runs, memory
-``targets``     what is wanted
+``targets``     the ratios and limits to reach
 ``report``      all results, as tables or as one JSON object
 ``measure``     chooses what to measure, and does it
 ``profile``     the time of each stage of the engine in a scene

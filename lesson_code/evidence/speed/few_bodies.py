@@ -1,10 +1,10 @@
 """Few bodies: how much longer pymunk takes than the exact solver until its error is as small.
 
 Pymunk's error falls with the time step, and its time grows. It is run with finer and finer steps.
-Its time with the finest, over the exact solver's, is a lower bound: its error is still larger. What
-is said beyond that is extrapolated along the line through its errors.
+Its time with the finest, over the exact solver's, is a lower bound: its error is still larger. Any
+larger ratio is extrapolated along the line through its errors.
 
-The exact solver's own error is that of a run forth and back again, which should end where it began.
+The exact solver's own error is that of a run forwards and back, which should end where it began.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ LEAST_ERROR = 1e-16
 """m: an error of exactly 0 is luck."""
 
 LEAST_ORDER = 0.5
-"""Errors that fall more slowly with the time step are not extrapolated: chaos has the word."""
+"""Errors that fall more slowly with the time step are not extrapolated: they are chaotic."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ SCENES: dict[str, tuple[Callable[[], Scene], float]] = {
     "two blocks, 1 : 100": (lambda: two_blocks(100.0), 10.0),
     "five discs in a box": (lambda: gas_of(5, 0.1, seed=1), 4.0),
 }
-"""What is simulated, and how long, s."""
+"""The scenes, and the duration of each, s."""
 
 
 def measure_few_bodies(

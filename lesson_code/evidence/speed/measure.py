@@ -1,4 +1,4 @@
-"""What is measured, in parts that can be chosen by name."""
+"""The parts of the speed measurement, which can be chosen by name."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ QUICK_RATES = STEPS_A_SECOND[:-2]
 
 
 def parts(repeats: int, *, quick: bool = False) -> dict[str, Callable[[], Any]]:
-    """Return what measures each part, by its name, in the order in which they are measured."""
+    """Return the function that measures each part, by name, in the order of measurement."""
     scenes = QUICK if quick else [f"{kind}-{n}" for kind, sizes in SIZES.items() for n in sizes]
     piles = QUICK_PILES if quick else PILES
     rates = QUICK_RATES if quick else STEPS_A_SECOND
@@ -64,11 +64,11 @@ def measure_speed(
     repeats : int, optional
         Batches of each engine in each scene, >= 1; 7 unless given, 3 if it has to be quick.
     quick : bool
-        Whether to leave out what takes long.
+        Whether to leave out the long measurements.
     only : sequence of str
         Names of scenes and parts, such as "gas-100", "gas" or "memory"; all if there are none.
     told : callable
-        Is called with the name of each part as it begins, and with the share that is done.
+        Called with the name of each part as it begins, and with the share that is done.
 
     Raises
     ------

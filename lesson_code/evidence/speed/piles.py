@@ -1,8 +1,9 @@
 """Piles that have to hold: what each engine needs for that, and how long it takes.
 
 More iterations, or more sub-steps, carry a load further down and take longer: an engine may be
-faster only because it lets a pile sink. So for each we look for the fewest of a short list with
-which the pile holds to the end. With these the engines are timed, in turns: at equal quality.
+faster only because it lets a pile sink. So for each engine we look for the smallest setting in a
+short list with which the pile holds to the end. With these settings the engines are timed in turns,
+at equal quality.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from lesson_code.evidence.timing import in_turns, timed
 
 ITERATIONS = (3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 60)
 SUBSTEPS = (2, 3, 4, 5, 6, 8, 12, 16)
-"""What is tried, the cheapest first."""
+"""The settings to try, the cheapest first."""
 
 LAST_SECOND, LOOKS = 1.0, 10
 """s, and how often the pile is looked at in the last second of a run; it must hold each time."""
@@ -40,7 +41,7 @@ Pymunk with its 10 iterations just holds one of 50 rows so; the slop is left alo
 
 @dataclass(frozen=True)
 class Pile:
-    """A pile, and what holding means for it."""
+    """A pile, and the criteria for holding it."""
 
     key: str  # for the command line
     name: str  # in words
@@ -71,12 +72,12 @@ def _pyramid(rows: int) -> Pile:
 STANDING = Pile("standing", "a free stack of 20 for 60 s", partial(stack, 20), 60.0, farthest=0.5)
 
 PILES = {pile.key: pile for pile in (STANDING, _pyramid(20), _pyramid(50))}
-"""What has to hold."""
+"""The piles that have to hold."""
 
 
 @dataclass(frozen=True)
 class Held:
-    """What one engine needs for a pile that holds."""
+    """The setting with which one engine holds a pile."""
 
     engine: str
     setting: int  # iterations, for "substep" sub-steps; the most that are tried if none holds
@@ -87,7 +88,7 @@ class Held:
 
 @dataclass(frozen=True)
 class PileRace:
-    """What all engines need for one pile."""
+    """The settings with which all engines hold one pile."""
 
     key: str
     name: str
@@ -114,7 +115,7 @@ class Trial(NamedTuple):
 
 
 def race_with_pile(pile: Pile, repeats: int) -> PileRace:
-    """Return what lets a pile hold in each engine, and how long that takes."""
+    """Return the setting with which each engine holds a pile, and how long that takes."""
     found = {name: _least(pile, name) for name in engines_for(pile.build())}
     jobs = {name: partial(_time, pile, name, trial.setting) for name, trial in found.items()}
     times = in_turns(jobs, repeats)
@@ -126,7 +127,7 @@ def race_with_pile(pile: Pile, repeats: int) -> PileRace:
 
 
 def _least(pile: Pile, name: str) -> Trial:
-    """Return the trial with the cheapest setting that lets a pile hold, or with the dearest."""
+    """Return the trial with the cheapest setting that holds the pile, else with the dearest."""
     settings = SUBSTEPS if name == "substep" else ITERATIONS
     trials = (_trial(pile, name, setting) for setting in settings)
     return next(trial for trial in trials if trial.held or trial.setting == settings[-1])

@@ -1,4 +1,4 @@
-"""What can only be measured in fresh processes: imports, first compiled runs, memory."""
+"""Measurements that need fresh processes: imports, first compiled runs, memory."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from lesson_code.evidence.timing import timed
 from lesson_code.reference.scene_mapping import own_values, refuse_heap
 
 HEAVY = ("numba", "matplotlib", "pygame", "pymunk")
-"""Modules that are to be loaded only when they are used."""
+"""Modules that should load only when they are used."""
 
 FIRST_STEPS = 40
 """After which the tables are as large as they become."""
@@ -93,7 +93,7 @@ def measure_memory(count: int) -> Memory:
 def resident_growth(count: int) -> str:
     """Return by how many bytes pymunk makes this process grow with a gas, as JSON.
 
-    What our own code needs to hand the scene over is made before and thrown away.
+    Objects that our own code needs to pass the scene on are created and deleted beforehand.
     """
     scene = gas(count)
     refuse_heap(scene.scene)
@@ -124,7 +124,7 @@ def _resident() -> int | None:
 def _output(code: str, more: Mapping[str, str] | None = None) -> str:
     """Return what some code prints in a process of its own, which may write byte code.
 
-    With the order to write none every start would read and translate all modules anew.
+    Without byte code every start would parse and compile all modules again.
     """
     told = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
     done = subprocess.run(  # noqa: S603

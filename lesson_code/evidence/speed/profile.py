@@ -3,8 +3,8 @@
 The stages and their order are read from the program that a run is made of: what ``step`` calls with
 nothing but the world (with sub-steps: ``soft_part``), through the functions that only group them,
 and, indented, what these call in the same way. Each is compiled with an entry of its own, and
-called several times from the same tables; the shortest time counts. Entering costs some
-microseconds, so that small scenes tell nothing.
+called several times from the same tables; the shortest time counts. A call from Python costs some
+microseconds, so that small scenes show nothing.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def profile_scene(name: str, solver: str = "sequential") -> Profile:
 
 
 def stage_calls(source: str, function: str) -> list[tuple[str, str]]:
-    """Return what a function calls with nothing but the world, and what repeats the call.
+    """Return the calls in a function that take only the world, and the loop around each.
 
     Examples
     --------

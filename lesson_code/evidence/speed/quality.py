@@ -22,15 +22,15 @@ from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_
 Floats = NDArray[np.float64]
 
 ALIKE = 1.25
-"""Two qualities are alike up to this factor. What is deepest in a gas is a draw of its own: from
-one batch to the next it differs by as much."""
+"""Two qualities count as equal up to this factor. The deepest overlap in a gas is random: it
+differs by as much from one batch to the next."""
 
 OVERLAP_LEFT_ALONE = 1.5 * SLOP
 """Of a body's width: every engine here leaves the slop alone, and what is little deeper."""
 
 ENERGY_LEFT_ALONE = {"drift": 1e-3, "left": 1e-5}
-"""Smaller errors in energy are none. What is left in a pile is as little at 0.014 m/s, for bodies
-1 m wide."""
+"""Smaller errors in energy are ignored. For bodies 1 m wide in a pile, this corresponds to a
+residual speed of 0.014 m/s."""
 
 MOST_DRIFT = 0.1
 """A gas that has lost more of its energy is another one: it overlaps less, for it hardly moves."""
@@ -68,7 +68,7 @@ def worse_in(ours: Quality, theirs: Quality) -> tuple[str, ...]:
 
 
 class Reading(NamedTuple):
-    """What a gauge reads in a state."""
+    """The readings of a gauge in one state."""
 
     depth: float  # of the deepest overlap, as a share of the smaller body's width
     contacts: int  # points
@@ -124,13 +124,13 @@ class Gauge:
 
 
 def energy_to_lift(scene: Scene) -> float:
-    """Return what it takes to lift all bodies by the smallest width, J; 0 without gravity."""
+    """Return the energy to lift all bodies by the smallest width, J; 0 without gravity."""
     smallest = min(body.shape.min_width for body in scene.bodies if not body.is_static)
     mass = sum(body.mass or 0.0 for body in scene.bodies)
     return mass * float(np.hypot(*scene.gravity)) * smallest
 
 
 def states_of(scene: Scene) -> Floats:
-    """Return the state that a scene begins in, shape (N, 6)."""
+    """Return the initial state of a scene, shape (N, 6)."""
     rows = [(*b.position, b.angle, *b.velocity, b.angular_velocity) for b in scene.bodies]
     return np.array(rows, dtype=float)

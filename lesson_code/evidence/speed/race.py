@@ -47,7 +47,7 @@ SHORT_BATCH_REPEATS = 3
 
 @dataclass(frozen=True)
 class Timing:
-    """What one engine did in a scene; medians of the batches."""
+    """The results of one engine in a scene; medians of the batches."""
 
     engine: str
     seconds: float  # for a step, by the clock on the wall
@@ -84,7 +84,7 @@ class Ratio:
 
 @dataclass(frozen=True)
 class Race:
-    """What all engines did in a scene, ours first."""
+    """The results of all engines in a scene, ours first."""
 
     derived: ClassVar = ("ratios",)
 

@@ -1,4 +1,4 @@
-"""All that was measured of speed, what is wanted, and the tables."""
+"""All measurements of speed, the targets, and the tables."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class Speed(Measurement):
 
     @property
     def limits(self) -> list[Limit]:
-        """What is wanted besides the ratios of single scenes."""
+        """The targets besides the ratios of single scenes."""
         return list(self._limits())
 
     def _limits(self) -> Iterator[Limit]:
@@ -147,7 +147,7 @@ def _race_table(races: list[Race]) -> Table:
 
 
 def _ratio(ratio: Ratio | None) -> str:
-    """Return a ratio, what is wanted, and whether it is reached, in words."""
+    """Return a ratio, its target, and whether it is reached, in words."""
     if ratio is None or ratio.ours not in OURS:
         return ""
     text = digits(ratio.ratio)
@@ -176,7 +176,7 @@ Extrapolated: with a step so fine that the errors would be equal."""
 
 
 def _few_table(scenes: tuple[FewBodies, ...]) -> Table:
-    """Return the table of few bodies: a row for each time step of pymunk's."""
+    """Return the table of few bodies, with a row for each of pymunk's time steps."""
     columns: dict[str, Callable[[tuple[FewBodies, int]], str]] = {
         "pymunk, steps/s": lambda row: f"  {row[0].steps_a_second[row[1]]:,}",
         "ms": lambda row: digits(1e3 * row[0].pymunk_seconds[row[1]]),

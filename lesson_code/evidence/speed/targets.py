@@ -1,4 +1,4 @@
-"""What we want to reach: how many times faster than another engine, and the other limits."""
+"""Targets: how many times faster than another engine, and the other limits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Accuracy against time: what each method costs for the accuracy that it gives.
+"""Accuracy against time: the cost of each method for the accuracy that it gives.
 
 =============  ============================================================
 module         what it holds
@@ -7,7 +7,7 @@ module         what it holds
 ``methods``    the methods and the settings that each is tried at
 ``counting``   work that does not depend on the machine
 ``measure``    errors, work and times of all points
-``result``     what was measured, and what it says
+``result``     the results, and conclusions from them
 =============  ============================================================
 """
 

@@ -59,7 +59,7 @@ def work_of(scene: PrecisionScene, method: Method, setting: Setting, *, compiled
 
 
 def _of_ours(made: EngineStepper, steps: int, sweeps: int) -> Work:
-    """Return the sums over the steps of what stands in the tables."""
+    """Return the sums of the tables' counts over all steps."""
     solves = tests = 0
     for _ in range(steps):
         made.advance(1)

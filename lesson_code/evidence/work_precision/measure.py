@@ -38,14 +38,14 @@ from lesson_code.parallel import map_tasks
 
 IN_A_ROW = 2
 """Runs of a point in its turn: the first brings its code back into the processor's caches, which
-the others have used meanwhile. That costs 0.1 ms, as much as the shortest runs."""
+other methods have used in between. That costs 0.1 ms, as much as the shortest runs."""
 
 LONG, ONCE = 0.1, 2.0
 """s: a point that takes longer is timed in one round, or is not run a second time at all. What is
 done once in a run does not matter beside that."""
 
 TOO_LONG_IN_PYTHON = 2.0
-"""s: what would take longer is not run in plain Python, where there is compiled code too."""
+"""s: a longer run is skipped in plain Python if it also runs compiled."""
 
 VISIT, TEST = 4e-6, 12e-6
 """s, about, of plain Python: for a visit to a contact, and for the test of a pair."""
@@ -82,7 +82,7 @@ def measure_accuracy(
         Whether to measure the coarsest settings alone, and without a compiler.
     repeats : int, optional
         Rounds in which each point is timed, >= 1, 7 unless given; of each the shortest time counts.
-        What takes long is timed in one.
+        A long run is timed in one.
     workers, cluster
         As :func:`lesson_code.parallel.map_tasks` takes them, for the errors alone.
     progress : bool
@@ -137,7 +137,7 @@ def find_error(task: Task) -> Found:
 
 
 def _tasks(wanted: Iterable[PrecisionScene], quick: bool, compiles: bool) -> Iterable[Task]:
-    """Yield what there is to be found out."""
+    """Yield the combinations to measure."""
     for scene in wanted:
         for method in methods_here():
             compiled = compiles and COMPILED in method.codes

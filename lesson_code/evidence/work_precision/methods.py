@@ -38,7 +38,7 @@ COMPILED, PLAIN = "compiled", "Python"
 
 @dataclass(frozen=True, order=True)
 class Setting:
-    """What a method is told: the step, s, and how often it sweeps in one.
+    """A method's setting: the step, s, and the number of sweeps in one.
 
     A dt of 0 stands for no step at all: the exact solver's.
     """
@@ -92,7 +92,7 @@ class Method:
             yield from (Setting(STEP, iterations, n) for n, iterations in self._splits())
 
     def _splits(self) -> tuple[tuple[int, int], ...]:
-        """Return sub-steps and iterations where it is they that are swept."""
+        """Return the sub-steps and iterations where these are what is varied."""
         if self.name == "substep":
             return SPRING_SPLITS
         if self.name == "direct":

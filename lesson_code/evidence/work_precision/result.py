@@ -1,7 +1,6 @@
-"""What was measured: a point for each method, code and setting; and what the points say.
+"""The results: a point for each method, code and setting, and conclusions from the points.
 
-A point that has failed keeps its place: with its error, if it has one, and the word for what
-happened.
+A failed point stays in the list, with its error, if it has one, and the kind of failure.
 """
 
 from __future__ import annotations
@@ -68,7 +67,7 @@ class Point:
 
     @property
     def setting(self) -> Setting:
-        """What the method was told."""
+        """The method's setting."""
         return Setting(self.dt, self.iterations, self.substeps)
 
     @property
@@ -199,8 +198,8 @@ def splits(result: WorkPrecision, scene: str, sweeps: int) -> dict[str, list[Poi
 def cheapest(result: WorkPrecision, scene: str, error: float) -> Point | None:
     """Return the point that reaches an error in the least time, or None: nothing does.
 
-    A setting counts only if all finer ones of its line are good enough too: one lucky hit is no
-    accuracy.
+    A setting counts only if all finer ones of its line are good enough too: a single lucky result
+    does not count as accuracy.
 
     Parameters
     ----------
@@ -209,7 +208,7 @@ def cheapest(result: WorkPrecision, scene: str, error: float) -> Point | None:
     scene : str
         Its name.
     error : float
-        How wrong it may be, in the scene's norm, > 0.
+        The largest error allowed, in the scene's norm, > 0.
 
     Raises
     ------
@@ -239,7 +238,7 @@ def _is_sure(point: Point, line: Sequence[Point], error: float) -> bool:
 
 
 def in_words(point: Point) -> str:
-    """Return what a point stands for: method, setting and time.
+    """Describe a point in words: method, setting and time.
 
     >>> in_words(Point("drop", "pymunk", "C", 0.0125, 10, 1, error=0.1, seconds=0.002))
     'pymunk in C, 1/80 s, 1 x 10: 2 ms'

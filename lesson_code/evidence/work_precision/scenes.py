@@ -6,7 +6,7 @@ scene               where its answer comes from
 ball in a box       mirror images, worked out in fractions
 drop                the flights of a bouncing ball, a geometric series
 slide to roll       constant friction, then rolling
-pi blocks           a point that is mirrored in a wedge
+pi blocks           a point reflected in a wedge
 gas                 the exact solver; and for that one, the way back to the start
 stack of 20         nothing moves
 heavy on light      nothing moves
@@ -80,9 +80,9 @@ class PrecisionScene:
     swept : "dt" or "sweeps"
         What the settings of a line differ in.
     worthless : float
-        From such an error on there is no answer.
+        An error of this size or more means that there is no answer.
     failure : str
-        What has happened then, in a word or two.
+        The kind of failure in that case, in a word or two.
     own_slop : bool
         Whether pymunk keeps its own slop of 0.1 m, which suits it where bodies bounce. Where they
         rest it is given ours: with its own, bodies of 1 m sink in by a tenth.
@@ -225,10 +225,11 @@ def heavy_on_light() -> PrecisionScene:
 
 
 def pressed(scene: Scene) -> Scene:
-    """Return a pile whose bodies stand in each other by so little that no solver pushes.
+    """Return a pile whose bodies overlap so little that no solver corrects it.
 
     Bodies that only touch have no contact yet: each would fall until it overlaps the one below, the
-    topmost for as many steps as there are bodies. That would be measured instead of the solver.
+    topmost for as many steps as there are bodies. The measurement would show that fall instead of
+    the solver.
     """
     ground, *bodies = scene.bodies
     lowered = [
@@ -304,6 +305,6 @@ def _places_of_gas() -> Any:
 
 
 def _farthest_from_start(run: Run) -> float:
-    """Return how far a body has ever been from where it began, m."""
+    """Return the largest distance of a body from its start at any time, m."""
     start = [body.position for body in run.scene.bodies]
     return float(np.hypot(*np.moveaxis(run.positions - np.array(start), -1, 0)).max())

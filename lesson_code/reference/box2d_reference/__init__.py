@@ -1,7 +1,7 @@
-"""Reference: what Box2D makes of the lesson's scenes.
+"""Reference: Box2D's results for the lesson's scenes.
 
-This is the only package that imports Box2D, and it does so when a scene is run: Box2D is an extra,
-and who does without it misses nothing else. The binding on PyPI is of Box2D 2.3, in single
+This is the only package that imports Box2D, and it does so when a scene is run: Box2D is an
+optional extra; everything else works without it. The binding on PyPI is of Box2D 2.3, in single
 precision: seven digits.
 
 library

@@ -1,10 +1,10 @@
 """Our shapes as Box2D's.
 
 Box2D keeps a skin of 0.01 m around a polygon, outside of its corners: two boxes of its would rest
-15 mm apart. Here a polygon is drawn in by as much, so that its skin ends where our polygon does.
+15 mm apart. Here a polygon is shrunk by as much, so that its skin ends where our polygon does.
 What is left of the difference is that its corners are round: the tip of a square's is missing for
-4 mm, that of an equilateral triangle's for 10 mm, and so far a corner of ours may stand in another
-body before Box2D sees it.
+4 mm, that of an equilateral triangle's for 10 mm, so one of our corners may penetrate another body
+that far before Box2D detects it.
 
 ========================  ======================================================================
 ours                      Box2D's

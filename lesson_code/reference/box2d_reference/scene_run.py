@@ -114,7 +114,7 @@ class Box2DStepper:
         self.world.contactListener = self._listener
 
     def advance(self, steps: int) -> None:
-        """Advance by so many steps of dt."""
+        """Advance by this many steps of dt."""
         for _ in range(steps * self._substeps):
             self._substeps_done += 1
             self.world.Step(self._part, *self._iterations)
@@ -160,7 +160,7 @@ class Box2DStepper:
         )
 
     def _depth(self, a: int, b: int) -> float:
-        """Return how deep two bodies stand in each other now, m, in our measure."""
+        """Return the current overlap of two bodies, m, by our definition."""
         poses = [(*self.bodies[n].position, self.bodies[n].angle) for n in (a, b)]
         shapes = [self._scene.bodies[n].shape for n in (a, b)]
         contact = collide(shapes[0], poses[0], shapes[1], poses[1])

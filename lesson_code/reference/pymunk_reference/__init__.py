@@ -1,4 +1,4 @@
-"""Reference: what pymunk's solver makes of the lesson's collisions and scenes.
+"""Reference: pymunk's results for the lesson's collisions and scenes.
 
 This is the only package that imports pymunk. pymunk ends the whole process when a coefficient
 is out of range and lets nan pass in silence, so every argument is checked before it is called.

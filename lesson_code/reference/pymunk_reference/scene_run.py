@@ -106,7 +106,7 @@ class PymunkStepper:
             self.space.on_collision(None, None, post_solve=self._note)
 
     def advance(self, steps: int) -> None:
-        """Advance by so many steps of dt."""
+        """Advance by this many steps of dt."""
         part = self.dt / self._substeps
         for _ in range(steps * self._substeps):
             self._substeps_done += 1
@@ -127,7 +127,7 @@ class PymunkStepper:
         return Plan("pymunk", reason, "C", "pymunk's own")
 
     def forget_contacts(self) -> None:
-        """Let the space forget its contacts; nothing collides in it any more.
+        """Make the space forget its contacts; nothing collides in it afterwards.
 
         A space that is thrown away looks through all of them for each of its shapes: with 100,000
         bodies in a heap that takes half an hour.

@@ -2,9 +2,9 @@
 
 How to ask pymunk for the answer to one impact: let the bodies overlap, switch gravity off and
 make one step. In that step pymunk first moves the bodies and then resolves the contact at the
-*moved* positions, so a formula must be given the moved positions too. Velocities come out
-free of any push against the overlap. ``tests/reference/test_pymunk_conventions.py`` measures
-all of this on the installed version.
+*moved* positions, so a formula must be given the moved positions too. The resulting velocities
+contain no position correction. ``tests/reference/test_pymunk_conventions.py`` measures all of this
+on the installed version.
 
 pymunk multiplies the restitution and friction of the two shapes; here one shape carries the
 pair's value and the other carries 1.
@@ -47,7 +47,7 @@ BALL, WALL = 1, 2
 
 @dataclass(frozen=True)
 class SegmentBounce:
-    """What pymunk made of one step of a ball against a wall.
+    """The result of one pymunk step of a ball against a wall.
 
     Attributes
     ----------
@@ -124,7 +124,7 @@ def bounce_off_segment(
     friction: float = 0.0,
     dt: float = STEP,
 ) -> SegmentBounce:
-    """Return what one step of pymunk makes of a ball that cannot spin, at a fixed wall.
+    """Return the result of one pymunk step for a ball that cannot spin, at a fixed wall.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ from lesson_code.engine.core.solver import Request, Solver
 
 
 def settings_of(asked: Request, solver: Solver) -> dict[str, Any]:
-    """Return what an engine is told of a run, or refuse what is ours alone.
+    """Return the options of a run for another engine, or refuse those of ours alone.
 
     It has one program for all scenes, and that is compiled.
     """

@@ -1,1 +1,1 @@
-"""What a notebook or a page shows and answers with."""
+"""Output and interaction in a notebook or a page."""

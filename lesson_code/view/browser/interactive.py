@@ -36,7 +36,7 @@ class Slider:
 
 @dataclass(frozen=True)
 class Explorable:
-    """A figure with sliders, for whoever draws it ahead of its reader.
+    """A figure with sliders, for tools that draw its pictures in advance.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ def collected() -> Iterator[list[Explorable]]:
 
 
 def collects(explorable: Explorable) -> bool:
-    """Hand a figure to whoever collects them; return whether anybody does."""
+    """Pass a figure to the active collector; return whether there is one."""
     figures = _collected.get()
     if figures is None:
         return False

@@ -26,7 +26,7 @@ def svg_of(figure: Figure) -> str:
 
 
 UNSEEN = "position:absolute; width:1px; height:1px; overflow:hidden; clip-path:inset(50%)"
-"""Takes a text out of sight, but not away from a screen reader."""
+"""Style that hides a text from view, but not from a screen reader."""
 
 
 def show(figure: Figure, alt: str) -> None:

@@ -136,7 +136,7 @@ def trails(
     until: float | None = None,
     colors: Mapping[int, str] | None = None,
 ) -> Axes:
-    """Draw the ways of the bodies' centres, each with a dot where it started.
+    """Draw the paths of the bodies' centres, each with a dot where it started.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""Windows and films of the programs, and what is heard."""
+"""Windows, films and sounds of the programs."""

@@ -1,4 +1,4 @@
-"""A player's own rules in a program: what is not written yet is lent by the workbook."""
+"""A player's own rules in a program; the workbook lends those not written yet."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 
 def lent(theirs: Callable[..., Any], ours: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a player's function, or ours as long as theirs is not written.
+    """Return a player's function, or ours while theirs is not written.
 
     As in a check, it is given vectors as NumPy arrays of its own.
 

@@ -1,6 +1,6 @@
-"""Post-processing one sees: flashes, sparks and trails, told of impacts by callbacks.
+"""Visible post-processing: flashes, sparks and trails; callbacks report the impacts.
 
-An effect hears of touches and looks at positions. It changes no body, so that a world is the same
+An effect receives touches and reads positions. It changes no body, so that a world is the same
 with and without it, and a program may leave it out.
 """
 
@@ -100,12 +100,12 @@ class Sparks:
         self.sparks: deque[Spark] = deque(maxlen=MOST_SPARKS)
 
     def hit(self, touch: Touch) -> None:
-        """Let sparks fly from a touch."""
+        """Add sparks at a touch."""
         if touch.normal_impulse > self._least:
             self.burst(touch.points[0], touch.normal)
 
     def burst(self, point: XY, normal: XY) -> None:
-        """Let sparks fly from a point, mostly across the normal."""
+        """Add sparks at a point, flying mostly across the normal."""
         for _ in range(SPARKS_A_HIT):
             along = self._random.uniform(-1, 1) * self._speed
             off = self._random.uniform(-0.4, 0.4) * self._speed
@@ -140,7 +140,7 @@ class Trails:
         self.places: dict[int, deque[XY]] = {}
 
     def step(self, positions: Mapping[int, XY]) -> None:
-        """Note where bodies have got to; those that are not named lose their trail."""
+        """Record the positions of bodies; those that are not named lose their trail."""
         self.places = {
             number: self.places.get(number, deque(maxlen=TRAIL_STEPS)) for number in positions
         }

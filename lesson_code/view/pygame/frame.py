@@ -73,7 +73,7 @@ class Played:
         return len(self.seconds)
 
     def within(self, part: float) -> float:
-        """Return the time that so large a part of the frames keeps within, s: 0.5 is the median."""
+        """Return the time within which this share of the frames stays, s: 0.5 is the median."""
         return float(np.quantile(self.seconds.sum(axis=1), part)) if self.frames else 0.0
 
 
@@ -139,7 +139,7 @@ class Session:
         return [(name, value) for is_on, name, value in changes if is_on]
 
     def tick(self, elapsed: float) -> int:
-        """Let the time of one frame pass, s; return how many steps that made."""
+        """Advance by the time of one frame, s; return the number of steps made."""
         self._left_over += min(elapsed, LONGEST_FRAME) * (SLOW_MOTION if self.slow else 1.0)
         steps = whole_parts(self._left_over, TIME_STEP)
         self._left_over = max(self._left_over - steps * TIME_STEP, 0.0)
@@ -182,7 +182,7 @@ class Session:
         return True
 
     def _pause(self, paused: bool) -> None:
-        """Stop time or let it go on, and sounds with it."""
+        """Pause or resume time, and sounds with it."""
         self.paused = paused
         if self.effects.sounds is not None:
             self.effects.sounds.hold(paused)
@@ -244,7 +244,7 @@ def play(
     program : Program
         What is played.
     seed : int
-        Everything that is drawn by lot follows from it.
+        Every random number follows from it.
     frames : int, optional
         Stop after this many frames, each exactly one step, so that runs repeat bit for bit.
     headless : bool
@@ -321,7 +321,7 @@ def _loudspeaker(effects: ImpactEffects, headless: bool) -> Iterator[None]:
 def _run(
     session: Session, painter: Painter, film: Gif | None, frames: int | None, *, waits: bool
 ) -> Played:
-    """Turn events and time into steps and pictures until somebody or something ends it."""
+    """Turn events and time into steps and pictures until the run ends."""
     seconds: list[tuple[float, float]] = []
     _compile_if_large(session.game.world, painter)
     painter.draw()
@@ -342,7 +342,7 @@ def _run(
 
 
 def _compile_if_large(world: LiveWorld, painter: Painter) -> None:
-    """Let a world go on in machine code once it is large; say so where that takes a while."""
+    """Switch a large world to machine code; announce it if that takes a while."""
     if world.compiled or len(world) < WORTH_COMPILING or why_no_compiler():
         return
     if not is_kept(world.source):

@@ -59,7 +59,7 @@ class Game:
     Parameters
     ----------
     seed : int
-        Everything that is drawn by lot follows from it.
+        Every random number follows from it.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Game:
     held : set of str
         The keys that are down.
     listeners : list of callable
-        Told of each touch that begins; effects and sound are among them.
+        Called for each touch that begins; effects and sound are among them.
     """
 
     def __init__(self, seed: int = 0) -> None:
@@ -81,11 +81,11 @@ class Game:
 
     @property
     def callbacks(self) -> Callbacks:
-        """What a game gives its world, so that it hears of touches."""
+        """The callbacks that report touches from the world to the game."""
         return Callbacks(begin=self._hear)
 
     def _hear(self, touch: Touch) -> None:
-        """Hear of a touch that begins: the rules first, then who listens."""
+        """Handle a touch that begins: the rules first, then the listeners."""
         self.touched(touch)
         for listener in self.listeners:
             listener(touch)
@@ -102,7 +102,7 @@ class Game:
 
     @property
     def notice(self) -> str:
-        """What the player has to be told in the middle of the field; mostly nothing."""
+        """Message to the player in the middle of the field; usually empty."""
         return ""
 
     def step(self) -> None:
@@ -125,16 +125,16 @@ class Game:
             self.reset()
 
     def down(self, place: XY) -> None:
-        """Hear that the mouse button is pressed, at a place in m."""
+        """Handle a press of the mouse button, at a place in m."""
 
     def drag(self, place: XY) -> None:
-        """Hear that the mouse is moved."""
+        """Handle a move of the mouse."""
 
     def let_go(self, place: XY) -> None:
-        """Hear that the mouse button is released."""
+        """Handle the release of the mouse button."""
 
     def touched(self, touch: Touch) -> None:
-        """Hear of two bodies that begin to touch."""
+        """Handle two bodies that begin to touch."""
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ class ImpactEffects:
     sounds: Sounds | None = None
 
     def listen_to(self, game: Game) -> None:
-        """Hear of the touches of a game."""
+        """Receive the touches of a game."""
         for effect in (self.flashes, self.sparks, self.sounds):
             if effect is not None:
                 game.listeners.append(effect.hit)

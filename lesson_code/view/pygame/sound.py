@@ -1,4 +1,4 @@
-"""Post-processing one hears: an impact's sound, made from its impulse and its material.
+"""Audible post-processing: an impact's sound, made from its impulse and its material.
 
 A struck body rings in a few modes. Each is a sine that dies away; the material says how high, how
 long, and how many. The impulse says how loud. Small bodies ring higher than large ones.
@@ -190,7 +190,7 @@ class Sounds:
 def quiet() -> Iterator[None]:
     """Keep what libraries in C write on standard error from the terminal.
 
-    ALSA writes a dozen lines where there is no sound card, and nobody has asked.
+    ALSA writes a dozen unwanted lines if there is no sound card.
     """
     sys.stderr.flush()
     kept = os.dup(2)
