@@ -40,7 +40,7 @@ AND_OWN = pytest.mark.parametrize(
 EVENTS, MANY_EVENTS = 600, 10_000
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @EVERY
 def test_program_same_seed_gives_the_same_world_with_and_without_a_window(
     program: Program,
@@ -53,7 +53,7 @@ def test_program_same_seed_gives_the_same_world_with_and_without_a_window(
     assert (shown.snapshot() == alone.snapshot()).all()
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @EVERY
 def test_program_without_effects_has_the_same_world(program: Program) -> None:
     """Flashes, sparks, trails and sound may be left out."""

@@ -268,7 +268,7 @@ def assert_same_numbers(mine: Run, its: Run) -> None:
         np.testing.assert_array_equal(values, getattr(its.contacts, name), err_msg=name)
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize("effect", SPARED)
 @by_seed
 @given(seed=seeds, data=st.data())
@@ -316,7 +316,7 @@ def test_record_of_impulses_changes_no_state(seed: int, solver: str) -> None:
     np.testing.assert_array_equal(kept.velocities, left.velocities)
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize("effect", SPARED)
 @settings(by_seed, max_examples=10)
 @given(seed=seeds)
@@ -385,7 +385,7 @@ def linked(function: Any, solver: SolverStages, sleeping: bool) -> str:
     return link(function, pipeline=every)
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.skipif(bool(why_no_compiler()), reason="nothing can be compiled here")
 @pytest.mark.usefixtures("one_program_for_all")
 @pytest.mark.parametrize("effect", [effect for effect in SPARED if effect != "callbacks"])

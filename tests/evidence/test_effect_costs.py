@@ -38,7 +38,7 @@ def result_of(*costs: EffectCost, billiards: FewBalls | None = None) -> EffectCo
 # Calls
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize("pair", PAIRS)
 def test_functions_of_an_effect_are_called_where_it_is_in_and_nowhere_else(
     pair: EffectPair,

@@ -82,7 +82,7 @@ def student_notebook(root: Path, tmp_path: Path) -> Callable[..., Path]:
     return write_notebook
 
 
-@pytest.mark.one_in(6)
+@pytest.mark.one_in(12)
 @pytest.mark.parametrize("name", [name for name in TABLE if TABLE[name]["under_nbval"] == "agrees"])
 def test_nbval_agrees_with_grade_on_golden_submission(name: str, root: Path) -> None:
     """Under nbval exactly the tasks with full marks pass."""
@@ -118,7 +118,7 @@ def test_grade_gives_a_right_student_notebook_full_marks(
     assert all(full(student_notebook(exercise), exercise))
 
 
-@pytest.mark.one_in(10)
+@pytest.mark.one_in(20)
 @pytest.mark.parametrize(
     "model",
     [model for exercise in CHAPTERS for task in exercise.tasks for model in task.wrong_models],
@@ -145,7 +145,7 @@ def notebook_with(model: WrongModel, student_notebook: Callable[..., Path]) -> P
     return student_notebook(exercise, **{task.function: answer})
 
 
-@pytest.mark.one_in(6)
+@pytest.mark.one_in(12)
 @pytest.mark.parametrize("exercise", CHAPTERS[1:], ids=lambda exercise: exercise.name)
 def test_nbval_and_grade_take_marks_from_a_wrong_model_alone(
     exercise: Exercise, root: Path, student_notebook: Callable[..., Path]

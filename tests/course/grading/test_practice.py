@@ -42,7 +42,7 @@ def verdicts(task: Task, answer: KnownAnswer) -> list[Verdict]:
     return [judge(task, call, seed) for seed in SEEDS]
 
 
-@pytest.mark.one_in(6)
+@pytest.mark.one_in(12)
 def test_practice_gives_right_answers_full_marks(practice: Practice) -> None:
     """Every unusual right answer of the course passes them."""
     for own, checked in zip(practice.exercise.tasks, practice.tasks, strict=True):
@@ -51,7 +51,7 @@ def test_practice_gives_right_answers_full_marks(practice: Practice) -> None:
             assert all(verdict.is_full for verdict in verdicts(checked, unusual)), unusual.name
 
 
-@pytest.mark.one_in(6)
+@pytest.mark.one_in(12)
 def test_practice_takes_points_from_wrong_models_and_recognises_them(practice: Practice) -> None:
     """Each common mistake loses points and gets its own hint, without its formula being there."""
     for own, checked in zip(practice.exercise.tasks, practice.tasks, strict=True):
@@ -71,7 +71,7 @@ def test_practice_says_what_the_courses_own_checks_say() -> None:
     assert "momentum_before_and_after" in json.loads(text)[0]["explain"]
 
 
-@pytest.mark.one_in(6)
+@pytest.mark.one_in(12)
 def test_practice_file_can_be_neither_read_nor_searched(practice: Practice) -> None:
     """No number of a draw, no hint and no misconception stands in it as it is."""
     text = practice.text

@@ -185,7 +185,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
 STEPS = 40
 
 
-@pytest.mark.one_in(4)
+@pytest.mark.one_in(12)
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
 def test_compiled_run_has_the_bits_of_the_plain_one(

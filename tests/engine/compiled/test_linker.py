@@ -326,7 +326,7 @@ EFFECTS = {
 }
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize("effects", EFFECTS.values(), ids=EFFECTS)
 @pytest.mark.parametrize("broad_phase", BROAD_PHASES)
 @pytest.mark.parametrize("solver", ["sequential", "substep", "naive"])
@@ -375,7 +375,7 @@ def at_work(scene: Scene, solver: str) -> EngineStepper:
     )
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 @pytest.mark.parametrize("solver", ["sequential", "substep", "naive"])
 def test_program_as_plain_python_has_the_bits_of_the_functions(

@@ -147,7 +147,7 @@ LEAN = ("empty", "gas", "dense gas", "few discs", "friction", "ball that comes t
 """Scenes that are compiled for what they call for, too: in four programs."""
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize(("scene", "until"), SCENES.values(), ids=SCENES)
 def test_scene_has_the_same_bits_with_every_effect_forced_on_and_compiled(
     scene: Scene, until: float
@@ -158,7 +158,7 @@ def test_scene_has_the_same_bits_with_every_effect_forced_on_and_compiled(
     assert bits_of(scene, until, effects=FORCED, compiled=True) == plain
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.one_in(9)
 @pytest.mark.parametrize("name", LEAN)
 def test_compiled_run_of_what_a_scene_calls_for_has_the_same_bits(name: str) -> None:
     """The program from which effects are left out, too."""
