@@ -26,9 +26,18 @@ from lesson_code.engine.core.run import ImpulseEvents
 from lesson_code.view.pygame.panel import PROGRAM_SIZE
 from lesson_code.view.pygame.window import Window, open_window, pygame
 
-# The same examples on every run and every machine: a red test is red for everybody.
-settings.register_profile("repeatable", derandomize=True, deadline=None, print_blob=True)
-settings.load_profile("repeatable")
+
+def load_examples() -> None:
+    """Draw the same examples on every run and every machine: a red test is red for everybody."""
+    settings.register_profile(
+        "repeatable",
+        derandomize=True,
+        deadline=None,
+        print_blob=True,
+        max_examples=tiers.share(100),
+    )
+    settings.load_profile("repeatable")
+
 
 TOUCH = 1.0
 """px by which the boxes of two texts may run into each other: no letter fills its box."""
@@ -42,6 +51,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     """Choose the tier; keep compiled programs from run to run, for all processes of a run."""
     tiers.choose(full=config.getoption("--full", default=False))
+    load_examples()
     os.environ.setdefault(FOLDER_VARIABLE, str(programs_folder(config)))
     # Files keep their order. Doctests and notebooks come last: they are short, and no worker waits.
     config.option.loadscopereorder = False

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine import stepper
@@ -238,7 +239,7 @@ SPARED: dict[str, Callable[[int], Spared]] = {
 """For each effect scenes that do not call for it; the record of impulses is always called for."""
 
 by_seed = settings(
-    max_examples=30,
+    max_examples=share(30),
     phases=[Phase.explicit, Phase.generate],  # no seed is simpler than another
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
@@ -318,7 +319,7 @@ def test_record_of_impulses_changes_no_state(seed: int, solver: str) -> None:
 
 @pytest.mark.one_in(9)
 @pytest.mark.parametrize("effect", SPARED)
-@settings(by_seed, max_examples=10)
+@settings(by_seed, max_examples=share(10))
 @given(seed=seeds)
 def test_stage_of_an_effect_that_is_left_out_is_never_called(effect: str, seed: int) -> None:
     """No call in a run; and the program that the plan leaves over does not name it."""
@@ -389,7 +390,7 @@ def linked(function: Any, solver: SolverStages, sleeping: bool) -> str:
 @pytest.mark.skipif(bool(why_no_compiler()), reason="nothing can be compiled here")
 @pytest.mark.usefixtures("one_program_for_all")
 @pytest.mark.parametrize("effect", [effect for effect in SPARED if effect != "callbacks"])
-@settings(by_seed, max_examples=10)
+@settings(by_seed, max_examples=share(10))
 @given(seed=seeds)
 def test_compiled_with_every_effect_is_plain_with_those_called_for(effect: str, seed: int) -> None:
     """A program that has all of them, compiled, against the one that the plan leaves over."""
@@ -422,7 +423,7 @@ def elastic_blocks(seed: int) -> Scene:
     return Scene([floor, *blocks, ball], gravity=(0, -10))
 
 
-@settings(by_seed, max_examples=8)
+@settings(by_seed, max_examples=share(8))
 @given(seed=seeds)
 def test_sleep_that_is_forced_on_changes_nothing_but_what_is_still(seed: int) -> None:
     """With gravity it stops what is as slow as STILL: rounding, which had moved a block by 1e-16 m.

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, simulate
 
@@ -45,7 +46,7 @@ SHAPES = ["discs", "polygons"]
 
 def examples(count: int) -> settings:
     """Return settings for scenes made from a seed; no shrinking, for no seed is a simpler one."""
-    return settings(max_examples=count, phases=[Phase.explicit, Phase.generate])
+    return settings(max_examples=share(count), phases=[Phase.explicit, Phase.generate])
 
 
 def shape_of(kind: str, rng: np.random.Generator) -> Any:

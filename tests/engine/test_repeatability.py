@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 
@@ -84,7 +85,7 @@ def test_run_of_a_heap_in_a_fresh_process_has_the_same_bits() -> None:
     assert fingerprint(again) == fingerprint(first) == fresh.stdout.strip()
 
 
-@settings(max_examples=10, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(10), phases=[Phase.explicit, Phase.generate])
 @given(seed=st.integers(0, 10**9))
 def test_run_continued_from_a_free_flight_has_the_same_bits(seed: int) -> None:
     """Where nothing overlaps the state is all there is: no clock, no memory of earlier steps."""

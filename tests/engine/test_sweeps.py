@@ -240,6 +240,7 @@ def test_sweep_solves_the_two_points_of_a_block_together(
     assert sorted(pushed["solve_pseudo_velocity"]) == alone
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("discs", [500, 1_000])
 def test_heap_of_discs_comes_to_rest_with_half_the_usual_sweeps(discs: int) -> None:
     """A sweep that worked in four far places of the table in turn left 17 and 38 J after 10 s.

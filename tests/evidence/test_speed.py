@@ -149,6 +149,7 @@ def test_growth_leaves_out_what_is_small() -> None:
 # Quality of states
 
 
+@pytest.mark.full
 def test_gauge_measures_what_a_run_measures() -> None:
     """The same depth, in the same states, of discs and of polygons."""
     for speed_scene in (speed_scenes.gas(30), speed_scenes.pyramid(4)):
@@ -215,7 +216,7 @@ def test_bytes_of_tables_are_told_for_our_engine_alone() -> None:
     assert bytes_of(start("pymunk, tree", speed_scene)) is None
 
 
-@pytest.mark.one_in(3)
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("speed_scene", "batches"),
     [

@@ -291,6 +291,7 @@ def test_quick_measurement_of_a_scene_has_every_method_and_a_time_for_each() -> 
         assert all(p.seconds > 0 and not p.failure for p in points)
 
 
+@pytest.mark.full
 def test_errors_are_the_same_whoever_computes_them() -> None:
     """One process or two: all but the times."""
     one, two = (

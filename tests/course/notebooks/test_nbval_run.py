@@ -108,6 +108,7 @@ def test_lax_run_compares_tagged_cells_only(
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.full
 def test_kernel_that_dies_fails_every_cell_from_there_on(tmp_path: Path) -> None:
     """A student's os._exit(0) is no way to pass; nbval notices when the cell's time is up."""
     path = notebook(

@@ -53,6 +53,7 @@ def workbook_there(copy: Path, *arguments: str) -> subprocess.CompletedProcess[s
     return run_there(copy, f"from lesson_code.cli import app; app({list(arguments)})")
 
 
+@pytest.mark.full
 def test_copy_leaks_nothing(files: Files, root: Path) -> None:
     """The search finds nothing in the copy that would go out today."""
     assert list(leaks(files, root)) == []

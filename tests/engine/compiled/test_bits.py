@@ -35,7 +35,13 @@ from lesson_code.evidence.scenes.spinning_discs import Disc, scene_of
 
 pytest.importorskip("numba")
 
-SOLVERS = ["sequential", "substep", "naive"]
+SOLVERS = [
+    "sequential",
+    pytest.param("substep", marks=pytest.mark.full),
+    pytest.param("naive", marks=pytest.mark.full),
+]
+"""Each is a program of its own to compile: the quick tier takes one."""
+
 DT = 1 / 60
 
 
@@ -302,7 +308,10 @@ def thrown_discs(speed: float) -> Scene:
     return Scene([wall, *discs])
 
 
-@pytest.mark.parametrize("speed", [5.0, 400.0], ids=["slow", "fast"])
+@pytest.mark.parametrize(
+    "speed",
+    [pytest.param(5.0, id="slow"), pytest.param(400.0, id="fast", marks=pytest.mark.full)],
+)
 def test_simulate_gives_the_same_run_compiled_or_plain(
     monkeypatch: pytest.MonkeyPatch, speed: float
 ) -> None:

@@ -261,6 +261,7 @@ EDITS = {
 }
 
 
+@pytest.mark.full
 def test_change_of_any_stage_or_constant_is_noticed(tmp_path: Path, place: Path) -> None:
     """In another file than that of the function that is called; by the next process."""
     house = tmp_path / "house"

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core import broad_phase
@@ -36,7 +37,7 @@ ROUNDING = 1e-14
 WAYS = sorted(BROAD_PHASES)
 
 seeds = st.integers(0, 10**9)
-scenes_by_seed = settings(max_examples=60, phases=[Phase.explicit, Phase.generate])
+scenes_by_seed = settings(max_examples=share(60), phases=[Phase.explicit, Phase.generate])
 
 PLACES = {
     "scattered": lambda rng, n: rng.uniform(-6, 6, (n, 2)),
@@ -198,7 +199,7 @@ def test_box_of_a_body_that_turns_is_left_by_a_corner() -> None:
 
 @pytest.mark.parametrize("sizes", SIZES)
 @pytest.mark.parametrize("places", PLACES)
-@settings(max_examples=15, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(15), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds)
 def test_pairs_of_any_scene_are_those_of_brute_force(places: str, sizes: str, seed: int) -> None:
     """The same pairs in the same order from each way: a < b, sorted by a, then by b."""
@@ -207,7 +208,7 @@ def test_pairs_of_any_scene_are_those_of_brute_force(places: str, sizes: str, se
 
 
 @pytest.mark.parametrize("sizes", SIZES)
-@settings(max_examples=20, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(20), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds)
 def test_pairs_hold_every_pair_that_overlaps(sizes: str, seed: int) -> None:
     """Boxes with a margin overlap wherever boxes without one do."""
@@ -220,7 +221,7 @@ def test_pairs_hold_every_pair_that_overlaps(sizes: str, seed: int) -> None:
 
 
 @pytest.mark.parametrize("places", PLACES)
-@settings(max_examples=10, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(10), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds)
 def test_pairs_in_a_grid_of_few_slots_are_those_of_brute_force(places: str, seed: int) -> None:
     """Eight slots for 40 bodies: cells share them, and rows of cells go on at the first slot."""
@@ -266,7 +267,7 @@ def test_slots_of_neighbouring_cells_are_different() -> None:
         assert slot_of(state, x + 1, y) == (slot_of(state, x, y) + 1) % state.slot_count
 
 
-@settings(max_examples=20, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(20), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds)
 def test_pairs_of_bodies_that_move_are_those_of_brute_force(seed: int) -> None:
     """Step after step: the sweep goes on from the order of the last one."""

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs
@@ -111,7 +112,7 @@ def heap(seed: int) -> World:
     return world
 
 
-@settings(max_examples=30, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(30), phases=[Phase.explicit, Phase.generate])
 @given(seed=st.integers(0, 10**9))
 def test_velocities_after_impulses_are_u_plus_k_x(seed: int) -> None:
     """The matrix says what the engine's own impulses, one contact after the other, do."""
@@ -134,7 +135,7 @@ def test_velocities_after_impulses_are_u_plus_k_x(seed: int) -> None:
         np.testing.assert_allclose(velocities(island), u, atol=100 * ROUNDING)
 
 
-@settings(max_examples=30, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(30), phases=[Phase.explicit, Phase.generate])
 @given(seed=st.integers(0, 10**9))
 def test_pushes_change_the_velocities_of_the_correction_alone(seed: int) -> None:
     """The same matrix, the other velocities."""

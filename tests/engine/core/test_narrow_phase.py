@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment
 from lesson_code.engine.core.broad_phase import all_pairs
@@ -61,7 +62,7 @@ def pose(body: Body) -> tuple[float, float, float]:
     return (*body.position, body.angle)
 
 
-@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(40), phases=[Phase.explicit, Phase.generate])
 @given(seed=st.integers(0, 10**9))
 def test_contacts_of_any_scene_are_those_of_each_pair_alone(seed: int) -> None:
     """Pair by pair in their order: the manifold's normal, points, penetrations and features."""
@@ -92,7 +93,7 @@ def test_contacts_of_any_scene_are_those_of_each_pair_alone(seed: int) -> None:
     np.testing.assert_allclose(measured, expected, atol=ROUNDING)
 
 
-@settings(max_examples=20, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(20), phases=[Phase.explicit, Phase.generate])
 @given(seed=st.integers(0, 10**9))
 def test_lever_arms_of_any_scene_end_on_both_surfaces(seed: int) -> None:
     """Position A + arm A = position B + arm B + penetration n: one penetration apart along n."""

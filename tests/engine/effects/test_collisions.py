@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Polygon, Scene, Segment, simulate
 from lesson_code.engine.effects.collisions import can_meet
@@ -124,7 +125,7 @@ def drawn(seed: int) -> Scene:
     return Scene(bodies, gravity=(0, rng.choice([0.0, -10.0])), damping=rng.choice([0.0, 1.0]))
 
 
-@settings(max_examples=150, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(150), phases=[Phase.explicit, Phase.generate])
 @given(st.integers(0, 10**9))
 def test_bodies_that_cannot_meet_have_no_contact_in_a_run(seed: int) -> None:
     """The rule may be too careful, but never misses a contact."""

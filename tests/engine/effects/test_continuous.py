@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.core.constants import MOST_IMPACTS, SLOP
@@ -225,7 +226,7 @@ def test_fastest_way_of_a_body_that_never_turns_has_no_energy_of_spin() -> None:
     assert fastest_way(Scene([stiff]), 1.0)[0] == pytest.approx(3.0, rel=ROUNDING)
 
 
-@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(40), phases=[Phase.explicit, Phase.generate])
 @given(st.integers(0, 10**9))
 def test_no_body_is_ever_faster_than_the_bound(seed: int) -> None:
     """Discs with e = 1 that hit each other for a second, of masses up to 100 to 1."""

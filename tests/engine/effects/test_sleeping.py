@@ -180,6 +180,7 @@ def test_steps_may_have_another_length_when_the_island_wakes() -> None:
     np.testing.assert_allclose(runs[0].states(), runs[1].states(), rtol=0, atol=UNTOLD)
 
 
+@pytest.mark.full
 def test_compiled_run_sleeps_like_the_plain_one() -> None:
     """The same bits, awake, asleep and woken."""
     pytest.importorskip("numba")

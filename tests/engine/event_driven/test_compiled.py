@@ -166,6 +166,7 @@ def test_compiled_run_of_what_a_scene_calls_for_has_the_same_bits(name: str) -> 
     assert bits_of(scene, until, compiled=True) == bits_of(scene, until)
 
 
+@pytest.mark.full
 def test_record_of_a_long_compiled_run_is_whole() -> None:
     """The table of impulses is emptied many times; nothing is lost, and the order is kept."""
     scene = gas_of(20, 0.3, seed=1)
@@ -216,6 +217,7 @@ def test_compiling_without_a_compiler_is_refused(monkeypatch: pytest.MonkeyPatch
         simulate(ball_in_a_box(), 1.0, solver="exact", compiled=True)
 
 
+@pytest.mark.full
 def test_compiled_pile_without_end_is_refused_as_in_plain_python() -> None:
     """The same error at the same time."""
     heavy = [

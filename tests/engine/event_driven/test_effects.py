@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Scene, simulate
 from lesson_code.engine.compiled.arrays import LINE, as_arrays
@@ -96,7 +97,7 @@ def bits_of(scene: Scene, effects: dict[str, bool] | None = None) -> list[bytes]
 # Nobody can tell
 
 
-@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(40), phases=[Phase.explicit, Phase.generate])
 @given(
     seed=st.integers(0, 10**9),
     gravity=st.booleans(),
@@ -113,7 +114,7 @@ def test_random_scene_runs_to_the_same_bits_with_every_effect_forced_on(
     assert bits_of(scene) == bits_of(scene, FORCED)
 
 
-@settings(max_examples=20, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(20), phases=[Phase.explicit, Phase.generate])
 @given(
     seed=st.integers(0, 10**9), gravity=st.booleans(), friction=st.booleans(), turns=st.booleans()
 )

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Run, Scene, simulate
 from lesson_code.engine.core.mixing import mixing_rule
@@ -33,7 +34,7 @@ seeds = st.integers(0, 10**9)
 
 def examples(count: int) -> settings:
     """Return settings for scenes made from a seed; no shrinking, for no seed is a simpler one."""
-    return settings(max_examples=count, phases=[Phase.explicit, Phase.generate])
+    return settings(max_examples=share(count), phases=[Phase.explicit, Phase.generate])
 
 
 def crowd(seed: int, restitution: float, friction: float) -> Scene:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code.engine.solvers import complementarity
 from lesson_code.engine.solvers.complementarity import solve_contacts
@@ -39,7 +40,7 @@ seeds = st.integers(0, 10**9)
 
 def examples(count: int) -> settings:
     """Return settings for problems made from a seed; no shrinking, for no seed is a simpler one."""
-    return settings(max_examples=count, phases=[Phase.explicit, Phase.generate])
+    return settings(max_examples=share(count), phases=[Phase.explicit, Phase.generate])
 
 
 def some_problem(rng: np.random.Generator, contacts: int, bodies: int, digits: int) -> Problem:

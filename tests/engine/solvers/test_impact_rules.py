@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.solvers import impact_rules
@@ -258,14 +259,14 @@ def crowd(seed: int) -> Scene:
 
 
 @pytest.mark.parametrize("rule", RULES)
-@settings(max_examples=25, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(25), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds)
 def test_energy_of_many_impacts_never_rises_by_the_energetic_law(rule: str, seed: int) -> None:
     """Two dozen contacts, each pair with its own restitution and friction."""
     assert gain(crowd(seed), impacts=rule, restitution_law="energetic") <= GROWTH
 
 
-@settings(max_examples=50, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(50), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds)
 def test_impulses_held_back_gain_nothing_and_reach_as_far_as_that_allows(seed: int) -> None:
     """Where Newton's gain energy, those held back keep what there is; else they are the same."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code.engine.solvers.contact_problem import OPEN, STICK, UNKNOWN, Problem, tolerance
 from lesson_code.engine.solvers.pivoting import by_pivoting, first_guess
@@ -23,7 +24,7 @@ def smooth_problem(seed: int, contacts: int) -> Problem:
     return Problem(g @ g.T, g @ rng.normal(size=contacts + 1), np.zeros(contacts))
 
 
-@settings(max_examples=50, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(50), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds, contacts=st.integers(2, 30))
 def test_velocities_do_not_depend_on_the_first_guess(seed: int, contacts: int) -> None:
     """All open, all closed, or anything: without friction there is one answer."""

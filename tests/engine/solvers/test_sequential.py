@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.capacity import add_capacity
@@ -51,7 +52,7 @@ def engine(scene: Scene, dt: float = 1 / 60, iterations: int = 10) -> EngineStep
 # One impact of two discs
 
 
-@settings(max_examples=200, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(200), phases=[Phase.explicit, Phase.generate])
 @given(seeds, masses, masses, radii, radii, restitutions, frictions, st.integers(1, 5))
 def test_impact_of_two_discs_is_the_closed_form_at_the_moved_places(
     seed: int, ma: float, mb: float, ra: float, rb: float, e: float, mu: float, iterations: int
@@ -137,7 +138,7 @@ def test_impact_twice_in_the_overlap_happens_once() -> None:
 # One impact of a corner
 
 
-@settings(max_examples=60, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=share(60), phases=[Phase.explicit, Phase.generate])
 @given(seed=seeds, e=restitutions, mu=frictions)
 def test_impact_of_a_corner_is_the_closed_form(seed: int, e: float, mu: float) -> None:
     """A box hits with a corner: normal and tangent are coupled, and many sweeps solve both.
