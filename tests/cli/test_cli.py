@@ -534,6 +534,7 @@ def test_measure_speed_with_options_out_of_range_ends_with_2(
     assert words in " ".join(result.stderr.split())
 
 
+@pytest.mark.full
 def test_measure_accuracy_prints_one_json_object_and_draws(tmp_path: Path) -> None:
     """All points of a scene; the figure goes into the file."""
     figure = tmp_path / "figure.png"
@@ -587,6 +588,7 @@ def test_measure_effects_prints_one_json_object_and_draws(tmp_path: Path) -> Non
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.full
 def test_measure_effects_prints_tables() -> None:
     """Ours, pymunk's, and what is wanted."""
     options = ["--quick", "--only", "gravity", "--only", "billiards", "--repeats", "1"]

@@ -8,6 +8,7 @@ import sys
 from dataclasses import replace
 
 import numpy as np
+import tiers
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from tiers import share
@@ -69,6 +70,7 @@ def fingerprint(run: Run) -> str:
 
 FRESH = """
 import importlib.util, sys
+sys.path.append(sys.argv[2])
 spec = importlib.util.spec_from_file_location("repeatability", sys.argv[1])
 module = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(module)
@@ -79,7 +81,7 @@ print(module.fingerprint(module.simulate(module.heap(5), 2.0, solver="sequential
 def test_run_of_a_heap_in_a_fresh_process_has_the_same_bits() -> None:
     """Nothing hangs on hash seeds, addresses, or what ran before."""
     first, again = (simulate(heap(5), 2.0, solver="sequential") for _ in range(2))
-    command = [sys.executable, "-c", FRESH, __file__]
+    command = [sys.executable, "-c", FRESH, __file__, tiers.__file__.removesuffix("tiers.py")]
     fresh = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
     assert len(first.contacts) > 1000
     assert fingerprint(again) == fingerprint(first) == fresh.stdout.strip()

@@ -243,6 +243,7 @@ def test_race_measures_every_engine(
         assert math.isfinite(found.quality.energy_error)
 
 
+@pytest.mark.full
 def test_exact_gas_keeps_its_energy_and_overlaps_by_nothing() -> None:
     """Whatever the other engines do."""
     measured = run_race("gas-10", replace(speed_scenes.gas(10), warm_up=3), repeats=1)

@@ -96,6 +96,7 @@ def end_group(pid: int) -> None:
         os.killpg(pid, signal.SIGKILL)
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize(
     ("stop", "send"),
     [

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code.formulas import (
     collide_1d,
@@ -27,8 +28,8 @@ from lesson_code.formulas import (
 from lesson_code.reference.closed_forms import two_body_exact
 from lesson_code.reference.pymunk_reference import collide_on_a_line
 
-CASES = 10_000
-PYMUNK_CASES = 5_000
+CASES = share(10_000)
+PYMUNK_CASES = share(5_000)
 
 ROUNDING = 1e-12
 """In units of the larger speed. Some ten roundings of 1e-16 each make 1e-15; measured: 1.2e-15

@@ -16,12 +16,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code.formulas import bounce, reflect
 from lesson_code.geometry import circle_against_segment
 from lesson_code.reference.pymunk_reference import SegmentBounce, bounce_off_segment
 
-CASES = 2_000
+CASES = share(2_000)
 SEED = 20_240_301
 REGIONS = ["left side", "right side", "start", "end"]
 

@@ -128,14 +128,15 @@ def _kept(
             a for a in statement.names if (a.asname or a.name.partition(".")[0]) in needed
         ]
         return ast.unparse(statement) if statement.names else ""
-    text = ast.get_source_segment(source, statement) or ""
-    if isinstance(statement, ast.Expr):
-        is_kept = place == 0 or set(_defined(body[place - 1])) & needed
-        return text if is_kept else ""  # a docstring: of the module, or of a constant
+    # A docstring is that of the module, or of the constant before it.
+    is_docstring = isinstance(statement, ast.Expr)
+    owner = body[place - 1] if is_docstring else statement
+    if not (is_docstring and place == 0) and not set(_defined(owner)) & needed:
+        return ""
     if isinstance(statement, ast.FunctionDef | ast.ClassDef) and statement.decorator_list:
         first = statement.decorator_list[0].lineno - 1
-        text = "\n".join(source.splitlines()[first : statement.end_lineno])
-    return text if set(_defined(statement)) & needed else ""
+        return "\n".join(source.splitlines()[first : statement.end_lineno])
+    return ast.get_source_segment(source, statement) or ""
 
 
 def _spaced(statements: list[str]) -> Iterator[str]:

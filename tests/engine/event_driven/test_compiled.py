@@ -178,6 +178,7 @@ def test_record_of_a_long_compiled_run_is_whole() -> None:
     assert (np.diff(events[:, 0]) >= 0).all()
 
 
+@pytest.mark.full
 def test_run_that_is_compiled_on_the_way_has_the_same_bits(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
