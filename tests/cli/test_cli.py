@@ -455,6 +455,7 @@ def test_measure_hard_cases_refuses_what_it_does_not_know(wrong: list[str]) -> N
     assert "must be" in result.stderr or "needs all cases" in result.stderr
 
 
+@pytest.mark.full
 def test_measure_chaos_prints_one_json_object_whoever_does_the_work() -> None:
     """The bytes are the same for one worker and for two, and nothing else is printed."""
     one, two = (

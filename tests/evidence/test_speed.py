@@ -298,6 +298,7 @@ def test_pile_that_no_setting_holds_is_said_not_to_hold() -> None:
     assert raced.ratio("pymunk") is None
 
 
+@pytest.mark.full
 def test_few_bodies_are_off_by_rounding_in_the_exact_solver_alone() -> None:
     """Pymunk's error is more than a million times as large at 60 steps a second."""
     for few in few_bodies.measure_few_bodies(1, rates=(60, 600)):

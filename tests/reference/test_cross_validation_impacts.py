@@ -34,7 +34,7 @@ DISC_TOLERANCE = 1e-13
 CORNER_TOLERANCE = 1e-9
 """Of the largest velocity: what 1,000 sweeps leave of the coupling of normal and tangent."""
 
-PAIRS = share(100_000, one_in=20)
+PAIRS = share(100_000, one_in=50)
 
 
 def disc_pairs(

@@ -83,6 +83,7 @@ def test_interrupted_run_goes_on_and_writes_the_same_bytes(
     assert contents_of(tmp_path / "parts") == contents_of(tmp_path / "whole")
 
 
+@pytest.mark.full
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
 def test_run_killed_at_any_time_goes_on(make_class: MakeClass, tmp_path: Path) -> None:
     """As a command of its own, killed outright while it grades: the same bytes in the end."""

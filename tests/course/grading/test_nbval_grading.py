@@ -208,6 +208,7 @@ def test_merge_of_a_program_is_refused(root: Path, write: Write) -> None:
         merge(submission, exercise_by_name("billiards"), root)
 
 
+@pytest.mark.full
 def test_two_commands_by_hand_grade_a_submission(tmp_path: Path) -> None:
     """``workbook merge``, then ``pytest --nbval-lax``: the check of the wrong answer fails."""
     environment = {"PATH": str(WORKBOOK.parent), "HOME": str(tmp_path)}

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tiers import share
 
 from lesson_code.course.isolation import Children, Limits, StudentProcess
 from lesson_code.course.isolation.call_outcome import LONGEST_TEXT, CallOutcome
@@ -315,10 +316,10 @@ def f(): raise ValueError("\\x1b[2J\\n1.1 f: 4/4 points\\u202e\\ud800\\x07" + "x
 
 
 def test_no_thread_or_open_file_is_left_behind(children: Children) -> None:
-    """Ten submissions, good and bad, leave neither threads nor open descriptors."""
+    """Submissions, good and bad, leave neither threads nor open descriptors."""
     sources = ["def f(): return 1", "def f():\n    while True: pass"]
     threads, files = threading.active_count(), _open_files()
-    for source in sources * 5:
+    for source in sources * share(5):
         with StudentProcess(units(source), children, Limits(seconds_a_call=0.05)) as student:
             student.call("f", ())
     assert threading.active_count() == threads

@@ -308,10 +308,8 @@ def thrown_discs(speed: float) -> Scene:
     return Scene([wall, *discs])
 
 
-@pytest.mark.parametrize(
-    "speed",
-    [pytest.param(5.0, id="slow"), pytest.param(400.0, id="fast", marks=pytest.mark.full)],
-)
+@pytest.mark.full
+@pytest.mark.parametrize("speed", [5.0, 400.0], ids=["slow", "fast"])
 def test_simulate_gives_the_same_run_compiled_or_plain(
     monkeypatch: pytest.MonkeyPatch, speed: float
 ) -> None:

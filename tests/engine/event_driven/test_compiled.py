@@ -147,7 +147,7 @@ LEAN = ("empty", "gas", "dense gas", "few discs", "friction", "ball that comes t
 """Scenes that are compiled for what they call for, too: in four programs."""
 
 
-@pytest.mark.one_in(9)
+@pytest.mark.full
 @pytest.mark.parametrize(("scene", "until"), SCENES.values(), ids=SCENES)
 def test_scene_has_the_same_bits_with_every_effect_forced_on_and_compiled(
     scene: Scene, until: float
