@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from contacts import mass_along, velocity_along
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -21,10 +22,8 @@ from lesson_code.engine.core.contact_frame import (
 )
 from lesson_code.engine.core.contact_motion import (
     apply_impulse,
-    mass_along,
     normal_of,
     tangent_of,
-    velocity_along,
 )
 from lesson_code.engine.core.penetration import deepest_overlaps
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World

@@ -23,13 +23,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from lesson_code.engine.core.contact_motion import contact_velocity
 from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.rows import BodyRow
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.core.tables import world_of
 from lesson_code.formulas.arithmetic import clamp, cross, dot
+from lesson_code.formulas.rigid_body import contact_velocity
 from lesson_code.geometry.shapes import Circle, Segment
 
 SLOP = 0.10000000149011612

@@ -105,7 +105,7 @@ class PileRace:
         return theirs / ours if ours and theirs else None
 
 
-class Trial(NamedTuple):
+class Attempt(NamedTuple):
     """How a pile did with a setting: whether it held, its deepest overlap, and the time, s."""
 
     setting: int
@@ -117,27 +117,27 @@ class Trial(NamedTuple):
 def race_with_pile(pile: Pile, repeats: int) -> PileRace:
     """Return the setting with which each engine holds a pile, and how long that takes."""
     found = {name: _least(pile, name) for name in engines_for(pile.build())}
-    jobs = {name: partial(_time, pile, name, trial.setting) for name, trial in found.items()}
+    jobs = {name: partial(_time, pile, name, attempt.setting) for name, attempt in found.items()}
     times = in_turns(jobs, repeats)
     rows = [
-        Held(name, trial.setting, trial.held, trial.overlap, statistics.median(times[name]))
-        for name, trial in found.items()
+        Held(name, attempt.setting, attempt.held, attempt.overlap, statistics.median(times[name]))
+        for name, attempt in found.items()
     ]
     return PileRace(pile.key, pile.name, tuple(rows))
 
 
-def _least(pile: Pile, name: str) -> Trial:
-    """Return the trial with the cheapest setting that holds the pile, else with the dearest."""
+def _least(pile: Pile, name: str) -> Attempt:
+    """Return the attempt with the cheapest setting that holds the pile, else with the dearest."""
     settings = SUBSTEPS if name == "substep" else ITERATIONS
-    trials = (_trial(pile, name, setting) for setting in settings)
-    return next(trial for trial in trials if trial.held or trial.setting == settings[-1])
+    trials = (_attempt(pile, name, setting) for setting in settings)
+    return next(attempt for attempt in trials if attempt.held or attempt.setting == settings[-1])
 
 
 def _time(pile: Pile, name: str, setting: int) -> float:
-    return _trial(pile, name, setting).seconds
+    return _attempt(pile, name, setting).seconds
 
 
-def _trial(pile: Pile, name: str, setting: int) -> Trial:
+def _attempt(pile: Pile, name: str, setting: int) -> Attempt:
     """Run a pile to its end, and look at it in the last second."""
     speed_scene = pile.build()
     scene, gauge = speed_scene.scene, Gauge(speed_scene.scene)
@@ -153,4 +153,4 @@ def _trial(pile: Pile, name: str, setting: int) -> Trial:
         overlap = gauge.read(states).depth
         deepest = max(deepest, overlap)
         held = held and pile.holds(scene, states, overlap)
-    return Trial(setting, held, deepest, seconds)
+    return Attempt(setting, held, deepest, seconds)

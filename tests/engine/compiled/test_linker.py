@@ -19,7 +19,7 @@ import pytest
 
 from lesson_code import MixingRule, Scene
 from lesson_code.engine.compiled import link
-from lesson_code.engine.core import contact_frame, contact_motion
+from lesson_code.engine.core import contact_frame
 from lesson_code.engine.core.broad_phase import longest_way
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.pipeline import Pipeline
@@ -139,7 +139,7 @@ def test_functions_of_one_name_from_two_modules_are_both_taken(make: Make) -> No
 
 def test_formula_is_taken_without_the_door_that_checks_its_numbers() -> None:
     """The bare lines: what `equation` gives."""
-    source = link(contact_motion.mass_along)
+    source = link(contact_frame.set_frame)
     assert "def effective_mass(" in source
     assert "@" not in source
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from contacts import velocity_along
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from tiers import share
@@ -18,7 +19,6 @@ from lesson_code.engine.core.contact_motion import (
     apply_impulse,
     normal_of,
     tangent_of,
-    velocity_along,
 )
 from lesson_code.engine.core.islands import (
     apply_impulses,
