@@ -17,7 +17,7 @@ CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 SECONDS = 300
 NOT_COPIED = shutil.ignore_patterns("__pycache__", "golden", ".*", "workbook")
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.full
 
 
 def files_of(recipe: str) -> list[str]:
@@ -336,6 +336,95 @@ def test_solver_is_two_files(copy: Copy) -> None:
     assert "1 passed" in copy.run("-m", "pytest", "-q", made[1])
 
 
-def test_effect_is_at_most_five_files() -> None:
-    """With its tests."""
-    assert 0 < len(files_of("Add an effect")) <= 5
+# An effect
+
+EFFECT = '''"""Standstill: what damping has made slower than can be seen stops."""
+
+from __future__ import annotations
+
+from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.flags import Effects
+from lesson_code.engine.effects.question import Effect, Finding, Question
+
+SLOWEST = 1e-3
+"""m/s."""
+
+
+def rule(question: Question) -> Finding:
+    """Ask whether motion dies away."""
+    is_damped = question.scene.damping > 0
+    return Finding(is_damped, "motion dies away" if is_damped else "the rate is 0")
+
+
+EFFECT = Effect(rule=rule, place=115, functions=("stop",), needs_collisions=False)
+
+
+def stop(world: World, effects: Effects) -> None:
+    """Stop all bodies that are that slow."""
+    for body in world.bodies:
+        if body.vx * body.vx + body.vy * body.vy < SLOWEST * SLOWEST:
+            body.vx = 0.0
+            body.vy = 0.0
+'''
+CHOSEN = "standstill or stops or plan or rule or nothing"
+STAGE_AFTER = "        accelerate(world, effects)\n"
+STAGE = "    if effects.standstill:\n        stop(world, effects)\n"
+STAGE_IMPORT = "from lesson_code.engine.effects.standstill import stop\n"
+EFFECT_PAIR = (
+    '        pair("standstill", Scene(calm.bodies, damping=RATE), calm, "damped | not damped"),\n'
+)
+EFFECT_TESTS = '''"""Standstill."""
+
+import pytest
+
+from lesson_code import Body, Circle, Scene, simulate
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_damped_disc_stops(compiled: bool) -> None:
+    """exp(-10 x 1) m/s is less than a thousandth; exp(-10 x 0.5) is not."""
+    disc = Body(Circle(1), mass=1, velocity=(1, 0))
+    run = simulate(Scene([disc], damping=10.0), 1.0, solver="sequential", compiled=compiled)
+    assert run.velocities[30, 0, 0] > 0.0
+    assert run.velocities[-1, 0, 0] == 0.0
+    assert "standstill" in run.plan.used
+'''
+
+
+def with_the_stage(step: str) -> str:
+    """Return the order of the stages with the new one, in a step and in a sub-step."""
+    first, *others = step.split("\n\n\ndef ", 1)
+    step = "\n\n\ndef ".join([f"{first}\n{STAGE_IMPORT.rstrip()}", *others])
+    return step.replace(STAGE_AFTER, STAGE_AFTER + STAGE)
+
+
+def with_the_draw(bits: str) -> str:
+    """Return the comparison of bits with scenes that do not call for the effect."""
+    like = '    "damping": lambda seed: Spared(crowd(seed, damping=False)),\n'
+    return bits.replace(like, like + like.replace('"damping"', '"standstill"'))
+
+
+@pytest.mark.full
+def test_effect_is_at_most_five_files(copy: Copy) -> None:
+    """It is planned, run plain and compiled, measured, and changes nothing where it is spared."""
+    files = files_of("Add an effect")
+    assert len(files) <= 5
+    for name in ("engine", "evidence"):
+        shutil.copytree(ROOT / "tests" / name, copy.folder / "tests" / name, ignore=NOT_COPIED)
+    for name in ("conftest.py", "tiers.py", "contacts.py"):
+        shutil.copy(ROOT / "tests" / name, copy.folder / "tests" / name)
+    damping = '        pair("damping",'
+    edits: list[Callable[[str], str]] = [
+        lambda _: EFFECT,
+        with_the_stage,
+        lambda text: text.replace(damping, EFFECT_PAIR + damping),
+        lambda _: EFFECT_TESTS,
+        with_the_draw,
+    ]
+    made = [file.replace("NAME", "standstill") for file in files]
+    for file, edit in zip(made, edits, strict=True):
+        copy.change(file, edit)
+    tests = [*made[3:], "tests/engine/core/test_plan.py", "tests/engine/effects/test_rules.py"]
+    assert "failed" not in copy.run("-m", "pytest", "-q", "--full", *tests, "-k", CHOSEN)
+    costs = ("measure", "effects", "--quick", "--only", "standstill")
+    assert "standstill" in copy.workbook(*costs)

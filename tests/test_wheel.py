@@ -32,7 +32,7 @@ from lesson_code.formulas import elastic_1d
 check_task("1.1", elastic_1d)
 """
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.full
 
 
 @pytest.fixture(scope="module")

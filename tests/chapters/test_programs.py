@@ -80,7 +80,7 @@ def test_program_survives_random_events(program: Program, program_window: Window
     mash(program, program_window, EVENTS, every=4)
 
 
-@pytest.mark.slow
+@pytest.mark.full
 @AND_OWN
 def test_program_survives_ten_thousand_random_events(
     program: Program, program_window: Window

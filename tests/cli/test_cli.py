@@ -676,11 +676,18 @@ def test_open_without_jupyterlab_says_how_to_install_it(monkeypatch: pytest.Monk
     assert 'pip install -e ".[jupyter]"' in result.stderr
 
 
+def hear_ctrl_c() -> None:
+    """Undo what a shell does to a command that it runs in the background."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @pytest.fixture(params=[signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "terminate"])
 def served(request: pytest.FixtureRequest) -> Iterator[tuple[str, signal.Signals, Any]]:
     """Serve this workbook's notebook 01 in another process."""
     command = [str(Path(sys.executable).parent / "workbook"), "open", "01", "--no-browser"]
-    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(
+        command, cwd=ROOT, stdout=subprocess.PIPE, text=True, preexec_fn=hear_ctrl_c
+    ) as process:
         try:
             assert process.stdout is not None
             yield process.stdout.readline(), request.param, process

@@ -42,7 +42,7 @@ CHEAP = ("kane", "limit-cycle", "flat-landing", "dt-jumps", "cradle", "small-dis
 
 def marked(case: HardCase) -> Any:
     """Return a case as a parameter of a test; the long ones are slow."""
-    return pytest.param(case, id=case.name, marks=pytest.mark.slow if case.is_long else ())
+    return pytest.param(case, id=case.name, marks=pytest.mark.full if case.is_long else ())
 
 
 # The catalogue

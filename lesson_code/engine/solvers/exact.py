@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.solver import Request, Solver
+from lesson_code.engine.effects.flags import NAMES
 from lesson_code.engine.event_driven import ExactSolver, record_exact
 
 _EXACT = "collisions are computed at their times, not seen after a step"
+
+_HAS = {
+    *("broad_phase", "collisions", "friction", "gravity"),
+    *("impulse_record", "outlines", "restitution", "rotation"),
+}
 
 
 def run_scene(asked: Request) -> Run:
@@ -25,7 +31,8 @@ SOLVER = Solver(
     name="exact",
     run_scene=run_scene,
     gives_up="the exact solver finds no end of the collisions",
-    lacks={
+    lacks=dict.fromkeys(sorted(set(NAMES) - _HAS), "it makes no steps, of which this is a stage")
+    | {
         "manifolds": "discs touch at one point",
         "internal_edges": "at the end of a face a disc hops, onto the next one if there is one",
         "damping": "damped motion has no closed form here",

@@ -118,7 +118,7 @@ def test_energy_of_a_gas_is_kept_over_a_hundred_thousand_collisions() -> None:
     assert energy_error(3, 100_000, compiled=False) <= ENERGY
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_energy_of_a_gas_is_kept_over_a_million_collisions() -> None:
     """64 discs; compiled where there is a compiler, or in some minutes of plain Python."""
     assert energy_error(8, 1_000_000, compiled=None) <= ENERGY

@@ -111,7 +111,7 @@ def test_stack_of_40_does_not_drift_in_a_second() -> None:
     assert np.abs(run.velocities[-1]).max() < QUIET
 
 
-@pytest.mark.slow
+@pytest.mark.full
 def test_stack_of_40_drifts_less_than_a_millimetre_in_a_minute() -> None:
     """3600 steps of 80 contacts."""
     run = direct(stack([1.0] * 40), 60.0, sample="end")
