@@ -38,7 +38,7 @@ from typing import Protocol
 from lesson_code.geometry.closing import is_closing
 from lesson_code.geometry.rows import Corner
 from lesson_code.geometry.safe_time import Motion, motion_of, safe_time
-from lesson_code.geometry.separation import Moment, separation_rows
+from lesson_code.geometry.separation import RelativePose, separation_rows
 
 TOLERANCE = 1e-12
 """Of the bodies' sizes, together: a gap as small as this is an impact. At 1e-15 rounding
@@ -134,7 +134,7 @@ def advance(
     motion = motion_of(corners, a, b)
     t = 0.0
     for _ in range(MOST_LOOKS):
-        at = moment_at(a, b, t)
+        at = pose_at(a, b, t)
         gap, nx, ny = separation_rows(corners, a, b, at)
         if gap <= tolerance and is_closing(corners, a, b, at, motion, gap, nx, ny, tolerance):
             return t, True
@@ -157,10 +157,10 @@ def shortest_way_out(motion: Motion, depth: float) -> float:
     return depth / speed if speed > 0.0 else math.inf
 
 
-def moment_at(a: SweptBody, b: SweptBody, t: float) -> Moment:
+def pose_at(a: SweptBody, b: SweptBody, t: float) -> RelativePose:
     """Return where two bodies are after a time."""
     angle_a, angle_b = a.angle + a.w * t, b.angle + b.w * t
-    return Moment(
+    return RelativePose(
         (b.x - a.x) + (b.vx - a.vx) * t,
         (b.y - a.y) + (b.vy - a.vy) * t,
         math.cos(angle_a),

@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from lesson_code.geometry.rows import Corner
 from lesson_code.geometry.safe_time import Axis, Motion, motion_seen_from_b
 from lesson_code.geometry.separation import (
-    Moment,
     Outline,
+    RelativePose,
     face_gap,
     face_normal,
     farthest,
@@ -30,7 +30,7 @@ def is_closing(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     gap: float,
     nx: float,
@@ -56,7 +56,7 @@ def faces_are_closing(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     least: float,
     tolerance: float,
@@ -75,7 +75,7 @@ def axis_is_closing(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     axis: Axis,
     tolerance: float,

@@ -37,8 +37,8 @@ from typing import NamedTuple, Protocol
 from lesson_code.geometry.impact_times import line_impact_time
 from lesson_code.geometry.rows import Corner
 from lesson_code.geometry.separation import (
-    Moment,
     Outline,
+    RelativePose,
     best_face,
     face_normal,
     seen_from_b,
@@ -106,7 +106,7 @@ def safe_time(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     gap: float,
     nx: float,
@@ -127,7 +127,9 @@ def safe_time(
     return max(step, face_time(corners, b, a, back, motion_back, target, limit))
 
 
-def wait_for_bounds(a: Outline, b: Outline, at: Moment, motion: Motion, target: float) -> float:
+def wait_for_bounds(
+    a: Outline, b: Outline, at: RelativePose, motion: Motion, target: float
+) -> float:
     """Return when the circles that hold the bodies at any angle meet, s; 0 if they overlap."""
     radius_sum = a.radius + b.radius + motion.size_a + motion.size_b + max(target, 0.0)
     if at.dx * at.dx + at.dy * at.dy <= radius_sum * radius_sum:
@@ -139,7 +141,7 @@ def face_time(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     target: float,
     limit: float,
@@ -157,7 +159,7 @@ def axis_time(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     axis: Axis,
     target: float,
@@ -185,7 +187,7 @@ def fall_time(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     axis: Axis,
     target: float,
@@ -216,7 +218,7 @@ def leading_gap(
     corners: Sequence[Corner],
     a: Outline,
     b: Outline,
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     axis: Axis,
     as_circle_a: bool,
@@ -243,7 +245,7 @@ def leading_gap(
 
 
 def most_bend(
-    at: Moment,
+    at: RelativePose,
     motion: Motion,
     turning: float,
     limit: float,

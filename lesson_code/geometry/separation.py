@@ -38,7 +38,7 @@ class Outline(Protocol):
     corner_count: int
 
 
-class Moment(NamedTuple):
+class RelativePose(NamedTuple):
     """Where two bodies are: B's position seen from A's, m, and the cosine and sine of angles."""
 
     dx: float
@@ -50,7 +50,7 @@ class Moment(NamedTuple):
 
 
 def separation_rows(
-    corners: Sequence[Corner], a: Outline, b: Outline, at: Moment
+    corners: Sequence[Corner], a: Outline, b: Outline, at: RelativePose
 ) -> tuple[float, float, float]:
     """Return the distance between two bodies, m, negative when they overlap, and its direction.
 
@@ -71,12 +71,14 @@ def separation_rows(
     return gap - radius_sum, nx, ny
 
 
-def seen_from_b(at: Moment) -> Moment:
+def seen_from_b(at: RelativePose) -> RelativePose:
     """Return where two bodies are, with A and B exchanged."""
-    return Moment(0.0 - at.dx, 0.0 - at.dy, at.cos_b, at.sin_b, at.cos_a, at.sin_a)
+    return RelativePose(0.0 - at.dx, 0.0 - at.dy, at.cos_b, at.sin_b, at.cos_a, at.sin_a)
 
 
-def best_face(corners: Sequence[Corner], a: Outline, b: Outline, at: Moment) -> tuple[float, int]:
+def best_face(
+    corners: Sequence[Corner], a: Outline, b: Outline, at: RelativePose
+) -> tuple[float, int]:
     """Return the largest gap along the outward normals of A's edges, m, and that edge.
 
     A circle has no edges: its gap is minus infinity.
@@ -89,7 +91,7 @@ def best_face(corners: Sequence[Corner], a: Outline, b: Outline, at: Moment) -> 
     return most, edge
 
 
-def face_gap(corners: Sequence[Corner], b: Outline, at: Moment, k: int) -> float:
+def face_gap(corners: Sequence[Corner], b: Outline, at: RelativePose, k: int) -> float:
     """Return how far B lies above one of A's edges: its lowest corner; negative below it, m."""
     c = corners[k]
     nx, ny = face_normal(corners, at, k)
@@ -98,7 +100,7 @@ def face_gap(corners: Sequence[Corner], b: Outline, at: Moment, k: int) -> float
     return along - farthest(corners, b, mx, my)
 
 
-def face_normal(corners: Sequence[Corner], at: Moment, k: int) -> tuple[float, float]:
+def face_normal(corners: Sequence[Corner], at: RelativePose, k: int) -> tuple[float, float]:
     """Return the outward unit normal of one of A's edges, turned with A."""
     c = corners[k]
     nx = at.cos_a * c.local_nx - at.sin_a * c.local_ny
@@ -127,7 +129,7 @@ def farthest(corners: Sequence[Corner], body: Outline, mx: float, my: float) -> 
 
 
 def from_face(
-    corners: Sequence[Corner], a: Outline, b: Outline, at: Moment, gap: float, edge: int
+    corners: Sequence[Corner], a: Outline, b: Outline, at: RelativePose, gap: float, edge: int
 ) -> tuple[float, float, float]:
     """Return the distance between the outlines, and its direction, given the best face.
 
@@ -146,7 +148,7 @@ def from_face(
 
 
 def gap_from_edge(
-    corners: Sequence[Corner], a: Outline, b: Outline, at: Moment, edge: int
+    corners: Sequence[Corner], a: Outline, b: Outline, at: RelativePose, edge: int
 ) -> tuple[float, float]:
     """Return the shortest vector from an edge of A to the edge of B that faces it.
 

@@ -27,7 +27,7 @@ from lesson_code.geometry.impact_times import circle_impact_time, circle_outline
 from lesson_code.geometry.rows import Corner, Placed, PlacedBody, place
 from lesson_code.geometry.safe_time import Motion
 from lesson_code.geometry.sat import TIE
-from lesson_code.geometry.separation import Moment, separation_rows
+from lesson_code.geometry.separation import RelativePose, separation_rows
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 
@@ -143,7 +143,7 @@ def outlines_impact_time(
     if they touch at the start.
     """
     dx, dy = b.x - a.x, b.y - a.y
-    if separation_rows(corners, a, b, _moment(a, b, dx, dy))[0] <= 0.0:
+    if separation_rows(corners, a, b, _pose(a, b, dx, dy))[0] <= 0.0:
         time = 0.0
     else:
         time = corners_impact_time(corners, a, b, dx, dy, vx, vy)
@@ -191,7 +191,7 @@ def is_grazing(
     vy: float,
 ) -> bool:
     """Return whether two outlines that touch or overlap do not come nearer, but slide or part."""
-    at = _moment(a, b, dx, dy)
+    at = _pose(a, b, dx, dy)
     gap, nx, ny = separation_rows(corners, a, b, at)
     first = corners[a.first_corner]
     tie = TIE * (abs(dx) + abs(dy) + abs(first.x) + abs(first.y))
@@ -199,9 +199,9 @@ def is_grazing(
     return not is_closing(corners, a, b, at, motion, gap, nx, ny, tie)
 
 
-def _moment(a: PlacedBody, b: PlacedBody, dx: float, dy: float) -> Moment:
+def _pose(a: PlacedBody, b: PlacedBody, dx: float, dy: float) -> RelativePose:
     """Return where two bodies that do not turn are."""
-    return Moment(dx, dy, a.cos, a.sin, b.cos, b.sin)
+    return RelativePose(dx, dy, a.cos, a.sin, b.cos, b.sin)
 
 
 def _turning_impact_time(

@@ -15,7 +15,7 @@ from lesson_code.geometry.advancement import (
     Moving,
     advance,
     advance_to_impact,
-    moment_at,
+    pose_at,
     shortest_way_out,
 )
 from lesson_code.geometry.rows import Corner, corner_rows
@@ -138,7 +138,7 @@ def test_impact_is_never_late_and_within_the_tolerance(
     corners, a, b, tolerance = pair(shape_a, pose_a, velocity_a, shape_b, pose_b, velocity_b)
 
     def gap(t: float) -> float:
-        return separation_rows(corners, a, b, moment_at(a, b, t))[0]
+        return separation_rows(corners, a, b, pose_at(a, b, t))[0]
 
     assume(gap(0.0) > tolerance)
     time = advance_to_impact(corners, a, b, DURATION, tolerance)
@@ -169,7 +169,7 @@ def test_impact_bodies_swapped_is_the_same(
         assert there == back
     else:
         for time in (there, back):
-            assert separation_rows(corners, a, b, moment_at(a, b, time))[0] <= tolerance
+            assert separation_rows(corners, a, b, pose_at(a, b, time))[0] <= tolerance
         assert there == pytest.approx(back, abs=1e-6)  # a graze closes slowly
 
 
@@ -183,7 +183,7 @@ def test_impact_spinning_rod_never_tunnels(speed: float, spin: float, thickness:
     time, is_certain = advance(corners, a, b, 10.0, tolerance)
     assert is_certain
     assert 4 - thickness / 2 - CLOSE < speed * time < 5 - thickness / 2
-    assert separation_rows(corners, a, b, moment_at(a, b, time))[0] <= tolerance
+    assert separation_rows(corners, a, b, pose_at(a, b, time))[0] <= tolerance
 
 
 @pytest.mark.parametrize(
@@ -241,7 +241,7 @@ def test_overlap_that_is_left_does_not_hide_the_next_impact() -> None:
     corners, a, b, tolerance = pair(ROD, (-0.9, 0, 0), (-0.01, 0, 1), WALL, STILL, STILL)
     time = advance_to_impact(corners, a, b, 10.0, tolerance)
     assert math.pi / 2 < time < math.pi
-    gap = separation_rows(corners, a, b, moment_at(a, b, time))[0]
+    gap = separation_rows(corners, a, b, pose_at(a, b, time))[0]
     assert abs(gap) <= tolerance
 
 

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from lesson_code.geometry import Circle, Polygon, Segment, Shape
-from lesson_code.geometry.advancement import Moving, moment_at
+from lesson_code.geometry.advancement import Moving, pose_at
 from lesson_code.geometry.closing import fastest_rise, is_closing
 from lesson_code.geometry.rows import Corner, corner_rows
 from lesson_code.geometry.safe_time import motion_of
@@ -37,7 +37,7 @@ def closing(
         corners += corner_rows(shape.outline)
         rows.append(Moving(*pose, *velocity, shape.rounding, first, len(shape.outline)))
     a, b = rows
-    at, motion = moment_at(a, b, 0.0), motion_of(corners, a, b)
+    at, motion = pose_at(a, b, 0.0), motion_of(corners, a, b)
     gap, nx, ny = separation_rows(corners, a, b, at)
     return is_closing(corners, a, b, at, motion, gap, nx, ny, TOUCHING)
 

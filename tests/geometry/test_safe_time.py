@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from lesson_code.geometry import Circle, Polygon, Segment, Shape
-from lesson_code.geometry.advancement import Moving, moment_at
+from lesson_code.geometry.advancement import Moving, pose_at
 from lesson_code.geometry.rows import Corner, corner_rows
 from lesson_code.geometry.safe_time import (
     Axis,
@@ -65,13 +65,13 @@ def test_safe_time_distance_never_falls_below_the_target(
     corners: list[Corner] = []
     a = moving(shape_a, pose_a, velocity_a, corners)
     b = moving(shape_b, pose_b, velocity_b, corners)
-    at, motion = moment_at(a, b, 0.0), motion_of(corners, a, b)
+    at, motion = pose_at(a, b, 0.0), motion_of(corners, a, b)
     gap, nx, ny = separation_rows(corners, a, b, at)
     assume(gap > target)
     safe = safe_time(corners, a, b, at, motion, gap, nx, ny, target, LIMIT)
     assert safe > 0
     for k in range(LOOKS + 1):
-        later = moment_at(a, b, min(safe, LIMIT) * k / LOOKS)
+        later = pose_at(a, b, min(safe, LIMIT) * k / LOOKS)
         assert separation_rows(corners, a, b, later)[0] > target - FEW_ROUNDINGS
 
 
@@ -88,7 +88,7 @@ def test_safe_time_is_at_least_distance_over_the_largest_speed(
     corners: list[Corner] = []
     a = moving(shape_a, pose_a, velocity_a, corners)
     b = moving(shape_b, pose_b, velocity_b, corners)
-    at, motion = moment_at(a, b, 0.0), motion_of(corners, a, b)
+    at, motion = pose_at(a, b, 0.0), motion_of(corners, a, b)
     gap, nx, ny = separation_rows(corners, a, b, at)
     speed = math.hypot(motion.vx, motion.vy)
     speed += abs(motion.w_a) * motion.size_a + abs(motion.w_b) * motion.size_b
@@ -112,7 +112,7 @@ def test_safe_time_of_a_disc_hand_worked(velocity: State, expected: float) -> No
     corners: list[Corner] = []
     a = moving(BOX, (0, 0, 0), (0, 0, 0), corners)
     b = moving(DISC, (4.5, 0, 0), velocity, corners)
-    at, motion = moment_at(a, b, 0.0), motion_of(corners, a, b)
+    at, motion = pose_at(a, b, 0.0), motion_of(corners, a, b)
     gap, nx, ny = separation_rows(corners, a, b, at)
     safe = safe_time(corners, a, b, at, motion, gap, nx, ny, 0.0, 10.0)
     assert safe == pytest.approx(expected, rel=FEW_ROUNDINGS)
@@ -123,7 +123,7 @@ def test_safe_time_of_a_fast_spin_waits_for_the_circle_round_it() -> None:
     corners: list[Corner] = []
     wall = moving(Segment((0, -9), (0, 9)), (0, 0, 0), (0, 0, 0), corners)
     rod = moving(ROD, (3, 0, math.pi / 2), (-1, 0, 1e6), corners)
-    at, motion = moment_at(wall, rod, 0.0), motion_of(corners, wall, rod)
+    at, motion = pose_at(wall, rod, 0.0), motion_of(corners, wall, rod)
     gap, nx, ny = separation_rows(corners, wall, rod, at)
     assert gap == pytest.approx(3)
     safe = safe_time(corners, wall, rod, at, motion, gap, nx, ny, 0.0, 10.0)
@@ -140,7 +140,7 @@ def test_safe_time_error_is_of_second_order(part: float) -> None:
     floor = moving(Segment((-9, 0), (9, 0)), (0, 0, 0), (0, 0, 0), corners)
     rod = moving(Segment((0, 0), (1, 0)), (0, math.sin(0.5 + part), 0), (0, 0, -1), corners)
     rod.angle = -0.5
-    at, motion = moment_at(floor, rod, 0.0), motion_of(corners, floor, rod)
+    at, motion = pose_at(floor, rod, 0.0), motion_of(corners, floor, rod)
     gap, nx, ny = separation_rows(corners, floor, rod, at)
     safe = safe_time(corners, floor, rod, at, motion, gap, nx, ny, 0.0, 10.0)
     assert part - part**2 < safe < part
@@ -151,7 +151,7 @@ def test_axis_time_axis_without_a_gap_is_zero() -> None:
     corners: list[Corner] = []
     a = moving(BOX, (0, 0, 0), (0, 0, 1), corners)
     b = moving(BOX, (5, 1, 0), (0, 1, 0), corners)
-    at, motion = moment_at(a, b, 0.0), motion_of(corners, a, b)
+    at, motion = pose_at(a, b, 0.0), motion_of(corners, a, b)
     for turning in (0.0, 1.0):
         axis = Axis(0.0, 1.0, turning)
         assert axis_time(corners, a, b, at, motion, axis, 0.0, LIMIT) == 0.0
@@ -175,7 +175,7 @@ def test_bounds_that_overlap_give_nothing_to_wait_for() -> None:
         a = moving(ROD, (0, 0, 0), (0, 0, 1), corners)
         b = moving(ROD, (distance, 0, 0), (-1, 0, 1), corners)
         motion = motion_of(corners, a, b)
-        assert wait_for_bounds(a, b, moment_at(a, b, 0.0), motion, 0.0) == pytest.approx(wait)
+        assert wait_for_bounds(a, b, pose_at(a, b, 0.0), motion, 0.0) == pytest.approx(wait)
 
 
 def test_motion_seen_from_b_twice_is_as_before() -> None:

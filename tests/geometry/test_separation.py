@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from lesson_code.geometry import Circle, Polygon, Segment, Shape, collide
 from lesson_code.geometry.rows import Corner, Placed, place
 from lesson_code.geometry.separation import (
-    Moment,
+    RelativePose,
     best_face,
     farthest,
     seen_from_b,
@@ -33,13 +33,13 @@ DISC = Circle(0.5)
 
 def rows(
     shape_a: Shape, pose_a: Pose, shape_b: Shape, pose_b: Pose
-) -> tuple[list[Corner], Placed, Placed, Moment]:
+) -> tuple[list[Corner], Placed, Placed, RelativePose]:
     """Return two shapes as rows whose table is not turned, and where they are."""
     corners: list[Corner] = []
     a = place(shape_a.outline, shape_a.rounding, (0.0, 0.0, 0.0), corners)
     b = place(shape_b.outline, shape_b.rounding, (0.0, 0.0, 0.0), corners)
     turns = [f(pose[2]) for pose in (pose_a, pose_b) for f in (math.cos, math.sin)]
-    return corners, a, b, Moment(pose_b[0] - pose_a[0], pose_b[1] - pose_a[1], *turns)
+    return corners, a, b, RelativePose(pose_b[0] - pose_a[0], pose_b[1] - pose_a[1], *turns)
 
 
 @pytest.mark.parametrize(
@@ -127,7 +127,7 @@ def test_best_face_of_a_circle_is_none() -> None:
 
 def test_seen_from_b_twice_is_as_before() -> None:
     """Exchanging the bodies is its own inverse."""
-    at = Moment(3.0, 1.0, 0.6, 0.8, 1.0, 0.0)
+    at = RelativePose(3.0, 1.0, 0.6, 0.8, 1.0, 0.0)
     assert seen_from_b(at) == (-3.0, -1.0, 1.0, 0.0, 0.6, 0.8)
     assert seen_from_b(seen_from_b(at)) == at
 

@@ -34,7 +34,7 @@ from lesson_code.geometry.impact_times import (
 )
 from lesson_code.geometry.nearest_feature import nearest_feature
 from lesson_code.geometry.rows import Corner, place
-from lesson_code.geometry.separation import Moment, separation_rows
+from lesson_code.geometry.separation import RelativePose, separation_rows
 
 # mpmath 1.4 wants the lowest power first and `asc=True`, which mpmath 1.3 does not know.
 pytestmark = pytest.mark.filterwarnings("ignore:Descending:DeprecationWarning")
@@ -398,7 +398,7 @@ def test_distance_of_any_two_kinds_is_shapely_s(kind_a: str, kind_b: str) -> Non
             place(shape.outline, shape.rounding, tuple(pose), corners)
             for shape, pose in zip((a, b), poses, strict=True)
         ]
-        at = Moment(
+        at = RelativePose(
             rows[1].x - rows[0].x, rows[1].y - rows[0].y, *(f(p[2]) for p in poses for f in TURN)
         )
         measured, nx, ny = separation_rows(corners, *rows, at)

@@ -11,7 +11,7 @@ stage                   what it does
 ======================  =====================================================================
 
 Two points of one manifold share their bodies, and what is given to one moves the other. Their
-normal impulses are found together, exactly (``two_points``).
+normal impulses are found together, exactly (``block_solver``).
 
 The totals are clamped, not the corrections: a later visit may take back what an earlier one
 gave too much, as long as the total still pushes (jn >= 0) and friction stays within mu jn.

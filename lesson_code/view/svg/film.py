@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
 from lesson_code.formulas.validation import one_number, positive
-from lesson_code.view.svg.scene_svg import Sheet, State, Ticks, moving, ticks
+from lesson_code.view.svg.scene_svg import PlacedState, Sheet, Ticks, moving, ticks
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -83,7 +83,7 @@ class Film:
     scene : Scene
         The bodies.
     places, turns, arrows : ndarray of int, shape (K, N, 2), (K, N) and (K, N, 2)
-        As a :class:`lesson_code.view.svg.scene_svg.State` has them.
+        As a :class:`lesson_code.view.svg.scene_svg.PlacedState` has them.
     contacts : list of list of int
         For each picture x and y of each contact point, px; empty if none are shown.
     """
@@ -94,10 +94,10 @@ class Film:
     arrows: Ticks
     contacts: list[list[int]]
 
-    def state(self, frame: int) -> State:
+    def state(self, frame: int) -> PlacedState:
         """Return one picture."""
         contacts = self.contacts[frame] if self.contacts else []
-        return State(self.places[frame], self.turns[frame], self.arrows[frame], contacts)
+        return PlacedState(self.places[frame], self.turns[frame], self.arrows[frame], contacts)
 
     def paths(self) -> list[list[list[int]]]:
         """Return for each body that moves x, y and angle over time, and x and y of its arrow.

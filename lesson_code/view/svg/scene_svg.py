@@ -155,7 +155,7 @@ def drawing(sheet: Sheet, pictures: Sequence[str], note: str, name: str) -> str:
 
 
 @dataclass(frozen=True)
-class State:
+class PlacedState:
     """The bodies of a scene at one time, placed in a picture.
 
     Attributes
@@ -176,7 +176,7 @@ class State:
     contacts: Sequence[int] = ()
 
 
-def picture(sheet: Sheet, scene: Scene, state: State, names: Mapping[int, str]) -> str:
+def picture(sheet: Sheet, scene: Scene, state: PlacedState, names: Mapping[int, str]) -> str:
     """Return the bodies of a scene in a state: static ones behind, then those that move.
 
     What a script can move carries `data-body`, in the order of :func:`moving`: inside it stand a
@@ -188,7 +188,7 @@ def picture(sheet: Sheet, scene: Scene, state: State, names: Mapping[int, str]) 
         Where they are drawn.
     scene : Scene
         The bodies.
-    state : State
+    state : PlacedState
         Where they are.
     names : mapping of int to str
         What stands on some of the bodies that move.
@@ -267,13 +267,13 @@ def dots(places: Sequence[int]) -> str:
     return "".join(f"M{x} {y}h0" for x, y in zip(places[::2], places[1::2], strict=True))
 
 
-def _move(state: State, n: int) -> str:
+def _move(state: PlacedState, n: int) -> str:
     """Return what takes a body to its place."""
     x, y = state.places[n].tolist()
     return f"translate({text_of(x)} {text_of(y)})"
 
 
-def _turn(state: State, n: int) -> str:
+def _turn(state: PlacedState, n: int) -> str:
     """Return what turns a body."""
     return f"rotate({text_of(int(state.turns[n]))})"
 

@@ -13,7 +13,7 @@ from lesson_code import Body, Circle, Polygon, Scene, Segment
 from lesson_code.view.framing import View
 from lesson_code.view.matplotlib import style
 from lesson_code.view.svg import scene_svg
-from lesson_code.view.svg.scene_svg import Sheet, State, ticks
+from lesson_code.view.svg.scene_svg import PlacedState, Sheet, ticks
 
 SVG = "{http://www.w3.org/2000/svg}"
 SHEET = Sheet(View(0, 10, 0, 5), 20.0, ("",))
@@ -23,12 +23,12 @@ BALL = Body(Circle(1.0), mass=1.0)
 FLOOR = Body(Segment((0, 0), (10, 0)))
 
 
-def state_of(scene: Scene, sheet: Sheet = SHEET, contacts: Any = ()) -> State:
+def state_of(scene: Scene, sheet: Sheet = SHEET, contacts: Any = ()) -> PlacedState:
     """Return the state that a scene starts in."""
     places = np.reshape([body.position for body in scene.bodies], (-1, 2))
     turns = np.array([body.angle for body in scene.bodies])
     none = np.zeros((len(scene.bodies), 2), dtype=np.int64)
-    return State(sheet.placed(places), sheet.turned(turns), none, contacts)
+    return PlacedState(sheet.placed(places), sheet.turned(turns), none, contacts)
 
 
 def drawn(scene: Scene, names: Any = None, sheet: Sheet = SHEET, **rest: Any) -> Xml.Element:
