@@ -217,7 +217,6 @@ def like_chapter_01(file: str) -> Callable[[str], str]:
     return lambda _: renumbered((ROOT / model).read_text(encoding="utf-8"))
 
 
-@pytest.mark.full
 def test_chapter_is_ten_files(copy: Copy) -> None:
     """Quiz, tasks, notebook and exercise are found by being there."""
     files = files_of("Add a chapter")
@@ -404,7 +403,6 @@ def with_the_draw(bits: str) -> str:
     return bits.replace(like, like + like.replace('"damping"', '"standstill"'))
 
 
-@pytest.mark.full
 def test_effect_is_at_most_five_files(copy: Copy) -> None:
     """It is planned, run plain and compiled, measured, and changes nothing where it is spared."""
     files = files_of("Add an effect")

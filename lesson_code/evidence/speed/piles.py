@@ -129,8 +129,8 @@ def race_with_pile(pile: Pile, repeats: int) -> PileRace:
 def _least(pile: Pile, name: str) -> Attempt:
     """Return the attempt with the cheapest setting that holds the pile, else with the dearest."""
     settings = SUBSTEPS if name == "substep" else ITERATIONS
-    trials = (_attempt(pile, name, setting) for setting in settings)
-    return next(attempt for attempt in trials if attempt.held or attempt.setting == settings[-1])
+    attempts = (_attempt(pile, name, setting) for setting in settings)
+    return next(attempt for attempt in attempts if attempt.held or attempt.setting == settings[-1])
 
 
 def _time(pile: Pile, name: str, setting: int) -> float:
