@@ -36,7 +36,7 @@ def simulate(
     effects: Mapping[str, bool] | None = None,
     compiled: bool | None = None,
     impacts: str = "simultaneous",
-    restitution_law: str = "newton",
+    restitution_law: str | None = None,
     sample: Sample = None,
 ) -> Run:
     """Simulate a scene for a duration, and return the run.
@@ -81,9 +81,10 @@ def simulate(
     impacts : str
         Where bodies that touch are struck together: "simultaneous", all bounce at once, or
         "sequential", one pair after the other. A choice that only "direct" offers.
-    restitution_law : str
-        "newton": e is a ratio of velocities. "energetic": Stronge's, a ratio of work, which gains
-        no energy where there is friction too. A choice that only "direct" offers.
+    restitution_law : str, optional
+        "newton": e is a ratio of velocities, which may gain energy where there is friction too.
+        "energetic": Stronge's, a ratio of work, which gains none. A choice that only "direct"
+        offers: it takes "energetic" unless the other is given. All others know Newton's.
     sample : None, "end" or array_like, shape (F,)
         Which states to record: those after every step (for "exact", after every collision) and
         the last; only the first and the last; or those at given times, s. Where "auto" chooses
@@ -169,23 +170,30 @@ def _run(solver: Solver, asked: Request) -> Run:
     return solver.run_scene(asked) if solver.run_scene else run_in_steps(asked, solver)
 
 
-def _options(solver: str, **chosen: str) -> dict[str, str]:
+def _options(solver: str, **chosen: str | None) -> dict[str, str]:
     """Return the choices that only some solvers offer, or refuse what this one does not.
 
-    Nothing where they are what every solver does.
+    Nothing where none is made, or where it is what every solver does.
     """
-    usual = True
+    made = {}
     for name, value in chosen.items():
-        offering = [s for s in SOLVERS.values() if name in s.options]
-        values = offering[0].options[name]
+        able = [s.name for s in SOLVERS.values() if name in s.options]
+        values = SOLVERS[able[0]].options[name]
+        if value is None or value == USUAL[name] == values[0]:
+            continue
         if value not in values:
             raise ValueError(f"{name} must be one of {', '.join(values)}, got {value!r}")
-        able = [s.name for s in offering]
-        if solver not in ("auto", *able) and value != values[0]:
+        if solver in ("auto", *able):
+            made[name] = value
+        elif value != USUAL[name]:
             who = " or ".join(map(repr, able))
-            raise ValueError(f"{name} must be {values[0]!r} unless solver is {who}, got {value!r}")
-        usual = usual and value == values[0]
-    return {} if usual else chosen
+            usual = USUAL[name]
+            raise ValueError(f"{name} must be {usual!r} unless solver is {who}, got {value!r}")
+    return made
+
+
+USUAL = {"impacts": "simultaneous", "restitution_law": "newton"}
+"""What a solver does that offers no choice."""
 
 
 def _count(name: str, value: int) -> int:

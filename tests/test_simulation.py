@@ -153,7 +153,7 @@ WRONG_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"solver": None}, "solver must be one of .*, sequential, substep, box2d, pymunk, got None"),
     ({"impacts": "both"}, "impacts must be one of simultaneous, sequential, got 'both'"),
     ({"impacts": "sequential"}, "impacts must be 'simultaneous' unless solver is 'direct', got"),
-    ({"restitution_law": "poisson"}, "restitution_law must be one of newton, energetic, got 'poi"),
+    ({"restitution_law": "poisson"}, "restitution_law must be one of energetic, newton, got 'poi"),
     ({"restitution_law": "energetic"}, "restitution_law must be 'newton' unless solver is 'direc"),
     ({"combine": "bullet"}, "combine must be one of workbook, pymunk, box2d or a MixingRule"),
     ({"combine": None}, "combine must be one of workbook, pymunk, box2d or a MixingRule"),

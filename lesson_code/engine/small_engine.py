@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, record
+from lesson_code.engine.core.recording import EVENT_NUMBERS, moved_on, record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.formulas import (
@@ -179,6 +179,10 @@ class SmallEngine:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
         rows = [[*b.position, b.angle, *b.velocity, b.w] for b in self._bodies]
         return np.array(rows, dtype=float).reshape(-1, 6)
+
+    def states_after(self, duration: float) -> NDArray[np.float64]:
+        """Return the states moved on at their velocities, shape (N, 6)."""
+        return moved_on(self.states(), duration)
 
     def events(self) -> NDArray[np.float64]:
         """Return no impulses: they are not written down."""

@@ -19,6 +19,7 @@ from lesson_code.engine.compiled import (
     as_numbers,
     choose,
     compiled_function,
+    copy_of,
     link,
 )
 from lesson_code.engine.core.capacity import add_capacity
@@ -188,7 +189,9 @@ class EngineStepper:
         self.effects = choose_effects(self._question, self._asked)
         stages = pipeline_for(scene, self._solver, self.effects, self._options)
         self.pipeline = stages._replace(splits_steps=splits_steps)
-        self.world = world_of(scene, dt / self._steps_a_step, iterations, combine)
+        self.world = world_of(
+            scene, dt / self._steps_a_step, iterations, combine, self._solver.skin
+        )
         self.world.state.substeps = substeps
         self._rows = self.world
         self._steps_planned = duration / dt
@@ -276,6 +279,18 @@ class EngineStepper:
             return np.array(columns, dtype=float).T.reshape(-1, STATE_NUMBERS)
         rows = [state_of(row) for row in self.world.bodies]
         return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+
+    def states_after(self, duration: float) -> NDArray[np.float64]:
+        """Return the states that a shorter step leads to, shape (N, 6); nothing else changes."""
+        if duration <= 0.0:
+            return self.states()
+        world, pipeline, events = self.world, self.pipeline, list(self._events)
+        self.world, self.pipeline = copy_of(world), pipeline._replace(listener=None)
+        self.world.state.whole = duration / self._steps_a_step
+        self._advance(1)
+        states = self.states()
+        self.world, self.pipeline, self._events = world, pipeline, events
+        return states
 
     def row(self, number: int) -> Any:
         """Return a body's row, or its record, which has the same fields and can be changed."""

@@ -15,9 +15,9 @@ Both ways give the same bits: no operation is reordered or left out. Nothing her
 understand the engine, and without Numba everything runs, only more slowly.
 """
 
-from lesson_code.engine.compiled.arrays import as_arrays, as_numbers
+from lesson_code.engine.compiled.arrays import as_arrays, as_numbers, copy_of
 from lesson_code.engine.compiled.choice import Choice, choose
 from lesson_code.engine.compiled.library import compiled_function
 from lesson_code.engine.compiled.linker import link
 
-__all__ = ["Choice", "as_arrays", "as_numbers", "choose", "compiled_function", "link"]
+__all__ = ["Choice", "as_arrays", "as_numbers", "choose", "compiled_function", "copy_of", "link"]

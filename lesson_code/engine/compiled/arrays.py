@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import re
 import typing
@@ -80,6 +81,22 @@ def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:
     longer = _zeros(rows, table.dtype)
     longer[: len(table)] = table
     return longer
+
+
+def copy_of(tables: Tables) -> Tables:
+    """Return a named tuple of tables, lists of rows or arrays, with rows of its own."""
+    return type(tables)(*map(_copy, tables))
+
+
+def _copy(table: Any) -> Any:
+    """Return a copy of a table, or of a single row."""
+    if isinstance(table, list):
+        return [copy.copy(row) for row in table]
+    if isinstance(table, np.ndarray):
+        same = _zeros(len(table), table.dtype)
+        same[:] = table
+        return same
+    return copy.copy(table)
 
 
 @cache

@@ -12,7 +12,14 @@ other. Relative to the bodies, because 5 mm is nothing for a wall and everything
 FINE_SLOP = 5e-4
 """The same for the direct solver, whose contacts neither sink nor jitter, and need less room.
 
-At 0 its resting contacts too would open and close in turn.
+At 0 what rounding makes of an overlap would be pushed out, and lift the body.
+"""
+
+SKIN = 1e-3
+"""Of a body's width: how far from its surface the direct solver sees contacts.
+
+At 0 a corner that lies on a face would be in contact or not by rounding, and a box would stand on
+one of its two corners. At 0.1 bodies bounce before they visibly touch.
 """
 
 INTERNAL_EDGE_TOLERANCE = 1e-6
@@ -40,6 +47,9 @@ IMPACT_DEPTH = 0.5
 
 At 0 they would only touch, which is not a contact; at 1 or more they would be pushed apart.
 """
+
+LEAST_PART = 1e-6
+"""Of a step: the shortest part that one is split into by bodies with a skin. At 0 time may stop."""
 
 MOST_IMPACTS = 64
 """Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""
@@ -150,7 +160,7 @@ QUIET_TIME = 1.0
 STEPS_A_LOOK = 8
 """Steps from one search for islands that may sleep to the next."""
 
-MOST_FOR_DIRECT = 40
+MOST_FOR_DIRECT = 400
 """Bodies that can be pushed: up to here the direct solver suits any scene. Its time grows with the
 cube of the contacts in an island, that of a sweep with their number.
 """

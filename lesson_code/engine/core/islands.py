@@ -38,6 +38,7 @@ class Island(NamedTuple):
     on_b: Floats
     inverse_masses: Floats  # W, shape (n, 3)
     delassus: Floats  # K, shape (2m, 2m), 1/kg
+    scale: Floats  # of the impulses at each contact, kg^(1/2), shape (m,)
     friction: Floats  # mu, shape (m,)
 
 
@@ -87,13 +88,21 @@ def island_of(world: World, contacts: list[ContactRow]) -> Island:
     of_b = np.array([place[c.b] for c in contacts] * 2)
     on_a, on_b = _directions(contacts, world.bodies)
     delassus = _delassus(of_a, of_b, on_a, on_b, w)
+    m = len(contacts)
+    scale = 1.0 / np.sqrt(w[of_a[:m], 0] + w[of_b[:m], 0])
     friction = np.array([c.friction for c in contacts])
-    return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, delassus, friction)
+    return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, delassus, scale, friction)
 
 
 def velocities(island: Island) -> Floats:
     """Return the velocities at the contacts, shape (2m,), m/s; > 0 along the normal: parting."""
     return _at_contacts(island, np.array([(body.vx, body.vy, body.w) for body in island.bodies]))
+
+
+def start_velocities(island: Island) -> Floats:
+    """Return the same for the velocities at the start of the part of a step."""
+    start = [(body.start_vx, body.start_vy, body.start_w) for body in island.bodies]
+    return _at_contacts(island, np.array(start))
 
 
 def pseudo_velocities(island: Island) -> Floats:
@@ -104,7 +113,7 @@ def pseudo_velocities(island: Island) -> Floats:
 
 def apply_impulses(island: Island, x: Floats) -> None:
     """Change the velocities of the bodies by impulses at all contacts, shape (2m,), N s."""
-    for body, (vx, vy, w) in zip(island.bodies, _changes(island, x), strict=True):
+    for body, (vx, vy, w) in zip(island.bodies, changes_of(island, x), strict=True):
         body.vx += vx
         body.vy += vy
         body.w += w
@@ -112,7 +121,7 @@ def apply_impulses(island: Island, x: Floats) -> None:
 
 def apply_pseudo_impulses(island: Island, x: Floats) -> None:
     """Change the velocities of the position correction likewise."""
-    for body, (vx, vy, w) in zip(island.bodies, _changes(island, x), strict=True):
+    for body, (vx, vy, w) in zip(island.bodies, changes_of(island, x), strict=True):
         body.pseudo_vx += vx
         body.pseudo_vy += vy
         body.pseudo_w += w
@@ -124,7 +133,7 @@ def _at_contacts(island: Island, v: Floats) -> Floats:
     return u
 
 
-def _changes(island: Island, x: Floats) -> list[list[float]]:
+def changes_of(island: Island, x: Floats) -> list[list[float]]:
     """Return W G^T x: the changes of vx, vy, w of every body."""
     received = np.zeros_like(island.inverse_masses)
     np.add.at(received, island.of_a, island.on_a * x[:, np.newaxis])

@@ -39,8 +39,11 @@ class Stepper(Protocol):
     def advance(self, steps: int) -> None:
         """Advance by `steps` steps of dt."""
 
-    def states(self) -> NDArray[np.float64]:
-        """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
+    def states_after(self, duration: float) -> NDArray[np.float64]:
+        """Return x, y, angle, vx, vy, w of every body, shape (N, 6), a part of a step later, s.
+
+        The stepper stays where it is.
+        """
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10); see :data:`Event`."""
@@ -61,8 +64,8 @@ class Moment:
 def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reason: str) -> Run:
     """Run a solver for a duration, and return the run.
 
-    All steps have the same length. A state between two steps is that of the earlier one, moved
-    on at its velocity: what the solver's next step does, but for a push out of an overlap.
+    All steps have the same length. A state between two steps is what a shorter step makes of the
+    earlier one.
     """
     _require_few_steps(duration, stepper.dt)
     moments = _moments(duration, stepper.dt, sample)
@@ -71,11 +74,17 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reas
     for frame, moment in sorted(enumerate(moments), key=lambda item: item[1].time):
         stepper.advance(max(moment.steps - done, 0))
         done = max(done, moment.steps)
-        frames[frame] = stepper.states()
-        frames[frame, :, 0:3] += moment.rest * frames[frame, :, 3:6]
+        frames[frame] = stepper.states_after(moment.rest)
     stepper.advance(whole_parts(duration, stepper.dt) - done)
     times = [moment.time for moment in moments]
     return run_of(scene, times, frames, stepper.events(), stepper.plan(reason))
+
+
+def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
+    """Return states, shape (N, 6), a while later, s, if nothing changes the velocities."""
+    later = states.copy()
+    later[:, 0:3] += duration * states[:, 3:6]
+    return later
 
 
 def run_of(scene: Scene, times: Sequence[float], frames: Any, events: Any, plan: Plan) -> Run:

@@ -29,6 +29,10 @@ class BodyRow:
     pseudo_vy: float = 0.0
     pseudo_w: float = 0.0  # rad/s, likewise
 
+    start_vx: float = 0.0  # m/s, before the forces of this part of a step (the direct solver)
+    start_vy: float = 0.0
+    start_w: float = 0.0  # rad/s
+
     x: float = 0.0  # m, centre of mass
     y: float = 0.0
     cos: float = 1.0  # of the angle; follows it
@@ -210,6 +214,8 @@ class State:
     is_prepared: bool = False  # whether the contacts of the part are ready (sub-steps)
     has_fast: bool = False  # whether a fast body has stopped a run that splits no steps
     thinnest: float = math.inf  # m, the least thickness of all bodies that can be pushed
+    reach: float = math.inf  # m, how far a body may move without being watched
+    skin: float = 0.0  # of a body's width: how far from its surface contacts are seen
     gravity_x: float = 0.0  # m/s^2
     gravity_y: float = 0.0
     damping: float = 0.0  # 1/s

@@ -69,6 +69,8 @@ class Solver:
         How it makes a step, or the part of one until an impact.
     shares_contacts : bool
         Whether its sub-steps share the contacts of their step; else each finds its own.
+    skin : float
+        Of a body's width: how far from its surface contacts are seen already.
     iterations, substeps : int
         Sweeps and sub-steps in a step, unless they are given.
     has_one_sweep : bool
@@ -92,6 +94,7 @@ class Solver:
     run_scene: RunScene | None = None
     make_part: MakePart = rigid_part
     shares_contacts: bool = False
+    skin: float = 0.0
     iterations: int = 10
     substeps: int = 1
     has_one_sweep: bool = False

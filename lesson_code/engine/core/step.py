@@ -26,10 +26,12 @@ it: it then knows the velocities with which they will move.
 from __future__ import annotations
 
 from lesson_code.engine.core.candidate_pairs import find_pairs
+from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.pipeline import Pipeline
-from lesson_code.engine.core.rows import World
+from lesson_code.engine.core.rows import State, World
+from lesson_code.engine.core.skin import take_skins_off
 from lesson_code.engine.effects.continuous import choose_part
 from lesson_code.engine.effects.impulse_record import (
     has_capacity_for_record,
@@ -151,6 +153,117 @@ def rest(world: World, pipeline: Pipeline) -> bool:
             return False
         record_resting(world)
     return True
+
+
+# The step with forces at the midpoint
+
+
+def midpoint_part(world: World, pipeline: Pipeline) -> bool:
+    """Make a step, or the part of it until a new contact; return whether it is made.
+
+    Contacts come first, and impacts at the velocities that the bodies have there. The forces that
+    follow are those for the whole of what is left of the step. Where a new contact comes up
+    before its end, they are found again for the time until then.
+    """
+    state, effects = world.state, pipeline.effects
+    if not state.is_prepared and not begin_at_contacts(world, pipeline):
+        return False
+    state.dt = state.left
+    let_forces_act(world, pipeline)
+    exchange_velocities(world)
+    is_chosen = choose_part(world, pipeline)
+    exchange_velocities(world)
+    if not is_chosen:
+        return False
+    if let_islands_wait(world) or state.dt < state.left:
+        let_forces_act(world, pipeline)
+    if effects.collisions:
+        pipeline.solver.store(world, effects)
+        post_process(world, pipeline)
+    move(world, effects)
+    state.is_prepared = False
+    return state.lost_body < 0
+
+
+def begin_at_contacts(world: World, pipeline: Pipeline) -> bool:
+    """Find the contacts, and let impacts pass; return whether the tables had room for that."""
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
+    state.dt = state.left
+    if effects.collisions:
+        if not detect(world, pipeline):
+            return False
+        take_skins_off(world)
+        solver.warm_start(world, effects)
+        solver.prepare(world, effects)
+    for body in world.bodies:
+        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
+        body.waits = False
+    state.is_prepared = True
+    return True
+
+
+def let_forces_act(world: World, pipeline: Pipeline) -> None:
+    """Let gravity and the contacts act for the part of the step, and take the mean velocity.
+
+    With v before and v' after, a body moves at (1 - theta) v + theta v'.
+    """
+    state, solver, effects = world.state, pipeline.solver, pipeline.effects
+    for body in world.bodies:
+        body.vx, body.vy, body.w = body.start_vx, body.start_vy, body.start_w
+    if effects.gravity or effects.damping:
+        accelerate(world, effects)
+    for body in world.bodies:
+        if body.waits:
+            body.vx, body.vy, body.w = body.start_vx, body.start_vy, body.start_w
+    if effects.collisions:
+        solver.solve(world, effects)
+    before = 1.0 - midpoint(state)
+    for body in world.bodies:
+        body.pseudo_vx = before * (body.start_vx - body.vx)
+        body.pseudo_vy = before * (body.start_vy - body.vy)
+        body.pseudo_w = before * (body.start_w - body.w)
+    corrects = effects.collisions and effects.position_correction
+    if corrects and solver.has_overlap_to_undo(world, effects):
+        solver.correct(world, effects)
+
+
+def midpoint(state: State) -> float:
+    """Return theta: 1/2, where what gravity does on the way counts; without gravity 1.
+
+    At 1/2 a body that flies follows its parabola, and no force at a contact gains energy. At 1
+    angular momentum is kept as well, where forces act at the positions before they move bodies.
+    """
+    return 0.5 if state.gravity_x != 0.0 or state.gravity_y != 0.0 else 1.0
+
+
+def exchange_velocities(world: World) -> None:
+    """Give each body the velocity that it moves at; a second time undoes it."""
+    for body in world.bodies:
+        body.vx += body.pseudo_vx
+        body.vy += body.pseudo_vy
+        body.w += body.pseudo_w
+        body.pseudo_vx = -body.pseudo_vx
+        body.pseudo_vy = -body.pseudo_vy
+        body.pseudo_w = -body.pseudo_w
+
+
+def let_islands_wait(world: World) -> bool:
+    """Let all bodies of an island wait if one has to; return whether any does.
+
+    What waits keeps its velocity. If only some of an island did, impulses would be lost on them.
+    """
+    bodies = world.bodies
+    found = False
+    for body in bodies:
+        found = found or body.waits
+    if found:
+        find_islands(world)
+        for i in range(len(bodies)):
+            if bodies[i].waits:
+                bodies[first_of_island(bodies, i)].waits = True
+        for i in range(len(bodies)):
+            bodies[i].waits = bodies[first_of_island(bodies, i)].waits
+    return found
 
 
 # The step in sub-steps

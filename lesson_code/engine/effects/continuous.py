@@ -6,6 +6,9 @@ there, a little later than the impact, so that the overlap is seen; the impact i
 every other; and what is left of the step follows. Scenes without fast bodies pay for one look at
 the speeds.
 
+With a skin (``skin``) contacts are seen before the bodies touch, and the step ends there. Then a
+body is fast as soon as it moves by more than the skin.
+
 After many impacts within one step the fast bodies wait for the next step. They lose time then,
 but pass through nothing.
 """
@@ -16,11 +19,18 @@ import math
 
 from lesson_code.engine.core.broad_phase import bound
 from lesson_code.engine.core.candidate_pairs import seek_pairs
-from lesson_code.engine.core.constants import IMPACT_DEPTH, MOST_IMPACTS, SLOP, SPEED_DOUBT
+from lesson_code.engine.core.constants import (
+    IMPACT_DEPTH,
+    LEAST_PART,
+    MOST_IMPACTS,
+    SLOP,
+    SPEED_DOUBT,
+)
 from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.core.skin import next_corner_time
 from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.outlines import cornered
@@ -148,8 +158,8 @@ def mark_fast(world: World, duration: float, effects: Effects = EVERY_EFFECT) ->
 
 
 def is_far(world: World, way: float) -> bool:
-    """Return whether on so long a way a body or a thinner one could be passed."""
-    return way > 0.5 * world.state.thinnest
+    """Return whether on so long a way a body or a thinner one could be passed unseen."""
+    return way > world.state.reach
 
 
 def way_of(body: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> float:
@@ -181,7 +191,7 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
         if a.is_fast or b.is_fast:
             after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
-                earliest = min(earliest, after + time_into(a, b, pipeline.effects))
+                earliest = min(earliest, after + time_into(world, a, b, pipeline.effects))
     return earliest
 
 
@@ -206,10 +216,39 @@ def pair_impact_time(
     solver has seen them.
     """
     touch(world, a, b, effects)
+    if world.state.skin > 0.0:
+        return time_into_skin(world, a, b, duration, effects)
     if world.manifold.count > 0:
         return 0.0 if is_far(world, way_into(world.manifold, a, b, duration)) else math.inf
+    return free_impact_time(world, a, b, duration, effects)
+
+
+def time_into_skin(
+    world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects
+) -> float:
+    """Return when two bodies are so deep in each other's skin that a new contact is seen, s.
+
+    The contacts that there are the solver holds. There may be more as the bodies turn.
+    """
+    depth = depth_into(world, a, b)
+    if world.manifold.count > 0:
+        may_turn = effects.outlines and effects.rotation and (is_turning(a) or is_turning(b))
+        speed = rim_speed(a, effects) + rim_speed(b, effects)
+        return next_corner_time(world, a, b, duration, speed, depth) if may_turn else math.inf
+    body = a if a.inv_m > 0.0 else b
+    radius = body.radius
+    body.radius = radius - depth
+    time = free_impact_time(world, a, b, duration, effects)
+    body.radius = radius
+    return time
+
+
+def free_impact_time(
+    world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects
+) -> float:
+    """Return when two bodies that are apart first touch, s."""
     if effects.outlines and effects.rotation and (is_turning(a) or is_turning(b)):
-        return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(a, b))
+        return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(world, a, b))
     if effects.manifolds:
         return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
     return impact_time_with_circle(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
@@ -225,16 +264,19 @@ def is_turning(body: BodyRow) -> bool:
     return body.w != 0.0 and body.corner_count > 0
 
 
-def depth_into(a: BodyRow, b: BodyRow) -> float:
-    """Return how deep two bodies are let overlap, so that their impact is seen, m."""
-    return IMPACT_DEPTH * SLOP * min(a.min_width, b.min_width)
+def depth_into(world: World, a: BodyRow, b: BodyRow) -> float:
+    """Return how deep two bodies, or their skins, are let overlap, so that an impact is seen, m."""
+    scale = world.state.skin if world.state.skin > 0.0 else SLOP
+    return IMPACT_DEPTH * scale * min(a.min_width, b.min_width)
 
 
-def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
+def time_into(world: World, a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
     """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
+    if world.state.skin > 0.0:
+        return LEAST_PART * world.state.whole  # they are as deep already
     vx, vy = b.vx - a.vx, b.vy - a.vy
     turning = rim_speed(a, effects) + rim_speed(b, effects)
-    return depth_into(a, b) / (math.sqrt(vx * vx + vy * vy) + turning)
+    return depth_into(world, a, b) / (math.sqrt(vx * vx + vy * vy) + turning)
 
 
 def let_fast_wait(world: World) -> None:

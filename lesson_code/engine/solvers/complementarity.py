@@ -77,6 +77,14 @@ def solve_contacts(problem: Problem, guess: Cases | None = None) -> Answer:
     m = len(problem.friction)
     if not (problem.velocity[:m] < 0.0).any():
         return Answer(np.zeros(2 * m), 0.0, "open")
+    alike, d = problem.scaled()
+    answer = _solve(alike, guess)
+    return answer._replace(impulses=d * answer.impulses)
+
+
+def _solve(problem: Problem, guess: Cases | None) -> Answer:
+    """Return the answer for a problem whose K needs no scale, and in which something approaches."""
+    m = len(problem.friction)
     if m == 1:
         single = _one_contact(problem)
         if single is not None:
@@ -144,7 +152,7 @@ def _lemke_impulses(problem: Problem) -> Floats | None:
     Anitescu and Potra, Formulating dynamic multi-rigid-body contact problems with friction as
     solvable linear complementarity problems (1997).
     """
-    k, b, mu = problem
+    k, b, mu, _ = problem
     m = len(mu)
     rough = np.flatnonzero(mu > 0.0)
     r = len(rough)

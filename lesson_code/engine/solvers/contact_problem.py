@@ -15,6 +15,7 @@ b           velocities without x, those along the normals less what     m/s
             they have to reach; in the same order
 K           velocities from impulses, 2m by 2m, symmetric               1/kg
 mu          friction coefficient of each contact                        -
+d           scale of each contact's impulses: x = d y                   kg^1/2
 ==========  ==========================================================  =====
 """
 
@@ -43,16 +44,37 @@ ENOUGH = 1e-7
 """Of the same: the error that is left where contacts on the brink of opening or sliding have
 been given the wrong case. No other method is tried for it; the next step starts anew."""
 
+RANK = 1e-13
+"""Of the largest singular value: smaller ones are rounding errors of 0."""
+
 ROUNDING = 1e-14
 """Of the largest term in K x: what rounding leaves of velocities that cancel."""
 
 
 class Problem(NamedTuple):
-    """A contact problem: K, b and mu."""
+    """A contact problem: K, b and mu, and the scale in which its bodies are alike."""
 
     delassus: Floats  # K, shape (2m, 2m), 1/kg
     velocity: Floats  # b, shape (2m,), m/s
     friction: Floats  # mu, shape (m,)
+    scale: Floats | None = None  # d, shape (m,), kg^1/2; None: 1 for all
+
+    def part(self, points: Cases) -> Problem:
+        """Return the problem of some of the contacts, given by their places, shape (p,)."""
+        both = np.concatenate((points, len(self.friction) + points))
+        scale = None if self.scale is None else self.scale[points]
+        k = self.delassus[np.ix_(both, both)]
+        return Problem(k, self.velocity[both], self.friction[points], scale)
+
+    def scaled(self) -> tuple[Problem, Floats]:
+        """Return the problem for y, and d for all 2m impulses x = d y.
+
+        Its K is D K D: about 1 on the diagonal, whether a contact is between grains or mountains.
+        """
+        d = np.ones_like(self.friction) if self.scale is None else self.scale
+        both = np.concatenate((d, d))
+        k = self.delassus * both * both[:, np.newaxis]
+        return Problem(k, self.velocity * both, self.friction), both
 
 
 class Answer(NamedTuple):

@@ -7,29 +7,39 @@ answer of one complementarity problem (``complementarity``), whatever the masses
 =============  ==============================================================================
 stage          what it does
 =============  ==============================================================================
-`prepare`      the bounce to reach, the overlap to undo: as the sequential solver does
 `warm_start`   recalls what each contact did in the last step: opened, stuck or slid
-`solve`        finds the impulses of each island, and gives them
-`correct`      finds the pushes that undo the overlaps of each island, and gives them
-`store`        remembers the impulses, of which that can be read
+`prepare`      lets impacts pass, by a law of impacts (``impact_rules``)
+`solve`        finds the impulses that keep contacts closed against gravity, and gives them
+`correct`      finds the pushes that undo overlaps, and gives them
+`store`        stops what sticks, and remembers the impulses
 =============  ==============================================================================
 
-`solve` and `correct` add what is missing to what has been given; a second call adds nothing.
-`prepare_strikes` and `begin_with_strikes` take the places of `prepare` and `warm_start` where a
-rule for impacts other than Newton's, for all at once, is wanted (``impact_rules``).
+Its step (``step.midpoint_part``) breaks no law by its length. An impact takes no time: its impulses
+follow from the velocities before it, by a law that gains no energy. The forces hold for the
+velocity u at which the contacts really move, (1 - theta) u before + theta u after them:
+
+    jn >= 0,    gap + h un >= 0,    jn (gap + h un) = 0     and friction against ut
+
+With theta = 1/2 the work of all forces on the way is the change of the energy, and that of the
+contacts is <= 0; with theta = 1 it is less than that by x K x / 2. Impulses of a pair act at one
+point, so that both momenta are kept.
 
 This solver works on arrays with NumPy, and is not meant to be compiled.
+
+References
+----------
+Moreau, Unilateral contact and dry friction in finite freedom dynamics (1988). Jean, The non-smooth
+contact dynamics method (1999). Acary, Energy conservation and dissipation properties of
+time-integration methods for nonsmooth elastodynamics with contact (2016): theta = 1/2.
 """
 
 from __future__ import annotations
 
-import math
 from functools import partial
 
 import numpy as np
 
-from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_SLOP
-from lesson_code.engine.core.contact_motion import apply_impulse, normal_of, tangent_of
+from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_SLOP, SKIN
 from lesson_code.engine.core.islands import (
     Floats,
     Island,
@@ -38,25 +48,28 @@ from lesson_code.engine.core.islands import (
     island_of,
     islands_of,
     pseudo_velocities,
+    start_velocities,
     velocities,
 )
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import ContactRow, World
+from lesson_code.engine.core.skin import gap_of
 from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
+from lesson_code.engine.core.step import midpoint, midpoint_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
+from lesson_code.engine.solvers.angular_momentum import keep_angular_momentum
 from lesson_code.engine.solvers.complementarity import solve_contacts
 from lesson_code.engine.solvers.contact_problem import (
     BACKWARD,
     FORWARD,
     OPEN,
+    RANK,
     STICK,
     UNKNOWN,
     Problem,
 )
 from lesson_code.engine.solvers.impact_rules import STRIKE_RULES, StrikeRule, quiet_speed
-
-store = contact_solver.store
 
 NEW = -1.0
 """What stands in a contact's impulse until the memory has been asked."""
@@ -64,33 +77,26 @@ NEW = -1.0
 ALMOST = 1.0 - 1e-9
 """Of mu jn: a friction impulse that is no smaller is at the limit, but for rounding."""
 
+MOST_ROUNDS = 8
+"""Rounds of impacts: what a bounce throws at a third body is struck in the next. In the last one
+bodies stop without a bounce."""
 
-def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Prepare as the sequential solver does, but for a finer slop."""
-    contact_solver.prepare(world, effects)
-    for c in world.contacts[: world.state.contact_count]:
-        slop = FINE_SLOP * min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
-        c.pseudo_speed = BAUMGARTE_FACTOR * max(c.penetration - slop, 0.0) / world.state.dt
+ROUNDING = 1e-9
+"""Of the fastest approach: slower ones are left over by rounding, and stopped without a bounce."""
+
+TOUCHING = 1e-6
+"""Of a body's width: what is nearer takes part in an impact, though it does not close."""
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Begin without impulses, but with the cases of the last step.
-
-    They are the first guess, whatever the length of that step was; the answer is exact without it.
-    """
-    recall_cases(world)
-
-
-def recall_cases(world: World) -> None:
-    """Set each contact's case from the last step; the impulses given so far stay."""
+    """Recall the cases of the last step: the first guess, whatever its length was."""
     contacts = world.contacts[: world.state.contact_count]
-    given = [(c.normal_impulse, c.tangent_impulse) for c in contacts]
     for c in contacts:
         c.normal_impulse = NEW
     contact_solver.recall(world)
-    for c, impulses in zip(contacts, given, strict=True):
+    for c in contacts:
         c.case = case_of(c)
-        c.normal_impulse, c.tangent_impulse = impulses
+        c.normal_impulse, c.tangent_impulse = 0.0, 0.0
 
 
 def case_of(c: ContactRow) -> int:
@@ -104,85 +110,59 @@ def case_of(c: ContactRow) -> int:
     return FORWARD if c.tangent_impulse > 0.0 else BACKWARD
 
 
-def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Give each island the impulses that bring its contacts to their targets."""
+# Impacts
+
+
+def prepare(world: World, effects: Effects = EVERY_EFFECT, *, rule: StrikeRule) -> None:
+    """Give each island the impulses of its impacts, round by round."""
+    state = world.state
+    for c in world.contacts[: state.contact_count]:
+        c.normal_total, c.tangent_total = 0.0, 0.0
     for contacts in islands_of(world):
         island = island_of(world, contacts)
-        missing = velocities(island)
-        missing[: len(contacts)] -= [c.target_vn for c in contacts]
-        problem = Problem(island.delassus, missing, island.friction)
-        answer = solve_contacts(problem, np.array([c.case for c in contacts]))
-        apply_impulses(island, answer.impulses)
-        note_impulses(contacts, answer.impulses)
-        if answer.method == "softened":
-            world.state.softened += 1
+        u = velocities(island)
+        if (u[: len(contacts)] < 0.0).any():
+            x = impacts_of(world, island, u, rule)
+            apply_impulses(island, x)
+            jn, jt = x[: len(contacts)].tolist(), x[len(contacts) :].tolist()
+            for c, normal, tangent in zip(contacts, jn, jt, strict=True):
+                c.normal_total, c.tangent_total = normal, tangent
 
 
-def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
-    """Return whether any contact overlaps by too much."""
-    return any(c.pseudo_speed > 0.0 for c in world.contacts[: world.state.contact_count])
+def impacts_of(world: World, island: Island, u: Floats, rule: StrikeRule) -> Floats:
+    """Return the impulses of the impacts of an island, shape (2m,), N s.
 
-
-def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Give each island with an overlap to undo the pushes that undo it."""
-    for contacts in islands_of(world):
-        if any(c.pseudo_speed > 0.0 for c in contacts):
-            island = island_of(world, contacts)
-            x = solve_contacts(_push_problem(island)).impulses
-            apply_pseudo_impulses(island, x)
-            for k, c in enumerate(contacts):
-                c.pseudo_impulse += float(x[k])
-
-
-def prepare_strikes(world: World, effects: Effects = EVERY_EFFECT, *, rule: StrikeRule) -> None:
-    """Find the impulses of all impacts by a rule, at the velocities before gravity acts.
-
-    What the impacts have brought a contact to is the velocity it has to keep against gravity.
+    Struck is what closes before the end of the step, together with what touches it then.
     """
-    prepare(world, effects)
-    quiet = quiet_speed(world.state)
-    for contacts in islands_of(world):
-        island = island_of(world, contacts)
-        restitution = np.array([c.restitution for c in contacts])
-        problem = Problem(island.delassus, velocities(island), island.friction)
-        x = rule(problem, restitution, _pairs(contacts), quiet)
-        note_impulses(contacts, x)
-        reached = problem.velocity + island.delassus @ x
-        for k, c in enumerate(contacts):
-            c.target_vn = max(float(reached[k]), 0.0) if x[k] > 0.0 else 0.0
-
-
-def begin_with_strikes(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Give the bodies the impulses of the impacts."""
-    recall_cases(world)
-    for c in world.contacts[: world.state.contact_count]:
-        a, b = world.bodies[c.a], world.bodies[c.b]
-        apply_impulse(c, a, b, normal_of(c), c.normal_impulse)
-        apply_impulse(c, a, b, tangent_of(c), c.tangent_impulse)
-
-
-def note_impulses(contacts: list[ContactRow], x: Floats) -> None:
-    """Add impulses to what the contacts have received."""
-    jn, jt = x[: len(contacts)].tolist(), x[len(contacts) :].tolist()
-    for c, normal, tangent in zip(contacts, jn, jt, strict=True):
-        c.normal_impulse += normal
-        c.tangent_impulse += tangent
-
-
-def _push_problem(island: Island) -> Problem:
-    """Return the problem of the position correction; the bodies' own parting counts."""
-    m = len(island.contacts)
-    missing = pseudo_velocities(island)
-    missing[:m] += np.maximum(velocities(island)[:m], 0.0)
-    missing[:m] -= [c.pseudo_speed for c in island.contacts]
-    missing[m:] = 0.0
-    return Problem(island.delassus, missing, np.zeros(m))
+    contacts, m = island.contacts, len(island.contacts)
+    gap = np.array([gap_of(c) for c in contacts])
+    restitution = np.array([c.restitution for c in contacts])
+    takes_part = gap <= TOUCHING * np.array([_width(world, c) for c in contacts])
+    quiet = max(quiet_speed(world.state), -ROUNDING * float(u[:m].min()))
+    x = np.zeros(2 * m)
+    for left in reversed(range(MOST_ROUNDS)):
+        closes = (u[:m] < 0.0) & (u[:m] * world.state.left < -gap)
+        if not closes.any():
+            break
+        takes_part |= closes
+        points = np.flatnonzero(takes_part)
+        both = np.concatenate((points, m + points))
+        part = Problem(island.delassus, u, island.friction, island.scale).part(points)
+        if is_quiet := left == 0 or (u[:m][closes] >= -quiet).all():
+            y = solve_contacts(part).impulses
+        else:
+            y = rule(part, restitution[points], _pairs([contacts[k] for k in points]), quiet)
+        x[both] += y
+        u = u + island.delassus[:, both] @ y
+        if is_quiet:
+            break
+    return x
 
 
 def _pairs(contacts: list[ContactRow]) -> list[list[int]]:
     """Return the places of the contacts of each pair of bodies, which stand side by side."""
     pairs: list[list[int]] = []
-    last = (math.nan, math.nan)
+    last = (-1, -1)
     for k, c in enumerate(contacts):
         if (c.a, c.b) != last:
             pairs.append([])
@@ -191,23 +171,117 @@ def _pairs(contacts: list[ContactRow]) -> list[list[int]]:
     return pairs
 
 
+def _width(world: World, c: ContactRow) -> float:
+    """Return the smaller width of the bodies of a contact, m."""
+    return min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
+
+
+# Forces
+
+
+def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Give each island the impulses that keep its contacts from closing further."""
+    state = world.state
+    theta = midpoint(state)
+    for contacts in islands_of(world):
+        island, m = island_of(world, contacts), len(contacts)
+        x = np.zeros(2 * m)
+        if not any(body.waits for body in island.bodies):
+            u = (1.0 - theta) * start_velocities(island) + theta * velocities(island)
+            u[:m] += np.array([gap_of(c) for c in contacts]) / state.dt
+            problem = Problem(theta * island.delassus, u, island.friction, island.scale)
+            answer = solve_contacts(problem, np.array([c.case for c in contacts]))
+            x = answer.impulses
+            state.softened += answer.method == "softened"
+            apply_impulses(island, x)
+        jn, jt = x[:m].tolist(), x[m:].tolist()
+        for c, normal, tangent in zip(contacts, jn, jt, strict=True):
+            c.normal_impulse, c.tangent_impulse = c.normal_total + normal, c.tangent_total + tangent
+            sticks = abs(tangent) < c.friction * normal * ALMOST
+            c.case = STICK if sticks else OPEN
+
+
+def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Stop what sticks, and remember the impulses of this step for the next.
+
+    At theta = 1/2 it is the mean velocity of a contact that is 0 where it sticks. What it slid with
+    before, it slides back with after: that is taken from it, which can only cost energy. The
+    bodies move as they would have.
+    """
+    if midpoint(world.state) < 1.0:
+        for contacts in islands_of(world):
+            if any(c.case == STICK for c in contacts):
+                settle(island_of(world, contacts))
+    contact_solver.store(world, effects)
+
+
+def settle(island: Island) -> None:
+    """Take the sliding velocity from contacts that stick."""
+    contacts, m = island.contacts, len(island.contacts)
+    sticks = m + np.array([k for k, c in enumerate(contacts) if c.case == STICK])
+    sliding = velocities(island)[sticks]
+    if sliding.any():
+        d = island.scale[sticks - m]
+        k = island.delassus[np.ix_(sticks, sticks)] * d * d[:, np.newaxis]
+        x = np.zeros(2 * m)
+        x[sticks] = d * np.linalg.lstsq(k, -d * sliding, rcond=RANK)[0]
+        apply_impulses(island, x)
+        apply_pseudo_impulses(island, -x)
+
+
+# Pushes
+
+
+def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
+    """Return whether any contact overlaps by too much; note how fast each is to be undone."""
+    found = False
+    for c in world.contacts[: world.state.contact_count]:
+        excess = c.penetration - FINE_SLOP * _width(world, c)
+        c.pseudo_speed = BAUMGARTE_FACTOR * max(excess, 0.0) / world.state.dt
+        c.pseudo_impulse = 0.0
+        found = found or excess > 0.0
+    return found
+
+
+def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Give each island with an overlap to undo the pushes that undo it, with friction."""
+    for contacts in islands_of(world):
+        if any(c.pseudo_speed > 0.0 for c in contacts):
+            island, m = island_of(world, contacts), len(contacts)
+            moving = velocities(island) + pseudo_velocities(island)
+            missing = np.zeros(2 * m)
+            missing[:m] = np.maximum(moving[:m], 0.0)
+            missing[:m] += [gap_of(c) / world.state.dt - c.pseudo_speed for c in contacts]
+            problem = Problem(island.delassus, missing, island.friction, island.scale)
+            if (missing[:m] < 0.0).any() and not any(body.waits for body in island.bodies):
+                x = solve_contacts(problem).impulses
+                apply_pseudo_impulses(island, x)
+                keep_angular_momentum(island, x, world.state.dt)
+                for c, push in zip(contacts, x[:m].tolist(), strict=True):
+                    c.pseudo_impulse = push
+
+
 def stages_with(rule: StrikeRule) -> SolverStages:
-    """Return the stages for a rule of impacts that is not the usual one."""
-    first = partial(prepare_strikes, rule=rule)
-    return SolverStages(first, begin_with_strikes, solve, has_overlap_to_undo, correct, store)
+    """Return the stages for a rule of impacts."""
+    impacts = partial(prepare, rule=rule)
+    return SolverStages(impacts, warm_start, solve, has_overlap_to_undo, correct, store)
 
 
 _OWN = "the direct solver finds all impulses of an island at once"
 
+_STAGES = {values: stages_with(rule) for values, rule in STRIKE_RULES.items()}
+
 SOLVER = Solver(
     name="direct",
-    stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
+    stages=_STAGES["simultaneous", "energetic"],
+    make_part=midpoint_part,
+    skin=SKIN,
     has_one_sweep=True,
     options={
         "impacts": ("simultaneous", "sequential"),
-        "restitution_law": ("newton", "energetic"),
+        "restitution_law": ("energetic", "newton"),
     },
-    variants={values: stages_with(rule) for values, rule in STRIKE_RULES.items()},
+    variants=_STAGES,
     never_compiled="the direct solver works on arrays of its own",
     lacks=NEVER_SLEEPS,
     built_in={"friction": _OWN, "warm_starting": "the cases of the last step are the first guess"},

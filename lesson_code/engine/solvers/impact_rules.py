@@ -14,8 +14,8 @@ next begins, as between hard balls that touch loosely.
 
 The sequence ends when no pair approaches faster than a millionth of the fastest approach there
 was (or of what gravity gives in a step), or after 100 strikes for each contact, because balls that
-lose energy may need infinitely many. What approaches still is then stopped, all at once and without
-a bounce.
+lose energy may need infinitely many. What approaches still the solver stops, all at once and
+without a bounce.
 
 =================  =========================================================================
 restitution law    what e is the ratio of
@@ -114,10 +114,7 @@ def all_at_once(
     problem: Problem, restitution: Floats, pairs: list[list[int]], quiet: float, *, law: Law
 ) -> Floats:
     """Return the impulses of all contacts striking at the same instant."""
-    m = len(restitution)
-    if len(pairs) == 0 or -problem.velocity[:m].min() <= quiet:
-        return np.zeros(2 * m)
-    return _stop_the_rest(problem, law(problem, restitution))
+    return law(problem, restitution)
 
 
 def one_by_one(
@@ -135,17 +132,10 @@ def one_by_one(
             break
         points = np.array(pairs[fastest])
         both = np.concatenate((points, m + points))
-        part = Problem(problem.delassus[np.ix_(both, both)], u[both], problem.friction[points])
-        strike = law(part, restitution[points])
+        strike = law(problem.part(points)._replace(velocity=u[both]), restitution[points])
         x[both] += strike
         u += problem.delassus[:, both] @ strike
-    return _stop_the_rest(problem, x)
-
-
-def _stop_the_rest(problem: Problem, x: Floats) -> Floats:
-    """Return impulses with those added that stop what still approaches."""
-    left = problem._replace(velocity=problem.velocity + problem.delassus @ x)
-    return x + solve_contacts(left).impulses
+    return x
 
 
 def _all_energetic(p: Problem, e: Floats, pairs: list[list[int]], quiet: float) -> Floats:
@@ -163,10 +153,15 @@ def _energetic_in_turn(p: Problem, e: Floats, pairs: list[list[int]], quiet: flo
     return one_by_one(p, e, pairs, quiet, law=energetic)
 
 
+def _all_newton(p: Problem, e: Floats, pairs: list[list[int]], quiet: float) -> Floats:
+    """Return the impulses of all contacts at once by Newton's law."""
+    return all_at_once(p, e, pairs, quiet, law=newton)
+
+
 STRIKE_RULES: dict[tuple[str, ...], StrikeRule] = {
+    ("simultaneous", "newton"): _all_newton,
     ("simultaneous", "energetic"): _all_energetic,
     ("sequential", "newton"): _newton_in_turn,
     ("sequential", "energetic"): _energetic_in_turn,
 }
-"""The rules by their names. Newton's for all at once is not among them: it is a velocity that the
-contacts are to reach."""
+"""The rules by their names."""

@@ -25,6 +25,7 @@ from lesson_code.engine.solvers.contact_problem import (
     ENOUGH,
     FORWARD,
     OPEN,
+    RANK,
     ROUNDING,
     SOLVED,
     STICK,
@@ -46,9 +47,6 @@ Searches that succeed take a few rounds; Lemke's method costs as much as a few d
 
 REFINEMENTS = 40
 """Times that the error of the spring is taken out; two or three are usual."""
-
-RANK = 1e-13
-"""Of the largest singular value: smaller ones are rounding errors of 0."""
 
 CENTRES = 4
 """Times that the pivoting begins anew around an answer that is nearly right."""
@@ -106,7 +104,7 @@ def _solve_cases(problem: Problem, cases: Cases, centre: Floats, *, exact: bool 
 
     Unknown are jn of what is closed and jt of what sticks; jt = +-mu jn of what slides.
     """
-    k, b, mu = problem
+    k, b, mu, _ = problem
     m = len(mu)
     closed, sticks = np.flatnonzero(cases != OPEN), np.flatnonzero(cases == STICK)
     edge = cases[closed] * mu[closed]
@@ -160,7 +158,7 @@ def _solution(matrix: Floats, right: Floats) -> Floats:
 
 def _fitting_cases(problem: Problem, cases: Cases, x: Floats, centre: Floats) -> Cases:
     """Return the case that each contact should have had, to judge by impulses and velocities."""
-    k, b, mu = problem
+    k, b, mu, _ = problem
     m = len(mu)
     w = b + k @ x + spring_of(problem) * (x - centre)
     own = np.diag(k)

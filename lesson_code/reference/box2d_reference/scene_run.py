@@ -32,7 +32,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event, moved_on
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.geometry.manifold import collide
 from lesson_code.reference.box2d_reference.fixtures import (
@@ -126,6 +126,10 @@ class Box2DStepper:
             for body in self.bodies
         ]
         return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+
+    def states_after(self, duration: float) -> NDArray[np.float64]:
+        """Return the states moved on at their velocities, shape (N, 6)."""
+        return moved_on(self.states(), duration)
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses so far, shape (K, 10); points and depths as the step leaves them."""

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event
+from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event, moved_on
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.formulas.validation import non_negative, one_number
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
@@ -117,6 +117,10 @@ class PymunkStepper:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
         rows = [(*b.position, b.angle, *b.velocity, b.angular_velocity) for b in self.bodies]
         return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+
+    def states_after(self, duration: float) -> NDArray[np.float64]:
+        """Return the states moved on at their velocities, shape (N, 6)."""
+        return moved_on(self.states(), duration)
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""

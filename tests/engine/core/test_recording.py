@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Run, Scene, Segment, simulate
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import STATE_NUMBERS, record
+from lesson_code.engine.core.recording import STATE_NUMBERS, moved_on, record
 
 ROUNDING = 1e-12
 """s and m: a time is a product of a step and its number, and up to 100."""
@@ -38,6 +38,10 @@ class Counter:
         """Return x = y = angle = the number of steps."""
         n = float(self.done)
         return np.array([(n, n, n, 1.0, -1.0, 0.5)] * self._bodies).reshape(-1, STATE_NUMBERS)
+
+    def states_after(self, duration: float) -> NDArray[np.float64]:
+        """Return the states moved on at their velocities."""
+        return moved_on(self.states(), duration)
 
     def events(self) -> NDArray[np.float64]:
         """Return one event for each step."""

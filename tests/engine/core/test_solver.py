@@ -42,8 +42,8 @@ def test_stages_are_those_of_the_options() -> None:
     """What is not given is what every solver does."""
     direct = our_solvers()["direct"]
     assert direct.stages_for({}) == direct.stages_for({"impacts": "simultaneous"}) == direct.stages
-    other = direct.stages_for({"restitution_law": "energetic"})
-    assert other == direct.variants["simultaneous", "energetic"] != direct.stages
+    other = direct.stages_for({"restitution_law": "newton"})
+    assert other == direct.variants["simultaneous", "newton"] != direct.stages
 
 
 def test_solver_without_stages_has_none_to_give() -> None:

@@ -43,7 +43,7 @@ DRIFT = 1e-3
 FAR = 1e-8
 """m: what an offset of 1e6 m may change. There a place is rounded to 1e-10 m."""
 
-FORCE = 1e-14
+FORCE = 5e-14
 """Of a force, times the mass ratio: what a velocity of the light body that is rounding means as a
 force on the heavy one."""
 
@@ -145,7 +145,7 @@ def test_forces_in_a_wedge_are_the_closed_form() -> None:
 
 def on_a_slope(angle: float, box: Polygon, height: float, mu: float) -> Scene:
     """Return a box on level ground, with the pull of a slope."""
-    body = Body(box, mass=1, position=(0, height / 2 - SUNK * height), material=Material(0.0, mu))
+    body = Body(box, mass=1, position=(0, height / 2), material=Material(0.0, mu))
     return Scene([floor(0.0, mu), body], gravity=(-G * math.sin(angle), -G * math.cos(angle)))
 
 
@@ -203,7 +203,7 @@ def test_jam_stops_the_tip_and_loses_energy(angle: float, law: str) -> None:
     run = direct(rod(angle, -1.0), 1e-9, dt=1e-9, restitution_law=law)
     arm = np.array([-math.cos(angle), -math.sin(angle)])
     tip = run.velocities[-1, 1] + run.angular_velocities[-1, 1] * np.array([-arm[1], arm[0]])
-    np.testing.assert_allclose(tip, 0, atol=ROUNDING)
+    np.testing.assert_allclose(tip, 0, atol=1e-9)  # the contact is midway in an overlap of 1e-9 m
     ground = Struck(0.0, 0.0, (0, 0), 0.0, (0, 0))
     body = Struck(1.0, 3.0, (-1.0, -1e-3), 0.0, arm)
     expected = impact_with_friction(ground, body, (0, 1), 0.0, 2.0)

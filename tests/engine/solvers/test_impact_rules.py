@@ -225,8 +225,10 @@ def test_energy_of_a_falling_rod_grows_by_9_parts_in_16_by_newtons_rule() -> Non
         material=material,
     )
     scene = Scene([Body(Segment((-9, 0), (9, 0)), material=material), body])
-    assert gain(scene) == pytest.approx(9 / 16, abs=1e-7)  # the step turns the rod by 3e-9 rad
-    assert gain(scene, restitution_law="energetic") <= GROWTH
+    assert gain(scene, restitution_law="newton") == pytest.approx(
+        9 / 16, abs=1e-7
+    )  # the step turns the rod by 3e-9 rad
+    assert gain(scene) <= GROWTH
 
 
 @pytest.mark.parametrize("rule", RULES)
@@ -235,7 +237,7 @@ def test_energy_of_a_rod_never_rises_by_the_energetic_law(rule: str) -> None:
     rng = np.random.default_rng(3)
     scenes = [rod(rng) for _ in range(300)]
     assert max(gain(scene, impacts=rule, restitution_law="energetic") for scene in scenes) <= GROWTH
-    assert max(gain(scene, impacts=rule) for scene in scenes) > 1e-3
+    assert max(gain(scene, impacts=rule, restitution_law="newton") for scene in scenes) > 1e-3
 
 
 def crowd(seed: int) -> Scene:
@@ -291,10 +293,10 @@ def test_momentum_of_many_impacts_is_kept(rule: str, law: str) -> None:
 
 
 def test_one_by_one_leaves_what_is_quiet() -> None:
-    """An approach at the quiet speed is no strike: it is stopped, and does not bounce."""
+    """An approach at the quiet speed is no strike: it does not bounce."""
     problem = Problem(np.diag([1.0, 3.0]), np.array([-1e-9, 0.0]), np.zeros(1))
     x = one_by_one(problem, np.ones(1), [[0]], 1e-8, law=newton)
-    assert x.tolist() == pytest.approx([1e-9, 0.0])
+    assert x.tolist() == [0.0, 0.0]
 
 
 # Gravity
@@ -303,11 +305,10 @@ def test_one_by_one_leaves_what_is_quiet() -> None:
 @pytest.mark.parametrize("rule", RULES)
 @pytest.mark.parametrize("law", LAWS)
 def test_ball_that_bounces_for_ever_keeps_its_height(rule: str, law: str) -> None:
-    """v^2/2 + g y + g dt v / 2 is what a step keeps in flight and in a bounce at e = 1."""
-    dt = 1e-3  # so short that no overlap has to be undone
+    """Bodies follow their parabolas, and a bounce at e = 1 keeps their speed."""
     ball = Body(Circle(0.5), mass=1, position=(0, 1.5), material=Material(1.0))
     scene = Scene([Body(Segment((-9, 0), (9, 0))), ball], gravity=(0, -10))
-    run = simulate(scene, 5.0, dt=dt, solver="direct", impacts=rule, restitution_law=law)
+    run = simulate(scene, 5.0, solver="direct", impacts=rule, restitution_law=law)
     v, y = run.velocities[:, 1, 1], run.positions[:, 1, 1]
-    kept = v * v / 2 + 10 * y + 10 * dt * v / 2
+    kept = v * v / 2 + 10 * y
     np.testing.assert_allclose(kept, kept[0], rtol=1e-12)
