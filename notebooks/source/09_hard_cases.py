@@ -27,7 +27,6 @@ import numpy as np
 
 from lesson_code import Circle, simulate
 from lesson_code.chapters.ch09_hard_cases import figures as case_plots
-from lesson_code.chapters.ch09_hard_cases.scenes import gains_in, many_corners, spinning_hit
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check, hard_cases
 from lesson_code.evidence.hard_cases import loads, rods, slopes, steps, together
@@ -277,6 +276,8 @@ check("Stronge's has not", bool(ratios["ours, Stronge's e"] <= 1), True)
 # each.
 
 # %%
+from lesson_code.chapters.ch09_hard_cases.scenes import gains_in, many_corners, spinning_hit
+
 boxes, settings = many_corners(500, seed=1), {"dt": 1e-6, "sample": "end"}
 run = simulate(boxes, 1e-6, solver="pymunk", **settings)
 print("pymunk:", gains_in(run), "of 500 gain energy")
@@ -402,7 +403,7 @@ show(
 )
 
 # %% [markdown]
-# ## 9 What ours does not hold
+# ## 9 Break it on purpose: what ours does not hold
 #
 # A table in which one engine holds everything would make you suspicious, and rightly. **Which
 # families does our default call not hold?** They are the list of what is to be done; for each, the

@@ -16,7 +16,7 @@ from lesson_code.evidence.hard_cases.comparison import (
     replay,
     summed_up,
 )
-from lesson_code.evidence.hard_cases.draw import Draw, seeded
+from lesson_code.evidence.hard_cases.parameters import Draw, seeded
 from lesson_code.evidence.hard_cases.trial import (
     ENGINES,
     OURS,

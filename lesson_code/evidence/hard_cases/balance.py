@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.loads import STANDS
 from lesson_code.evidence.hard_cases.measures import (
     HAIR,
@@ -21,6 +20,7 @@ from lesson_code.evidence.hard_cases.measures import (
     start_gap,
     unrest,
 )
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.formulas import polygon_area, polygon_centroid

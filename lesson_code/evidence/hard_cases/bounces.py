@@ -8,8 +8,8 @@ import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import ROUNDING, energy_above, gain, largest
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import events
 from lesson_code.evidence.scenes import gas as disc_gas

@@ -6,7 +6,6 @@ import math
 from dataclasses import replace
 
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.loads import STANDS, tower
 from lesson_code.evidence.hard_cases.measures import (
     DT,
@@ -18,6 +17,7 @@ from lesson_code.evidence.hard_cases.measures import (
     start_gap,
     unrest,
 )
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, level_ground
 from lesson_code.geometry.shapes import Circle, Polygon, Segment

@@ -9,8 +9,8 @@ import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import ROUNDING, STEP, gain, largest
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import corner_impacts, spinning_discs
 from lesson_code.formulas import elastic_1d

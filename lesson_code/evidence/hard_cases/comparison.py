@@ -15,7 +15,7 @@ from rich.table import Table
 
 from lesson_code.evidence.engines import has_box2d
 from lesson_code.evidence.hard_cases.catalogue import FAMILIES, family_by_name
-from lesson_code.evidence.hard_cases.draw import Value
+from lesson_code.evidence.hard_cases.parameters import Value
 from lesson_code.evidence.hard_cases.trial import ENGINES, OURS, Family, Outcome, Trial, run_draw
 from lesson_code.evidence.measurement import Measurement, four_digits, plain, rows_with, table
 from lesson_code.parallel import WorkerDiedError, iter_tasks, usable_cores

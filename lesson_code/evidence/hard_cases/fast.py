@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import DT, ROUNDING, angle_of, largest
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import events
 from lesson_code.formulas import elastic_1d

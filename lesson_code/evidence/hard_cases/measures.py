@@ -9,7 +9,7 @@ import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
-from lesson_code.evidence.hard_cases.draw import Draw
+from lesson_code.evidence.hard_cases.parameters import Draw
 
 DT = 1 / 60
 """s: the step of every engine unless a family is about steps."""

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import fastest, free
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes.events import box
 from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, level_ground

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import (
     ROUNDING,
     STEP,
@@ -14,6 +13,7 @@ from lesson_code.evidence.hard_cases.measures import (
     gain,
     largest,
 )
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import corner_impacts
 from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, level_ground

@@ -8,8 +8,8 @@ import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.balance import BESIDE, stay_or_go
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import DT, HAIR, largest, sideways, start_gap, way_of
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.evidence.scenes import slopes

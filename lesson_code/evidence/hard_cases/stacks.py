@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.loads import STANDS, tower
 from lesson_code.evidence.hard_cases.measures import (
     NO_DRIFT,
@@ -20,6 +19,7 @@ from lesson_code.evidence.hard_cases.measures import (
     start_gap,
     unrest,
 )
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.geometry.shapes import Circle, Polygon

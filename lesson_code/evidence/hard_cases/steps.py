@@ -13,7 +13,6 @@ from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers.choice import solvers_for
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.loads import STANDS, tower
 from lesson_code.evidence.hard_cases.measures import (
     DT,
@@ -26,6 +25,7 @@ from lesson_code.evidence.hard_cases.measures import (
     start_gap,
     unrest,
 )
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.rods import NO_GAIN, thrown_rod
 from lesson_code.evidence.hard_cases.trial import OURS, Trial, family
 from lesson_code.evidence.scenes import slopes

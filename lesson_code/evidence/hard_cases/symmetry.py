@@ -13,7 +13,6 @@ import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import (
     NOT_SEEN,
@@ -22,6 +21,7 @@ from lesson_code.evidence.hard_cases.measures import (
     end_state,
     largest,
 )
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape

@@ -9,8 +9,8 @@ import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.collisions import change_of_momentum
-from lesson_code.evidence.hard_cases.draw import Draw
 from lesson_code.evidence.hard_cases.measures import ROUNDING, gain, largest
+from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import discs as disc_scenes
 from lesson_code.geometry.shapes import Circle, Segment

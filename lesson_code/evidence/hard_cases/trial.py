@@ -13,7 +13,7 @@ import numpy as np
 from lesson_code.engine.core.recording import Sample
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
-from lesson_code.evidence.hard_cases.draw import Draw, Value, seeded
+from lesson_code.evidence.hard_cases.parameters import Draw, Value, seeded
 from lesson_code.simulation import simulate
 
 OURS = "ours"
