@@ -53,9 +53,15 @@ def measure_chaos(
 @measure.command("hard-cases")
 def measure_cases(
     only: Annotated[
-        list[str] | None, typer.Option("--only", metavar="NAME", help="Only this case.")
+        list[str] | None, typer.Option("--only", metavar="FAMILY", help="Only this family.")
     ] = None,
-    solvers: Annotated[
+    draws: Annotated[int, typer.Option(min=1, help="Draws of each family.")] = 3,
+    seed: Annotated[int, typer.Option(min=0, help="Of the first draw.")] = 0,
+    replayed: Annotated[
+        str | None,
+        typer.Option("--replay", metavar="FAMILY:SEED", help="One draw, with its parameters."),
+    ] = None,
+    engines: Annotated[
         list[str] | None,
         typer.Option("--solver", help="ours, naive, pymunk or box2d; all by default."),
     ] = None,
@@ -66,19 +72,37 @@ def measure_cases(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Scenes in which solvers go wrong: ours beside naive, pymunk and Box2D."""
+    """Families of scenes in which solvers go wrong: ours beside naive, pymunk and Box2D."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small systems: more threads are slower
     from lesson_code.evidence import hard_cases
 
     with clear_errors():
-        if store and (only or solvers):
-            raise ValueError("--store needs all cases and all solvers: leave out --only, --solver")
+        if replayed is not None:
+            _show(hard_cases.replay(*_family_and_seed(replayed), engines=engines), as_json)
+            return
+        if store and (only or engines):
+            raise ValueError("--store needs all families and engines: leave out --only, --solver")
         measured = hard_cases.measure_hard_cases(
-            only, solvers=solvers, workers=workers, cluster=cluster, progress="hard cases"
+            only,
+            draws=draws,
+            seed=seed,
+            engines=engines,
+            workers=workers,
+            cluster=cluster,
+            progress="hard cases",
         )
     if store:
-        measured.without_times().store()
+        measured.store()
     _show(measured, as_json)
-    raise typer.Exit(1 if hard_cases.OURS in measured.solvers and measured.not_held() else 0)
+    raise typer.Exit(1 if hard_cases.OURS in measured.engines and measured.not_held() else 0)
+
+
+def _family_and_seed(text: str) -> tuple[str, int]:
+    """Return the two parts of what is to be replayed."""
+    name, _, seed = text.partition(":")
+    if not seed.isdecimal():
+        raise ValueError(f"--replay must be FAMILY:SEED with a seed >= 0, got {text!r}")
+    return name, int(seed)
 
 
 @measure.command("isolation")

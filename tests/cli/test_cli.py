@@ -426,33 +426,52 @@ def test_simulator_plays_with_as_many_balls_as_are_asked_for(tmp_path: Path) -> 
 
 
 def test_measure_hard_cases_prints_one_json_object() -> None:
-    """Ours holds the case, pymunk does not; nothing else is printed."""
+    """Ours holds the family, naive does not; nothing else is printed."""
     result = workbook(
-        "measure", "hard-cases", "--json", "--workers", "1", "--only", "kane",
-        "--solver", "ours", "--solver", "pymunk",
+        "measure", "hard-cases", "--json", "--workers", "1", "--only", "slide-to-roll",
+        "--draws", "2", "--seed", "5", "--solver", "ours", "--solver", "naive",
     )  # fmt: skip
     assert result.exit_code == ALL_IS_WELL
     told = json.loads(result.stdout)
-    assert (told["version"], told["command"]) == (1, "measure hard-cases")
-    assert told["held"] == {"ours": 1, "pymunk": 0}
+    assert (told["version"], told["command"]) == (2, "measure hard-cases")
+    assert told["holds"] == {"ours": 1, "naive": 0}
+    assert told["families"][0]["results"]["naive"]["draws"] == 2
+    assert told["families"][0]["results"]["naive"]["worst_seed"] in (5, 6)
 
 
 def test_measure_hard_cases_prints_a_table() -> None:
-    """A line for the case, under its theme."""
-    result = workbook("measure", "hard-cases", "--workers", "1", "--only", "zeno")
+    """A line for the family, under its theme."""
+    result = workbook("measure", "hard-cases", "--workers", "1", "--only", "zeno", "--draws", "1")
     assert result.exit_code == ALL_IS_WELL
     assert "Bounces" in result.stdout
     assert "zeno" in result.stdout
 
 
+def test_measure_hard_cases_replays_a_draw() -> None:
+    """The parameters, and the figure of each engine."""
+    result = workbook("measure", "hard-cases", "--replay", "zeno:7", "--solver", "ours", "--json")
+    assert result.exit_code == ALL_IS_WELL
+    told = json.loads(result.stdout)
+    assert (told["family"], told["seed"]) == ("zeno", 7)
+    assert set(told["parameters"]) == {"height", "restitution"}
+    assert told["engines"]["ours"]["held"]
+
+
 @pytest.mark.parametrize(
-    "wrong", [["--only", "easy"], ["--solver", "mine"], ["--store", "--only", "kane"]]
+    "wrong",
+    [
+        ["--only", "easy"],
+        ["--solver", "mine"],
+        ["--store", "--only", "zeno"],
+        ["--replay", "zeno"],
+        ["--replay", "easy:1"],
+    ],
 )
 def test_measure_hard_cases_refuses_what_it_does_not_know(wrong: list[str]) -> None:
     """In one line that names what is wrong, before anything is run."""
     result = workbook("measure", "hard-cases", *wrong)
     assert result.exit_code == NOT_DONE
-    assert "must be" in result.stderr or "needs all cases" in result.stderr
+    assert "must be" in result.stderr or "needs all families" in result.stderr
 
 
 @pytest.mark.full

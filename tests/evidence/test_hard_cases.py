@@ -1,4 +1,4 @@
-"""The catalogue of hard cases: ours holds every bound, and the bounds can be broken."""
+"""The catalogue of hard cases: families are held by the default call, and broken laws are seen."""
 
 from __future__ import annotations
 
@@ -11,168 +11,262 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import tiers
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
+from known_to_fail import KNOWN_TO_FAIL
 
 from lesson_code import Body, Circle, Scene
 from lesson_code.evidence.hard_cases import (
-    CASES,
+    ENGINES,
+    FAMILIES,
     OURS,
-    PEERS,
     Comparison,
-    HardCase,
+    Draw,
+    Family,
     Outcome,
+    Result,
     Trial,
-    case_by_name,
+    catalogue,
     comparison,
-    installed_solvers,
+    family,
+    family_by_name,
+    installed_engines,
     measure_hard_cases,
-    run_case,
+    replay,
+    run_draw,
+    run_drawn,
+    seeded,
     stored,
+    summed_up,
 )
 from lesson_code.parallel import WorkerDiedError
 
-FEWEST = 45
-"""Cases that the catalogue promises."""
+FEWEST = 70
+"""Families that the catalogue promises."""
 
 WIDTH = 100
 """Columns: the table fits a page."""
 
-CHEAP = ("kane", "limit-cycle", "flat-landing", "dt-jumps", "cradle", "small-discs", "tunnelling")
-"""Cases in which pymunk fails within a second."""
+EXAMPLES = 3
+"""Draws of each family that Hypothesis makes; of a long one it makes one."""
 
 
-def marked(case: HardCase) -> Any:
-    """Return a case as a parameter of a test; the long ones are slow."""
-    return pytest.param(case, id=case.name, marks=pytest.mark.full if case.is_long else ())
+# The laws
+
+
+def held_family(known: Family) -> Any:
+    """Return a family as a parameter of a test of the full tier."""
+    return pytest.param(known, id=known.name, marks=pytest.mark.full)
+
+
+@pytest.mark.parametrize(
+    "known", [held_family(known) for known in FAMILIES if known.name not in KNOWN_TO_FAIL]
+)
+def test_default_call_holds_the_law(known: Family) -> None:
+    """The bound stands in the catalogue, with its reason."""
+
+    @settings(
+        max_examples=1 if known.is_long else EXAMPLES,
+        phases=(Phase.generate,),
+        suppress_health_check=list(HealthCheck),
+    )
+    @given(data=st.data())
+    def holds(data: st.DataObject) -> None:
+        outcome = run_drawn(known, OURS, Draw(lambda: data.draw(st.floats(0.0, 1.0))))
+        assert outcome.held, f"{outcome.value} {outcome.error}: {dict(outcome.parameters)}"
+
+    holds()
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", sorted(KNOWN_TO_FAIL))
+def test_known_failure_still_fails(name: str, request: pytest.FixtureRequest) -> None:
+    """A family of the list that holds its law at its seed leaves the list."""
+    seed, reason = KNOWN_TO_FAIL[name]
+    request.applymarker(pytest.mark.xfail(strict=True, reason=reason))
+    outcome = run_draw(family_by_name(name), OURS, seed)
+    assert outcome.held, f"{outcome.value} {outcome.error}: {dict(outcome.parameters)}"
+
+
+@pytest.mark.parametrize("name", ["load-on-box", "momentum", "collapse", "cradle-with-gaps"])
+def test_seeded_draws_hold_the_law(name: str) -> None:
+    """One family of some themes in the quick tier, too."""
+    for seed in range(tiers.share(3)):
+        assert run_draw(family_by_name(name), OURS, seed).held
+
+
+def test_known_failures_are_families() -> None:
+    """A name in the list that is no family would hide nothing and excuse nothing."""
+    for name, (seed, reason) in KNOWN_TO_FAIL.items():
+        assert family_by_name(name).name == name
+        assert seed >= 0
+        assert len(reason) > 10
 
 
 # The catalogue
 
 
-@pytest.mark.one_in(9)
-@pytest.mark.parametrize("case", [marked(case) for case in CASES])
-def test_ours_holds_the_bound(case: HardCase) -> None:
-    """The bound stands in the catalogue, with its reason."""
-    outcome = run_case(case)
-    assert outcome.error == ""
-    assert outcome.held, f"{case.title}: {outcome.value} {case.unit}, the bound is {case.bound}"
-
-
-def test_catalogue_has_as_many_cases_as_it_promises_each_once() -> None:
-    """Names and titles are unique, and so are scene and measure together."""
-    assert len(CASES) >= FEWEST
-    for names in ([case.name for case in CASES], [case.title for case in CASES]):
+def test_catalogue_has_as_many_families_as_it_promises_each_once() -> None:
+    """Names and titles are unique."""
+    assert len(FAMILIES) >= FEWEST
+    for names in ([known.name for known in FAMILIES], [known.title for known in FAMILIES]):
         assert max(Counter(names).values()) == 1
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_every_case_says_what_it_is(case: HardCase) -> None:
+@pytest.mark.parametrize("known", FAMILIES, ids=lambda known: known.name)
+def test_every_family_says_what_it_is(known: Family) -> None:
     """A bound is finite, and everything that is to be read is a sentence or a formula."""
-    assert math.isfinite(case.bound)
-    assert case.bound >= 0.0
-    for text in (case.theme, case.title, case.why, case.law, case.reason):
+    assert 0.0 <= known.bound < math.inf
+    for text in (known.theme, known.title, known.why, known.law, known.reason):
         assert len(text) > 3
-    assert case.why.endswith(".")
-    assert case.ours["solver"] == "auto"
-    assert set(case.failed_by) <= set(PEERS)
-    assert isinstance(case.scene(), Scene)
+    assert known.why.endswith(".")
 
 
-def test_unknown_case_is_refused_with_the_known_ones() -> None:
-    """Whoever mistypes a name is told all of them."""
-    with pytest.raises(ValueError, match=r"name must be one of heavy-load, .*, got 'heavy'"):
-        case_by_name("heavy")
+def test_unknown_family_is_refused_with_the_known_ones() -> None:
+    """A mistyped name is answered with all of them."""
+    with pytest.raises(ValueError, match=r"name must be one of load-on-box, .*, got 'heavy'"):
+        family_by_name("heavy")
+
+
+# Draws
+
+
+def test_draw_is_the_same_for_one_seed_and_another_for_the_next() -> None:
+    """Seed and family name decide."""
+
+    def values(name: str, seed: int) -> dict[str, Any]:
+        draw = Draw(seeded(name, seed))
+        draw.log_uniform("ratio", 1e-9, 1e9)
+        draw.uniform("x", -1.0, 1.0)
+        draw.integer("count", 2, 64)
+        draw.choice("way", ("left", "right"))
+        return draw.values
+
+    assert values("a", 3) == values("a", 3)
+    assert values("a", 3) != values("a", 4)
+    assert values("a", 3) != values("b", 3)
+
+
+@given(share=st.floats(0.0, 1.0))
+def test_draws_stay_in_their_ranges(share: float) -> None:
+    """Both ends included."""
+    draw = Draw(lambda: share)
+    assert -1.5 <= draw.uniform("x", -1.5, 0.1) <= 0.1
+    assert 1e-9 <= draw.log_uniform("ratio", 1e-9, 1e9) <= 1e9
+    assert draw.integer("count", 2, 4) in (2, 3, 4)
+    assert draw.choice("way", ("left", "right")) in ("left", "right")
+
+
+@pytest.mark.parametrize(("share", "expected"), [(0.0, (1e-9, 2, "a")), (1.0, (1e9, 4, "b"))])
+def test_draws_reach_both_ends(share: float, expected: tuple[float, int, str]) -> None:
+    """What stands on a border is drawn where the source says so."""
+    draw = Draw(lambda: share)
+    found = (
+        draw.log_uniform("ratio", 1e-9, 1e9),
+        draw.integer("count", 2, 4),
+        draw.choice("which", ("a", "b")),
+    )
+    assert found[0] == pytest.approx(expected[0], rel=1e-14)
+    assert found[1:] == expected[1:]
+
+
+def test_draw_refuses_what_it_cannot_draw() -> None:
+    """A name twice, an empty range, no logarithm, a negative seed."""
+    draw = Draw(lambda: 0.5)
+    draw.uniform("x", 0.0, 1.0)
+    with pytest.raises(ValueError, match="name must be drawn once, got 'x' again"):
+        draw.uniform("x", 0.0, 1.0)
+    with pytest.raises(ValueError, match=r"low must be <= high for y, got 2.0 and 1.0"):
+        draw.uniform("y", 2.0, 1.0)
+    with pytest.raises(ValueError, match=r"low must be > 0 for y, got 0.0"):
+        draw.log_uniform("y", 0.0, 1.0)
+    with pytest.raises(ValueError, match="seed must be >= 0, got -1"):
+        seeded("a", -1)
 
 
 # A check that can fail
 
 
-@pytest.mark.parametrize("name", CHEAP)
-def test_pymunk_is_found_out(name: str) -> None:
-    """What is meant to be failed is failed: each of these cases tells pymunk from the law."""
-    assert "pymunk" in case_by_name(name).failed_by
-    assert not run_case(case_by_name(name), "pymunk").held
-
-
-@pytest.mark.parametrize(
-    "name", ["heavy-load-force", "break-shot", "box-on-slope", "seams-rolling"]
+@family(
+    "Tests",
+    why="It is wrong on purpose.",
+    law="A ball that flies freely for a second comes to rest.",
+    unit="m/s",
+    bound=1.5,
+    reason="a test",
 )
-def test_naive_is_found_out(name: str) -> None:
-    """The lesson's first attempt has neither friction nor a second look."""
-    assert "naive" in case_by_name(name).failed_by
-    assert not run_case(case_by_name(name), "naive").held
+def broken_law(draw: Draw, trial: Trial) -> float:
+    """Ball that flies on."""
+    speed = draw.uniform("speed", 1.0, 2.0)
+    ball = Scene([Body(Circle(1.0), mass=1.0, velocity=(speed, 0))])
+    return float(trial.run(ball, 1.0).velocities[-1, 0, 0])
 
 
-def test_stored_outcomes_are_those_that_the_catalogue_foretells() -> None:
-    """Who is said to fail has failed; ours has held everything."""
-    kept = stored()
-    assert kept.not_held() == []
-    for case in CASES:
-        for solver in set(case.failed_by) & set(kept.solvers):
-            assert not kept.outcome(case.name, solver).held, (case.name, solver)
-
-
-def test_most_cases_tell_another_engine_from_the_law() -> None:
-    """A catalogue that everybody holds would show nothing."""
-    kept = stored()
-    assert len(kept.not_held("pymunk")) > len(CASES) / 2
-
-
-def test_stored_outcomes_are_of_this_catalogue() -> None:
-    """Every case, in its order, with its bound; by every solver. Regenerate it with --store."""
-    kept = stored()
-    assert kept.names == tuple(case.name for case in CASES)
-    assert {OURS, "naive", "pymunk"} <= set(kept.solvers)
-    assert len(kept.outcomes) == len(CASES) * len(kept.solvers)
-    for case in CASES:
-        assert {kept.outcome(case.name, s).bound for s in kept.solvers} == {case.bound}
-
-
-# How a case is run
-
-
-def always(value: float) -> HardCase:
-    """Return a case whose measure is known."""
-    return replace(case_by_name("zeno"), measure=lambda _: value, bound=1.0)
+def test_broken_law_is_reported_with_its_draws() -> None:
+    """Share, worst draw, and where it begins to fail: the mildest failing one."""
+    outcomes = [run_draw(broken_law, OURS, seed) for seed in range(12)]
+    speeds = {o.seed: float(o.parameters["speed"]) for o in outcomes}
+    over = [speed for speed in speeds.values() if speed > 1.5]
+    result = summed_up(outcomes)
+    assert (result.draws, result.held) == (12, 12 - len(over))
+    assert speeds[result.worst_seed] == result.worst == max(over)
+    assert result.fails_from == {"speed": min(over)}
+    assert result.fails_seed is not None
+    assert speeds[result.fails_seed] == min(over)
 
 
 @pytest.mark.parametrize(
     ("value", "held"),
-    [(0.0, True), (1.0, True), (1.1, False), (math.inf, False), (math.nan, False)],
+    [(0.0, True), (1.5, True), (1.6, False), (math.inf, False), (math.nan, False)],
 )
 def test_bound_is_held_up_to_itself_and_never_by_nan(value: float, held: bool) -> None:
     """A number that is none holds nothing."""
-    assert run_case(always(value)).held is held
+    outcome = run_draw(replace(broken_law, measure=lambda _draw, _trial: value), OURS, 0)
+    assert outcome.held is held
+    assert outcome.error == ("" if math.isfinite(value) else "no finite number")
 
 
-@pytest.mark.parametrize("value", [math.inf, math.nan])
-def test_value_that_is_no_number_says_so(value: float) -> None:
-    """An error stands where a value should."""
-    assert run_case(always(value)).error == "no finite number"
+def test_exception_of_an_engine_is_an_outcome() -> None:
+    """No value, its words, and what had been drawn by then."""
 
+    def refuses(draw: Draw, _trial: Trial) -> float:
+        draw.integer("count", 1, 1)
+        raise RuntimeError("no end")
 
-def test_exception_of_a_solver_is_an_outcome() -> None:
-    """The exact solver refuses boxes: no value, and its words."""
-    case = replace(case_by_name("tower-20"), ours={"solver": "exact"})
-    outcome = run_case(case)
+    outcome = run_draw(replace(broken_law, measure=refuses), OURS, 0)
     assert math.isnan(outcome.value)
-    assert not outcome.held
-    assert outcome.error.startswith("ValueError: ")
+    assert outcome.error == "RuntimeError: no end"
+    assert outcome.parameters == {"count": 1}
+    assert summed_up([outcome]).fails_from == {"count": 1}
 
 
-def test_trial_gives_every_solver_the_same_options() -> None:
-    """The step is the case's, the solver's name the trial's."""
-    case = case_by_name("limit-cycle")
-    assert case.trial(OURS).options == {"dt": 1e-9, "solver": "auto"}
-    assert case.trial("pymunk").options == {"dt": 1e-9, "solver": "pymunk"}
-    with pytest.raises(ValueError, match=r"solver must be one of ours, .*, got 'mine'"):
-        case.trial("mine")
+@pytest.mark.parametrize("name", ["oblique-discs", "load-on-box", "box-on-slope"])
+def test_naive_is_found_out(name: str) -> None:
+    """The lesson's first attempt has neither friction nor a second look."""
+    assert not run_draw(family_by_name(name), "naive", 0).held
 
 
-def test_trial_runs_another_scene_too() -> None:
-    """A ball that flies on alone, with the trial's step."""
-    trial = Trial(Scene(), {"solver": "naive", "dt": 0.5})
-    ball = Scene([Body(Circle(1.0), mass=1.0, velocity=(2, 0))])
-    assert trial.run(1.0, ball).positions[:, 0, 0].tolist() == [0.0, 1.0, 2.0]
+@pytest.mark.parametrize("engine", ENGINES)
+def test_trial_gives_an_engine_no_settings_but_the_step(
+    engine: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ours is the default call; a peer is that with its name."""
+    asked: list[dict[str, Any]] = []
+    monkeypatch.setattr(
+        "lesson_code.evidence.hard_cases.trial.simulate",
+        lambda _scene, _duration, **options: asked.append(options),
+    )
+    Trial(engine).run(Scene(), 1.0)
+    Trial(engine).run(Scene(), 1.0, sample=None, dt=0.5)
+    named = {} if engine == OURS else {"solver": engine}
+    assert asked == [{"sample": "end", **named}, {"sample": None, "dt": 0.5, **named}]
+
+
+def test_trial_refuses_unknown_engines() -> None:
+    """Before anything is run."""
+    with pytest.raises(ValueError, match=r"engine must be one of ours, .*, got 'mine'"):
+        Trial("mine")
 
 
 # All of them together
@@ -180,79 +274,125 @@ def test_trial_runs_another_scene_too() -> None:
 
 def test_comparison_is_the_same_for_one_worker_and_for_two() -> None:
     """Only the seconds differ."""
-    names = ["kane", "break-shot", "zeno"]
+    names = ["collapse", "infinite-inertia"]
     one, two = (measure_hard_cases(names, workers=n).without_times().as_dict() for n in (1, 2))
     assert one == two
-    assert [case["name"] for case in one["cases"]] == names
-    assert one["solvers"] == list(installed_solvers())
+    assert [known["name"] for known in one["families"]] == names
+    assert one["engines"] == list(installed_engines())
+    assert {r["draws"] for known in one["families"] for r in known["results"].values()} == {3}
 
 
-def test_comparison_refuses_unknown_solvers() -> None:
+def test_measuring_refuses_what_it_does_not_know() -> None:
     """Before anything is run."""
-    with pytest.raises(ValueError, match=r"solver must be one of ours, .*, got 'rapier'"):
-        measure_hard_cases(["kane"], solvers=["rapier"])
+    with pytest.raises(ValueError, match=r"engine must be one of ours, .*, got 'rapier'"):
+        measure_hard_cases(["collapse"], engines=["rapier"])
+    with pytest.raises(ValueError, match="draws must be >= 1, got 0"):
+        measure_hard_cases(["collapse"], draws=0)
+    with pytest.raises(ValueError, match="seed must be >= 0, got -2"):
+        measure_hard_cases(["collapse"], seed=-2)
 
 
-def test_dead_process_is_an_outcome(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A solver that takes its worker with it has no result, and the others go on."""
+def test_replay_gives_back_the_draw_of_the_comparison() -> None:
+    """The same figure, and the parameters by name."""
+    result = measure_hard_cases(["load-on-box"], engines=[OURS], workers=1).results[0]
+    again = replay("load-on-box", result.worst_seed, engines=[OURS, "naive"])
+    assert again.outcomes[0].value == result.worst
+    assert {"ratio", "friction", "start"} <= set(again.parameters)
+    told = again.as_dict()
+    assert (told["family"], told["seed"]) == ("load-on-box", result.worst_seed)
+    assert list(told["engines"]) == [OURS, "naive"]
+    assert "ratio" in again.as_text(WIDTH)
 
-    def one_dies(function: Any, tasks: Any, **_options: Any) -> Any:
-        for n, task in enumerate(tasks):
-            future: Future[Any] = Future()
-            if task[1] == "pymunk":
-                future.set_exception(WorkerDiedError("signal 6"))
-            else:
-                future.set_result(function(task))
-            yield n, future
 
+def one_dies(function: Any, tasks: Any, **_options: Any) -> Any:
+    """Do the tasks here; pymunk takes its worker with it."""
+    for n, task in enumerate(tasks):
+        future: Future[Any] = Future()
+        if task[1] == "pymunk":
+            future.set_exception(WorkerDiedError("signal 6"))
+        else:
+            future.set_result(function(task))
+        yield n, future
+
+
+def test_dead_process_is_no_result_in_that_draw(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The others go on."""
     monkeypatch.setattr(comparison, "iter_tasks", one_dies)
-    both = measure_hard_cases(["kane"], solvers=[OURS, "pymunk"])
-    assert (both.not_held(), both.not_held("pymunk")) == ([], ["kane"])
-    written = both.as_dict()["cases"][0]["outcomes"]["pymunk"]
-    assert written["value"] is None
+    both = measure_hard_cases(["collapse"], draws=2, engines=[OURS, "pymunk"])
+    assert (both.not_held(), both.not_held("pymunk")) == ([], ["collapse"])
+    written = both.as_dict()["families"][0]["results"]["pymunk"]
+    assert (written["worst"], written["held"], written["draws"]) == (None, 0, 2)
     assert written["error"] == "the process died: signal 6"
+    assert "0/2x       -" in both.as_text(WIDTH)
+
+
+def some_results() -> Comparison:
+    """Return a comparison of two engines in one family."""
+    return Comparison(
+        (
+            Result("zeno", OURS, 3, 3, 0.25, 1, seconds=3.0),
+            Result("zeno", "naive", 3, 1, math.nan, 2, "x", 0, {"height": 1.5, "n": 2}, 1.0),
+        )
+    )
 
 
 def test_stored_file_gives_back_what_was_stored(tmp_path: Path) -> None:
-    """Values, errors and bounds; the times are not kept, they differ from run to run."""
-    kept = Comparison(
-        (
-            Outcome("kane", OURS, 0.25, 1e-12, 3.0),
-            Outcome("kane", "naive", math.nan, 1e-12, 1.0, "x"),
-        )
-    )
-    kept.without_times().store(tmp_path / "kept.json")
-    back = stored(tmp_path / "kept.json")
-    assert repr(back) == repr(kept.without_times())
-    assert math.isnan(back.outcome("kane", "naive").value)
-    assert '"seconds": null' in (tmp_path / "kept.json").read_text()
+    """Figures, seeds, parameters and errors."""
+    kept = some_results()
+    kept.store(tmp_path / "kept.json")
+    assert repr(Comparison.stored(tmp_path / "kept.json")) == repr(kept)
+    assert '"worst": null' in (tmp_path / "kept.json").read_text()
 
 
 def test_stored_file_of_another_version_is_refused(tmp_path: Path) -> None:
     """Its keys may mean something else."""
-    (tmp_path / "old.json").write_text(json.dumps({"version": 0}))
-    with pytest.raises(ValueError, match=r"version must be 1, got 0"):
+    (tmp_path / "old.json").write_text(json.dumps({"version": 1}))
+    with pytest.raises(ValueError, match=r"version must be 2, got 1"):
         stored(tmp_path / "old.json")
 
 
-def test_table_fits_a_page_and_names_every_case() -> None:
+def test_comparison_counts_families_and_draws() -> None:
+    """Held in every draw, and the share of all draws."""
+    kept = some_results()
+    assert (kept.holds(OURS), kept.holds("naive")) == (1, 0)
+    assert kept.share("naive") == pytest.approx(1 / 3)
+    assert kept.not_held("naive") == ["zeno"]
+
+
+def test_stored_results_are_of_this_catalogue() -> None:
+    """Every family, in its order, by every engine. Regenerate it with --store."""
+    kept = stored()
+    assert kept.names == tuple(known.name for known in FAMILIES)
+    assert {OURS, "naive", "pymunk"} <= set(kept.engines)
+    assert len(kept.results) == len(FAMILIES) * len(kept.engines)
+    bounds = {known["name"]: known["bound"] for known in json.loads(_stored_text())["families"]}
+    assert bounds == {known.name: known.bound for known in FAMILIES}
+
+
+def _stored_text() -> str:
+    return Comparison.file.read_text(encoding="utf-8")
+
+
+def test_families_tell_other_engines_from_the_law() -> None:
+    """A catalogue that everybody holds would show nothing."""
+    assert len(stored().not_held("pymunk")) > len(FAMILIES) / 3
+
+
+def test_table_fits_a_page_and_names_every_family() -> None:
     """100 columns, no line broken."""
     text = stored().as_text(WIDTH)
     assert max(map(len, text.splitlines())) <= WIDTH
-    for case in CASES:
-        assert f"\n {case.name} " in text
-    assert comparison.HEADINGS["box2d"] in text or "box2d" not in stored().solvers
+    for known in FAMILIES:
+        assert f"\n {known.name} " in text
 
 
-@pytest.mark.parametrize(
-    ("value", "excess"), [(0.0, 0.0), (1.0, 0.5), (6.0, 3.0), (math.inf, math.inf)]
-)
-def test_excess_is_how_many_times_the_bound(value: float, excess: float) -> None:
-    """Half, or three times."""
-    assert Outcome("a", OURS, value, 2.0).excess == excess
+def test_themes_stand_together() -> None:
+    """In the order of the catalogue, none twice."""
+    assert list(catalogue.by_theme()) == list(dict.fromkeys(known.theme for known in FAMILIES))
+    assert [f for theme in catalogue.by_theme().values() for f in theme] == list(FAMILIES)
 
 
-def test_excess_over_a_bound_of_zero_is_infinite() -> None:
-    """A count that may not be one."""
-    assert Outcome("a", OURS, 1.0, 0.0).excess == math.inf
-    assert Outcome("a", OURS, 0.0, 0.0).excess == 0.0
+def test_outcome_of_no_seed_is_a_draw_by_other_means() -> None:
+    """Hypothesis has no seeds of ours."""
+    outcome: Outcome = run_drawn(broken_law, OURS, Draw(lambda: 1.0))
+    assert (outcome.seed, outcome.value, outcome.parameters) == (-1, 2.0, {"speed": 2.0})

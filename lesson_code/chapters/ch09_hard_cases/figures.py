@@ -1,4 +1,4 @@
-"""Figures of the hard cases: which solver holds which bound, and by how much the others miss."""
+"""Figures of the hard cases: which share of its draws each engine holds, family by family."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 
 from matplotlib.axes import Axes
 
-from lesson_code.evidence.hard_cases import Comparison
+from lesson_code.evidence.hard_cases import Comparison, by_theme, family_by_name
 from lesson_code.view.matplotlib.measured import marks, rows
 from lesson_code.view.matplotlib.style import BLUE, GREEN, GREY, ORANGE, VERMILION
 
@@ -19,13 +19,11 @@ MARKS = {
     "pymunk": ("^", VERMILION, "pymunk"),
     "ours": ("o", BLUE, "ours"),
 }
-"""Marker, colour and name of each solver; ours is drawn last, on top."""
+"""Marker, colour and name of each engine; ours is drawn last, on top."""
 
 
-def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
-    """Draw for every case how many powers of ten each solver is over the bound, or under it.
-
-    A line stands at the bound; what lies to its left holds. A solver without a result has no mark.
+def shares_held(ax: Axes, comparison: Comparison) -> Axes:
+    """Draw for every family the share of its draws that each engine holds.
 
     Parameters
     ----------
@@ -39,28 +37,86 @@ def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
     Axes
         `ax`.
     """
-    names = comparison.names
-    for solver in [s for s in MARKS if s in comparison.solvers]:
-        outcomes = [comparison.outcome(name, solver) for name in names]
-        seen = [(n, o.excess) for n, o in enumerate(outcomes) if not math.isnan(o.value)]
-        marker, color, label = MARKS[solver]
-        look = {"marker": marker, "color": color, "label": label, "zorder": 3}
-        points = [(powers_of_ten(excess), n) for n, excess in seen]
-        marks(ax, points, markersize=4.7, markeredgewidth=1.5, **look)
-    ax.axvline(0.0, color=GREY, linewidth=1.5)
-    rows(ax, names, margin=1.0, fontsize=7)
-    ax.set_xlim(LEFT - 0.7, RIGHT + 0.7)
-    ax.set_xlabel("powers of ten over the bound; at the edges: that much or more")
-    ax.legend(frameon=False, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    for engine in _engines(comparison):
+        marker, color, label = MARKS[engine]
+        shares = [comparison.result(name, engine).share for name in comparison.names]
+        points = [(100 * share + _shift(engine), n) for n, share in enumerate(shares)]
+        marks(ax, points, marker=marker, color=color, label=label, zorder=3, **SIZE)
+    _family_rows(ax, comparison)
+    ax.set_xlim(-8, 108)
+    ax.set_xlabel("draws in which the bound was held, %")
     return ax
 
 
-def powers_of_ten(excess: float) -> float:
+def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
+    """Draw for every family how many powers of ten the worst draw is over the bound, or under it.
+
+    A line stands at the bound; what lies to its left holds. An engine without a result has no mark.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw.
+    comparison : Comparison
+        What was measured.
+
+    Returns
+    -------
+    Axes
+        `ax`.
+    """
+    for engine in _engines(comparison):
+        worst = [comparison.result(name, engine).worst for name in comparison.names]
+        bounds = [family_by_name(name).bound for name in comparison.names]
+        seen = [(n, w, b) for n, (w, b) in enumerate(zip(worst, bounds, strict=True))]
+        points = [(powers_of_ten(w, b), n) for n, w, b in seen if not math.isnan(w)]
+        marker, color, label = MARKS[engine]
+        marks(ax, points, marker=marker, color=color, label=label, zorder=3, **SIZE)
+    ax.axvline(0.0, color=GREY, linewidth=1.5)
+    _family_rows(ax, comparison)
+    ax.set_xlim(LEFT - 0.7, RIGHT + 0.7)
+    ax.set_xlabel("worst draw, powers of ten over the bound; at the edges: that much or more")
+    return ax
+
+
+SIZE = {"markersize": 4.7, "markeredgewidth": 1.5}
+
+
+def _engines(comparison: Comparison) -> list[str]:
+    return [engine for engine in MARKS if engine in comparison.engines]
+
+
+def _shift(engine: str) -> float:
+    """Return a small shift that keeps equal shares apart, %."""
+    return 1.2 * (list(MARKS).index(engine) - 1.5)
+
+
+def _family_rows(ax: Axes, comparison: Comparison) -> None:
+    """Give each family a row, and draw a line with a name above each theme."""
+    rows(ax, comparison.names, margin=1.0, fontsize=7)
+    first = 0
+    for theme, families in by_theme(map(family_by_name, comparison.names)).items():
+        ax.axhline(first - 0.5, color=GREY, linewidth=0.6)
+        ax.annotate(
+            theme,
+            (1.01, first),
+            xycoords=("axes fraction", "data"),
+            va="center",
+            fontsize=7,
+            annotation_clip=False,
+        )
+        first += len(families)
+    ax.legend(frameon=False, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
+def powers_of_ten(value: float, bound: float) -> float:
     """Return the logarithm of how many times the bound a value is, within the picture.
 
-    >>> powers_of_ten(100.0), powers_of_ten(0.0), powers_of_ten(math.inf)
+    >>> powers_of_ten(100.0, 1.0), powers_of_ten(0.0, 1.0), powers_of_ten(1.0, 0.0)
     (2.0, -8.0, 14.0)
     """
-    if excess <= 0.0:
+    if value <= 0.0:
         return LEFT
-    return min(max(math.log10(excess), LEFT), RIGHT) if math.isfinite(excess) else RIGHT
+    if bound <= 0.0 or not math.isfinite(value):
+        return RIGHT
+    return min(max(math.log10(value / bound), LEFT), RIGHT)

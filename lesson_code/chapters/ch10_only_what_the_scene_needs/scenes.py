@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.evidence.hard_cases.loads import SUNK
+from lesson_code.evidence.hard_cases.measures import SUNK
 from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, HALF_LENGTH
 from lesson_code.formulas.validation import one_number, positive
 from lesson_code.geometry.shapes import Circle, Polygon, Segment

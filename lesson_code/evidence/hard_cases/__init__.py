@@ -1,32 +1,57 @@
-"""Hard cases: scenes in which solvers go wrong, each with a law and a bound.
+"""Hard cases: families of scenes in which solvers go wrong, each with a law and a bound.
 
-The catalogue has a module for each theme. A case is a scene, a measure, which is 0 for a perfect
-result, and a bound, which was written before the case was run. The tests hold our solver to the
-bounds; ``workbook measure hard-cases`` compares it with the others.
+A family draws its parameters by a seed, runs the scene that they describe, and measures how far
+the result is from what a law says; 0 is right. Its bound was written before it was run. Every
+engine runs the same draws, ours with ``simulate(scene, duration)`` and nothing else. There is a
+module for each theme. ``workbook measure hard-cases`` compares the engines.
 """
 
-from lesson_code.evidence.hard_cases.case import OURS, PEERS, HardCase, Outcome, Trial, run_case
-from lesson_code.evidence.hard_cases.catalogue import CASES, by_theme, case_by_name
+from lesson_code.evidence.hard_cases.catalogue import FAMILIES, by_theme, family_by_name
 from lesson_code.evidence.hard_cases.comparison import (
     Comparison,
-    installed_solvers,
+    Replay,
+    Result,
+    installed_engines,
     measure_hard_cases,
+    replay,
+    summed_up,
+)
+from lesson_code.evidence.hard_cases.parameters import Draw, seeded
+from lesson_code.evidence.hard_cases.trial import (
+    ENGINES,
+    OURS,
+    PEERS,
+    Family,
+    Outcome,
+    Trial,
+    family,
+    run_draw,
+    run_drawn,
 )
 
 stored = Comparison.stored
 
 __all__ = [
-    "CASES",
+    "ENGINES",
+    "FAMILIES",
     "OURS",
     "PEERS",
     "Comparison",
-    "HardCase",
+    "Draw",
+    "Family",
     "Outcome",
+    "Replay",
+    "Result",
     "Trial",
     "by_theme",
-    "case_by_name",
-    "installed_solvers",
+    "family",
+    "family_by_name",
+    "installed_engines",
     "measure_hard_cases",
-    "run_case",
+    "replay",
+    "run_draw",
+    "run_drawn",
+    "seeded",
     "stored",
+    "summed_up",
 ]

@@ -1,53 +1,71 @@
-"""The catalogue: all hard cases, by theme."""
+"""The catalogue: all families of hard cases, by theme."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 from lesson_code.evidence.hard_cases import (
     balance,
     bounces,
+    carried,
+    collisions,
     fast,
-    floors,
-    impacts,
     loads,
+    outlines,
     overlaps,
+    rods,
+    slopes,
+    stacks,
     steps,
     symmetry,
     together,
 )
-from lesson_code.evidence.hard_cases.case import HardCase
+from lesson_code.evidence.hard_cases.trial import Family
 
-CASES: tuple[HardCase, ...] = (
-    *loads.CASES,
-    *balance.CASES,
-    *impacts.CASES,
-    *together.CASES,
-    *steps.CASES,
-    *bounces.CASES,
-    *fast.CASES,
-    *floors.CASES,
-    *overlaps.CASES,
-    *symmetry.CASES,
+THEMES = (
+    loads,
+    stacks,
+    balance,
+    outlines,
+    slopes,
+    collisions,
+    rods,
+    bounces,
+    together,
+    fast,
+    overlaps,
+    carried,
+    steps,
+    symmetry,
 )
-"""All cases, each once; those of a theme stand together."""
+"""A module for each theme, in the order of the table."""
+
+FAMILIES: tuple[Family, ...] = tuple(
+    value
+    for module in THEMES
+    for value in vars(module).values()
+    if isinstance(value, Family) and value.measure.__module__ == module.__name__
+)
+"""All families, each once, in the order in which they are defined."""
 
 
-def case_by_name(name: str) -> HardCase:
-    """Return a case by its name.
+def family_by_name(name: str) -> Family:
+    """Return a family by its name.
 
     Raises
     ------
     ValueError
-        There is no such case.
+        There is no such family.
     """
-    for case in CASES:
-        if case.name == name:
-            return case
-    raise ValueError(f"name must be one of {', '.join(c.name for c in CASES)}, got {name!r}")
+    for family in FAMILIES:
+        if family.name == name:
+            return family
+    raise ValueError(f"name must be one of {', '.join(f.name for f in FAMILIES)}, got {name!r}")
 
 
-def by_theme(cases: tuple[HardCase, ...] = CASES) -> dict[str, list[HardCase]]:
-    """Return the cases of each theme, in the order of the catalogue."""
-    themes: dict[str, list[HardCase]] = {}
-    for case in cases:
-        themes.setdefault(case.theme, []).append(case)
+def by_theme(families: Iterable[Family] = FAMILIES) -> dict[str, list[Family]]:
+    """Return the families of each theme, in the order of the catalogue."""
+    themes: dict[str, list[Family]] = {}
+    for family in families:
+        themes.setdefault(family.theme, []).append(family)
     return themes

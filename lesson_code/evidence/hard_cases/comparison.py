@@ -1,136 +1,234 @@
-"""All hard cases in every solver, side by side."""
+"""All families in every engine, side by side."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+import statistics
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 from rich.table import Table
 
 from lesson_code.evidence.engines import has_box2d
-from lesson_code.evidence.hard_cases.case import OURS, SOLVERS, Outcome, run_case
-from lesson_code.evidence.hard_cases.catalogue import CASES, case_by_name
-from lesson_code.evidence.measurement import Measurement, plain, table
+from lesson_code.evidence.hard_cases.catalogue import FAMILIES, family_by_name
+from lesson_code.evidence.hard_cases.parameters import Value
+from lesson_code.evidence.hard_cases.trial import ENGINES, OURS, Family, Outcome, Trial, run_draw
+from lesson_code.evidence.measurement import Measurement, four_digits, plain, rows_with, table
 from lesson_code.parallel import WorkerDiedError, iter_tasks, usable_cores
 
 HEADINGS = {"ours": "ours", "naive": "naive", "pymunk": "pymunk", "box2d": "Box2D"}
 
-SAID = ("name", "theme", "title", "why", "law", "unit", "bound", "reason", "ours")
-"""The fields of a case that are stored beside its outcomes."""
+SAID = ("name", "theme", "title", "why", "law", "unit", "bound", "reason")
+"""The fields of a family that are stored beside its results."""
+
+DRAWS = 3
+"""How many draws of each family are made unless said otherwise."""
+
+REPLAY_WIDTH = 80
+"""Columns of the tables of one draw, below titles that are sentences."""
+
+MANY = 10
+"""From so many draws on the table shows a percentage in place of counts."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """How an engine did in some draws of a family.
+
+    Attributes
+    ----------
+    family, engine : str
+        Their names.
+    draws, held : int
+        How many draws were made, and in how many of them the bound was held.
+    worst : float
+        The largest value; nan if a draw has no result, for that is worse.
+    worst_seed : int
+        Of the draw with the largest value, or of the first without a result.
+    error : str
+        Why the worst draw has no value; "" if it has one.
+    fails_seed : int or None
+        Of the mildest of the draws that fail; None if none does.
+    fails_from : mapping of str to value
+        Its parameters: where the engine begins to fail.
+    seconds : float
+        CPU time of a draw, the median.
+    """
+
+    family: str
+    engine: str
+    draws: int
+    held: int
+    worst: float
+    worst_seed: int
+    error: str = ""
+    fails_seed: int | None = None
+    fails_from: Mapping[str, Value] = field(default_factory=dict)
+    seconds: float = math.nan
+
+    @property
+    def share(self) -> float:
+        """Share of the draws in which the bound was held, 0 to 1."""
+        return self.held / self.draws
+
+    @property
+    def holds(self) -> bool:
+        """Whether the bound was held in every draw."""
+        return self.held == self.draws
+
+
+def summed_up(outcomes: Sequence[Outcome]) -> Result:
+    """Return what the draws of one family in one engine say together; there is at least one."""
+    worst = max(outcomes, key=_badness)
+    failed = [outcome for outcome in outcomes if not outcome.held]
+    mildest = min(failed, key=_badness) if failed else None
+    seconds = [o.seconds for o in outcomes if math.isfinite(o.seconds)]
+    return Result(
+        family=worst.family,
+        engine=worst.engine,
+        draws=len(outcomes),
+        held=len(outcomes) - len(failed),
+        worst=worst.value,
+        worst_seed=worst.seed,
+        error=worst.error,
+        fails_seed=mildest.seed if mildest else None,
+        fails_from=mildest.parameters if mildest else {},
+        seconds=four_digits(statistics.median(seconds)) if seconds else math.nan,
+    )
+
+
+def _badness(outcome: Outcome) -> float:
+    """Return the value, or infinity where there is none."""
+    return math.inf if math.isnan(outcome.value) else outcome.value
 
 
 @dataclass(frozen=True)
 class Comparison(Measurement):
-    """How each solver did in each case.
+    """How each engine did in each family.
 
     Attributes
     ----------
-    outcomes : tuple of Outcome
-        In the order of the catalogue, and within a case in the order of the solvers.
+    results : tuple of Result
+        In the order of the catalogue, and within a family in the order of the engines.
     """
 
     command = "measure hard-cases"
+    version: ClassVar[int] = 2
     file = Path(__file__).with_name("stored.json")
 
-    outcomes: tuple[Outcome, ...]
+    results: tuple[Result, ...]
 
     @property
-    def solvers(self) -> tuple[str, ...]:
-        """The solvers that took part."""
-        present = {outcome.solver for outcome in self.outcomes}
-        return tuple(solver for solver in SOLVERS if solver in present)
+    def engines(self) -> tuple[str, ...]:
+        """The engines that took part."""
+        present = {result.engine for result in self.results}
+        return tuple(engine for engine in ENGINES if engine in present)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The cases that were run."""
-        return tuple(dict.fromkeys(outcome.case for outcome in self.outcomes))
+        """The families that were run."""
+        return tuple(dict.fromkeys(result.family for result in self.results))
 
-    def outcome(self, case: str, solver: str) -> Outcome:
-        """Return how a solver did in a case."""
-        return next(o for o in self.outcomes if (o.case, o.solver) == (case, solver))
+    def result(self, family: str, engine: str) -> Result:
+        """Return how an engine did in a family."""
+        return next(r for r in self.results if (r.family, r.engine) == (family, engine))
 
-    def held(self, solver: str) -> int:
-        """Return how many cases a solver holds."""
-        return sum(outcome.held for outcome in self.outcomes if outcome.solver == solver)
+    def holds(self, engine: str) -> int:
+        """Return how many families an engine holds in every draw."""
+        return sum(result.holds for result in rows_with(self.results, engine=engine))
 
-    def not_held(self, solver: str = OURS) -> list[str]:
-        """Return the cases that a solver does not hold."""
-        return [o.case for o in self.outcomes if o.solver == solver and not o.held]
+    def not_held(self, engine: str = OURS) -> list[str]:
+        """Return the families that an engine does not hold in every draw."""
+        return [r.family for r in rows_with(self.results, engine=engine) if not r.holds]
+
+    def share(self, engine: str) -> float:
+        """Return the share of all draws in which an engine held the bound, 0 to 1."""
+        mine = rows_with(self.results, engine=engine)
+        return sum(result.held for result in mine) / sum(result.draws for result in mine)
 
     def without_times(self) -> Comparison:
         """Return the comparison without the seconds, which differ from run to run."""
-        return Comparison(tuple(replace(outcome, seconds=math.nan) for outcome in self.outcomes))
+        return Comparison(tuple(replace(result, seconds=math.nan) for result in self.results))
 
     def as_dict(self) -> dict[str, Any]:
         """Return the comparison as one JSON object; null stands for a value that is not finite."""
         return {
             "version": self.version,
             "command": self.command,
-            "solvers": list(self.solvers),
-            "held": {solver: self.held(solver) for solver in self.solvers},
-            "cases": [self._case_as_dict(name) for name in self.names],
+            "engines": list(self.engines),
+            "holds": {engine: self.holds(engine) for engine in self.engines},
+            "share": {engine: self.share(engine) for engine in self.engines},
+            "families": [self._family_as_dict(name) for name in self.names],
         }
 
-    def _case_as_dict(self, name: str) -> dict[str, Any]:
-        case = case_by_name(name)
-        outcomes = {solver: self.outcome(name, solver) for solver in self.solvers}
-        said = {key: plain(getattr(case, key)) for key in SAID}
-        return said | {"outcomes": {s: _measured(outcome) for s, outcome in outcomes.items()}}
+    def _family_as_dict(self, name: str) -> dict[str, Any]:
+        family = family_by_name(name)
+        said = {key: plain(getattr(family, key)) for key in SAID}
+        return said | {"results": {e: _measured(self.result(name, e)) for e in self.engines}}
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Self:
-        """Return the comparison that :meth:`as_dict` has written."""
+        """Return the comparison that :meth:`as_dict` has written; an unknown number is nan."""
         return cls(
             tuple(
-                Outcome(
-                    case["name"],
-                    solver,
-                    *(math.nan if outcome["value"] is None else outcome["value"], case["bound"]),
-                    seconds=math.nan if outcome["seconds"] is None else outcome["seconds"],
-                    error=outcome["error"],
-                )
-                for case in data["cases"]
-                for solver, outcome in case["outcomes"].items()
+                Result(family["name"], engine, **{**result, **_numbers(result)})
+                for family in data["families"]
+                for engine, result in family["results"].items()
             )
         )
 
     def tables(self) -> Iterator[Table]:
-        """Yield the table, grouped by theme; values beyond the bound are marked."""
+        """Yield the table, grouped by theme; what does not hold every draw is marked."""
         columns: dict[str, Callable[[str], str]] = {
-            "case": lambda name: f" {name}",
-            "unit": lambda name: case_by_name(name).unit,
-            "bound": lambda name: f"{case_by_name(name).bound:.0e}".replace("0e+00", "0"),
-            **{HEADINGS[solver]: partial(self._cell, solver) for solver in self.solvers},
+            "family": lambda name: f" {name}",
+            "unit": lambda name: family_by_name(name).unit,
+            "bound": lambda name: f"{family_by_name(name).bound:.0e}".replace("0e+00", "0"),
+            **{HEADINGS[engine]: partial(self._cell, engine) for engine in self.engines},
         }
         made = table(
-            "Hard cases: how far each solver is from what is right",
+            "Hard cases: draws held, and the worst figure",
             columns,
             self.names,
             words=2,
-            group=lambda name: case_by_name(name).theme,
-            caption="Over the bound: x. No result: -. Numbers as measured, 0 is right.",
+            group=lambda name: family_by_name(name).theme,
+            caption="Not held by every draw: x. A draw without a result: -. 0 is right.",
             box=None,
         )
-        made.columns[0].max_width, made.columns[1].max_width = 20, 4
-        counts = [str(self.held(solver)) for solver in self.solvers]
-        made.add_row(f"[bold]held, of {len(self.names)}[/bold]", "", "", *counts)
+        made.columns[0].max_width, made.columns[1].max_width = 24, 4
+        counts = [str(self.holds(engine)) for engine in self.engines]
+        made.add_row(f"[bold]held whole, of {len(self.names)}[/bold]", "", "", *counts)
+        shares = [f"{100 * self.share(engine):.1f} %" for engine in self.engines]
+        made.add_row("[bold]draws held[/bold]", "", "", *shares)
         yield made
 
-    def _cell(self, solver: str, name: str) -> str:
-        outcome = self.outcome(name, solver)
-        if math.isnan(outcome.value):
-            return "[red]- x[/red]"
-        text = _number(outcome.value)
-        return f"{text}  " if outcome.held else f"[red]{text} x[/red]"
+    def _cell(self, engine: str, name: str) -> str:
+        result = self.result(name, engine)
+        worst = "-" if math.isnan(result.worst) else _number(result.worst)
+        held = f"{result.held}/{result.draws}" if result.draws < MANY else _percent(result.share)
+        text = f"{held}{' ' if result.holds else 'x'} {worst:>7}"
+        return text if result.holds else f"[red]{text}[/red]"
 
 
-def _measured(outcome: Outcome) -> dict[str, Any]:
-    return {key: plain(getattr(outcome, key)) for key in ("value", "held", "error", "seconds")}
+def _percent(share: float) -> str:
+    """Return a share in whole per cent, rounded down: 100 % is all.
+
+    >>> _percent(0.999), _percent(1.0)
+    ('99 %', '100 %')
+    """
+    return f"{math.floor(100 * share)} %"
+
+
+def _measured(result: Result) -> dict[str, Any]:
+    names = ("draws", "held", "worst", "worst_seed", "error", "fails_seed", "fails_from", "seconds")
+    return {key: plain(getattr(result, key)) for key in names}
+
+
+def _numbers(result: Mapping[str, Any]) -> dict[str, float]:
+    return {k: math.nan if result[k] is None else result[k] for k in ("worst", "seconds")}
 
 
 def _number(value: float) -> str:
@@ -144,73 +242,158 @@ def _number(value: float) -> str:
     return f"{value:.1e}" if not 0.01 <= value < 1000 else f"{value:.3g}"
 
 
-def installed_solvers() -> tuple[str, ...]:
+@dataclass(frozen=True)
+class Replay(Measurement):
+    """One draw of a family in each engine.
+
+    Attributes
+    ----------
+    outcomes : tuple of Outcome
+        One for each engine; all have the same family, seed and parameters.
+    """
+
+    command = "measure hard-cases --replay"
+
+    outcomes: tuple[Outcome, ...]
+
+    @property
+    def parameters(self) -> Mapping[str, Value]:
+        """What was drawn: the fullest list, for an engine that dies tells nothing."""
+        return max((outcome.parameters for outcome in self.outcomes), key=len)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the draw as one JSON object."""
+        return {
+            "version": self.version,
+            "command": self.command,
+            "family": self.outcomes[0].family,
+            "seed": self.outcomes[0].seed,
+            "bound": self.outcomes[0].bound,
+            "parameters": dict(self.parameters),
+            "engines": {
+                o.engine: {"value": plain(o.value), "held": o.held, "error": o.error}
+                for o in self.outcomes
+            },
+        }
+
+    def tables(self) -> Iterator[Table]:
+        """Yield the parameters, and the figure of each engine."""
+        first = self.outcomes[0]
+        family = family_by_name(first.family)
+        drawn: dict[str, Callable[[str], str]] = {
+            "parameter": str,
+            "value": lambda name: _parameter(self.parameters[name]),
+        }
+        title = f"{family.name}:{first.seed}. {family.title}"
+        parameters = table(title, drawn, self.parameters)
+        figures: dict[str, Callable[[Outcome], str]] = {
+            "engine": lambda outcome: HEADINGS[outcome.engine],
+            "held": lambda outcome: "yes" if outcome.held else "NO",
+            "figure": lambda outcome: outcome.error or f"{_number(outcome.value)} {family.unit}",
+        }
+        title = f"{family.law} Bound: {family.bound:g} {family.unit} ({family.reason})"
+        measured = table(title, figures, self.outcomes, words=3)
+        parameters.min_width = measured.min_width = REPLAY_WIDTH
+        yield parameters
+        yield measured
+
+
+def _parameter(value: Value) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def installed_engines() -> tuple[str, ...]:
     """Return ours and those of the others that can be run here."""
-    return tuple(s for s in SOLVERS if s != "box2d" or has_box2d())
+    return tuple(engine for engine in ENGINES if engine != "box2d" or has_box2d())
+
+
+Task = tuple[str, str, int]
+"""The names of a family and of an engine, and a seed."""
+
+
+def run_task(task: Task) -> Outcome:
+    """Return how an engine does in a draw; a task can be sent to another process."""
+    name, engine, seed = task
+    return run_draw(family_by_name(name), engine, seed)
 
 
 def measure_hard_cases(
     names: Sequence[str] | None = None,
     *,
-    solvers: Sequence[str] | None = None,
+    draws: int = DRAWS,
+    seed: int = 0,
+    engines: Sequence[str] | None = None,
     workers: int | None = None,
     cluster: str | None = None,
     progress: str | None = None,
 ) -> Comparison:
-    """Run hard cases in every solver, over processes, and return how they did.
+    """Run draws of families in every engine, over processes, and return how they did.
 
-    A solver that kills its process has no result in that case; the others go on.
+    An engine that kills its process has no result in that draw; the others go on.
 
     Parameters
     ----------
     names : sequence of str, optional
-        The cases; all by default.
-    solvers : sequence of str, optional
+        The families; all by default.
+    draws : int
+        Of each family, >= 1.
+    seed : int
+        Of the first draw, >= 0; the others follow it.
+    engines : sequence of str, optional
         "ours" and others; all that are installed by default.
     workers, cluster, progress
         As :func:`lesson_code.parallel.map_tasks` takes them; but the default is at least two
-        workers. A single worker would be this process, and would die with a solver.
+        workers. A single worker would be this process, and would die with an engine.
 
     Raises
     ------
     ValueError
-        There is no case, or no solver, of such a name.
+        There is no family or engine of such a name, or a number is out of range.
     """
-    cases = CASES if not names else tuple(map(case_by_name, names))
-    chosen = tuple(solvers) if solvers else installed_solvers()
-    for solver in chosen:
-        if solver not in SOLVERS:
-            raise ValueError(f"solver must be one of {', '.join(SOLVERS)}, got {solver!r}")
-    if workers is None:
-        workers = max(2, usable_cores())
-    tasks = [(case.name, solver) for case in cases for solver in chosen]
-    # The long ones first, or one of them would run alone at the end.
-    order = sorted(range(len(tasks)), key=lambda n: not case_by_name(tasks[n][0]).is_long)
-    outcomes = dict(
-        _outcomes([tasks[n] for n in order], workers=workers, cluster=cluster, progress=progress)
+    families = FAMILIES if not names else tuple(map(family_by_name, names))
+    chosen = _engines(engines)
+    if draws < 1:
+        raise ValueError(f"draws must be >= 1, got {draws}")
+    seeds = _seeds(seed, draws)
+    tasks = [(f.name, e, n) for f in families for e in chosen for n in seeds]
+    found = _outcomes(tasks, workers=workers, cluster=cluster, progress=progress)
+    return Comparison(
+        tuple(summed_up([found[f.name, e, n] for n in seeds]) for f in families for e in chosen)
     )
-    return Comparison(tuple(outcomes[task] for task in tasks))
 
 
-Task = tuple[str, str]
-"""The names of a case and of a solver."""
+def replay(name: str, seed: int, *, engines: Sequence[str] | None = None) -> Replay:
+    """Run one draw of a family in every engine, each in a process of its own.
+
+    The arguments and errors are those of :func:`measure_hard_cases`.
+    """
+    family: Family = family_by_name(name)
+    tasks = [(family.name, engine, n) for engine in _engines(engines) for n in _seeds(seed, 1)]
+    found = _outcomes(tasks, workers=None, cluster=None, progress=None)
+    return Replay(tuple(found[task] for task in tasks))
 
 
-def run_task(task: Task) -> Outcome:
-    """Return how a solver does in a case; both are names, which can be sent to another process."""
-    name, solver = task
-    return run_case(case_by_name(name), solver)
+def _engines(wanted: Sequence[str] | None) -> tuple[str, ...]:
+    return tuple(Trial(engine).engine for engine in wanted or installed_engines())
 
 
-def _outcomes(tasks: list[Task], **options: Any) -> Iterable[tuple[Task, Outcome]]:
-    """Yield each task with its outcome."""
-    named = [f"{name}, {solver}" for name, solver in tasks]
-    with closing(iter_tasks(run_task, tasks, names=named, **options)) as done:
+def _seeds(first: int, count: int) -> range:
+    if first < 0:
+        raise ValueError(f"seed must be >= 0, got {first}")
+    return range(first, first + count)
+
+
+def _outcomes(tasks: list[Task], *, workers: int | None, **options: Any) -> dict[Task, Outcome]:
+    """Return the outcome of each task."""
+    called = [f"{name}, {engine}, seed {seed}" for name, engine, seed in tasks]
+    count = max(2, usable_cores()) if workers is None else workers
+    found: dict[Task, Outcome] = {}
+    with closing(iter_tasks(run_task, tasks, names=called, workers=count, **options)) as done:
         for number, future in done:
-            task = tasks[number]
-            error = future.exception()
+            task, error = tasks[number], future.exception()
             if isinstance(error, WorkerDiedError):
-                bound = case_by_name(task[0]).bound
-                yield task, Outcome(*task, math.nan, bound, error=f"the process died: {error}")
+                bound = family_by_name(task[0]).bound
+                found[task] = Outcome(*task, math.nan, bound, error=f"the process died: {error}")
             else:
-                yield task, future.result()
+                found[task] = future.result()
+    return found

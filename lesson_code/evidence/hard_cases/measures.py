@@ -1,20 +1,70 @@
-"""Measures that more than one hard case uses."""
+"""Measures and draws that more than one family uses."""
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
-from lesson_code.evidence.hard_cases.case import Measure, Trial
+from lesson_code.evidence.hard_cases.parameters import Draw
+
+DT = 1 / 60
+"""s: the step of every engine unless a family is about steps."""
 
 STEP = 1e-9
 """s: a step so short that nothing moves, but overlapping bodies collide."""
 
 TOUCH = 1e-9
 """m: overlap that puts bodies of 1 m in contact."""
+
+SUNK = 4e-4
+"""Of a body's size: the deepest overlap at the start that every engine here tolerates."""
+
+NOT_SEEN = 1e-3
+"""m: a thousandth of the size of a body of 1 m, too small to see."""
+
+NO_DRIFT = "a thousandth of a body: too small to see"
+
+HAIR = 1e-9
+"""Of a body's size: a gap so small that closing it gives no speed that matters."""
+
+ROUNDING = 1e-9
+"""Relative: rounding, and some room for what a hit makes of it."""
+
+RATIO = 1e9
+"""Masses differ by up to this factor, in both directions."""
+
+
+def start_gap(draw: Draw, layers: int = 1, *, sunk: bool = True, most: float = SUNK) -> float:
+    """Return the gap between neighbours at the start, in parts of their size.
+
+    Half of the draws are on the border: exactly touching. The others are apart, or sunk in, by
+    anything from rounding to what every engine tolerates.
+
+    Parameters
+    ----------
+    draw : Draw
+        What it is drawn from.
+    layers : int
+        The gaps of so many layers together are at most that.
+    sunk : bool
+        Whether they may be sunk in. To come out of an overlap takes energy.
+    most : float
+        The largest gap or overlap.
+    """
+    starts = ("touching", "touching", "apart", "sunk" if sunk else "apart")
+    start = draw.choice("start", starts)
+    size = draw.log_uniform("start_size", 1e-12, most / layers)
+    return {"touching": 0.0, "apart": size, "sunk": -size}[start]
+
+
+def drawn_masses(draw: Draw, count: int, ratio: float = RATIO) -> list[float]:
+    """Return masses that differ by up to a ratio, kg."""
+    most = math.sqrt(ratio)
+    return [draw.log_uniform(f"mass_{n}", 1 / most, most) for n in range(count)]
 
 
 def free(scene: Scene) -> list[int]:
@@ -33,9 +83,20 @@ def way_of(run: Run) -> float:
     return float(np.max(np.hypot(*moved[free(run.scene)].T)))
 
 
-def drift(seconds: float) -> Measure:
-    """Return a measure: the largest displacement of a body after a time, m."""
-    return lambda trial: way_of(trial.run(seconds, sample="end"))
+def unrest(run: Run) -> float:
+    """Return how far bodies that should stand have moved, m.
+
+    The largest distance sideways; or the largest one up or down, for each body in the scene: in a
+    stack each contact may give way a little, and those above go down with it.
+    """
+    moved = (run.positions[-1] - run.positions[0])[free(run.scene)]
+    return max(largest(moved[:, 0]), largest(moved[:, 1]) / len(moved))
+
+
+def sideways(run: Run) -> float:
+    """Return the largest horizontal distance of a body from its start, m."""
+    moved = run.positions[-1] - run.positions[0]
+    return largest(moved[free(run.scene), 0])
 
 
 def fastest(run: Run) -> float:
@@ -43,7 +104,18 @@ def fastest(run: Run) -> float:
     return float(np.max(np.hypot(*np.moveaxis(run.velocities[:, free(run.scene)], -1, 0))))
 
 
-def pair_forces(run: Run, dt: float) -> dict[tuple[int, int], float]:
+def gain(energies: Any) -> float:
+    """Return how far energies rise above the first, in parts of it; 0 if they never do."""
+    return max(float(np.max(energies)) / float(energies[0]) - 1.0, 0.0)
+
+
+def energy_above(run: Run, height: float = 0.0) -> Any:
+    """Return the mechanical energy in each state, 0 for bodies at rest at a height, shape (F,)."""
+    weight = -run.scene.gravity[1] * sum(body.mass or 0.0 for body in run.scene.bodies)
+    return run.energy - weight * height
+
+
+def pair_forces(run: Run, dt: float = DT) -> dict[tuple[int, int], float]:
     """Return the normal force of each pair of bodies that touch in the last step, N."""
     hits = run.contacts
     last = np.abs(hits.time - run.times[-1]) < dt / 2
@@ -70,6 +142,6 @@ def end_state(run: Run) -> Any:
     )
 
 
-def last_velocities(trial: Trial, duration: float, scene: Scene | None = None) -> Any:
-    """Return the velocities at the end of a run, shape (N, 2), m/s."""
-    return trial.run(duration, scene, sample="end").velocities[-1]
+def angle_of(draw: Draw, name: str, low: float, high: float) -> float:
+    """Return an angle drawn in degrees, rad."""
+    return math.radians(draw.uniform(name, low, high))

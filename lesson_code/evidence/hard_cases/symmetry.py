@@ -1,4 +1,4 @@
-"""Hard cases: size, place and order, on which physics, and so a result, does not depend."""
+"""Families of worlds seen otherwise: size, place, direction and order, on which no law depends."""
 
 from __future__ import annotations
 
@@ -7,200 +7,261 @@ import math
 import subprocess
 import sys
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.case import HardCase, Trial
 from lesson_code.evidence.hard_cases.loads import tower
-from lesson_code.evidence.hard_cases.measures import end_state, largest
+from lesson_code.evidence.hard_cases.measures import (
+    NOT_SEEN,
+    ROUNDING,
+    angle_of,
+    end_state,
+    largest,
+)
+from lesson_code.evidence.hard_cases.parameters import Draw
+from lesson_code.evidence.hard_cases.trial import Trial, family
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 THEME = "Size, place, order"
 
-RADII = (10.0, 1.0, 0.1, 0.05, 0.01, 1e-3)
-"""m."""
-
-
-def dropped_disc(radius: float = 0.01) -> Scene:
-    """Return a disc that is dropped from a metre."""
-    disc = Body(Circle(radius), mass=1, position=(0, 1 + radius), material=Material(0.0, 0.5))
-    return Scene([Body(Segment((-5, 0), (5, 0))), disc], gravity=(0, -scenes.GRAVITY))
-
-
-def rest_height_error(trial: Trial) -> float:
-    """Return the largest relative error of a resting disc's height, over all radii."""
-    worst = 0.0
-    for radius in RADII:
-        height = float(trial.run(3.0, dropped_disc(radius), sample="end").positions[-1, 1, 1])
-        worst = max(worst, abs(height / radius - 1))
-    return worst
-
-
-def falling_shapes(size: float = 1.0) -> Scene:
-    """Return a box, a disc and a plank that fall on a floor, all scaled by a factor.
-
-    Gravity is scaled by the same factor, so that everything takes the same time.
-    """
-    surface = Material(0.3, 0.4)
-    bodies: list[tuple[Shape, tuple[float, float], float]] = [
-        (Polygon.box(size, size), (0.0, 1.5 * size), 0.3),
-        (Circle(0.4 * size), (1.3 * size, 2.0 * size), 0.0),
-        (Polygon.box(2.5 * size, 0.3 * size), (0.5 * size, 3.2 * size), 0.1),
-    ]
-    floor = Body(Segment((-50 * size, 0), (50 * size, 0)), material=surface)
-    return Scene(
-        [
-            floor,
-            *(
-                Body(shape, mass=1, position=place, angle=angle, material=surface)
-                for shape, place, angle in bodies
-            ),
-        ],
-        gravity=(0, -scenes.GRAVITY * size),
-    )
-
-
-SHORT = 1.0
+SHORT = 0.7
 """s: how long falls are compared. Later, small differences in a landing change the motion."""
 
-
-def scale_error(trial: Trial) -> float:
-    """Return how far the end of a fall changes at 1/1000 or 1000 times the size, in sizes."""
-    right = trial.run(SHORT, sample="end").positions[-1]
-    return max(
-        largest(trial.run(SHORT, falling_shapes(size), sample="end").positions[-1] / size - right)
-        for size in (1e-3, 1e3)
-    )
+SAME_FALL = "rounding, and some room for what a landing makes of it"
 
 
-OFFSET = 1e6
-"""m, in both directions."""
-
-
-def offset_error(trial: Trial) -> float:
-    """Return how an offset from the origin changes a tower of 5 in 5 s: m, and m/s."""
-    near = trial.run(5.0, sample="end")
-    far = trial.run(5.0, tower((1.0,) * 5, at=OFFSET), sample="end")
-    shift = np.array([OFFSET, OFFSET])
-    return max(
-        largest(far.positions[-1] - shift - near.positions[-1]),
-        largest(far.velocities[-1] - near.velocities[-1]),
-    )
-
-
-TURN = 0.7
-"""rad."""
-
-
-def turned(scene: Scene, angle: float) -> Scene:
-    """Return a scene with gravity and all bodies turned about the origin."""
-    cos, sin = math.cos(angle), math.sin(angle)
-
-    def turn(v: Any) -> tuple[float, float]:
-        return (cos * v[0] - sin * v[1], sin * v[0] + cos * v[1])
-
-    return Scene(
-        [
-            replace(
-                body,
-                position=turn(body.position),
-                velocity=turn(body.velocity),
-                angle=body.angle + angle,
-            )
-            for body in scene.bodies
-        ],
-        gravity=turn(scene.gravity),
-    )
-
-
-def turn_error(trial: Trial) -> float:
-    """Return how far the end of a fall changes in a rotated world, m."""
-    right = trial.run(SHORT, sample="end").positions[-1]
-    found = trial.run(SHORT, turned(trial.scene, TURN), sample="end").positions[-1]
-    cos, sin = math.cos(TURN), math.sin(TURN)
-    return largest(found @ np.array([[cos, -sin], [sin, cos]]) - right)
-
-
-FRAME = np.array([3.0, 0.0])
-"""m/s: speed of the train from which the scene is seen."""
-
-
-def moving(scene: Scene) -> Scene:
-    """Return a scene as it is seen from a moving train: the floor moves, too."""
-    return Scene(
-        [replace(b, velocity=(b.velocity[0] + FRAME[0], b.velocity[1])) for b in scene.bodies],
-        gravity=scene.gravity,
-    )
-
-
-def frame_error(trial: Trial) -> float:
-    """Return how far the end of a fall changes when seen from a train, m."""
-    right = trial.run(SHORT, sample="end").positions[-1]
-    found = trial.run(SHORT, moving(trial.scene), sample="end").positions[-1]
-    return largest(found - FRAME * SHORT - right)
-
-
-def mirror_pyramid() -> Scene:
-    """Return five rows of boxes that fall by a centimetre, mirror images of each other."""
-    scene = scenes.box_pyramid(5)
-    floor, *boxes = scene.bodies
-    lifted = [replace(b, position=(b.position[0], 1.01 * b.position[1])) for b in boxes]
-    return Scene([floor, *lifted], gravity=scene.gravity)
-
-
-def asymmetry(trial: Trial) -> float:
-    """Return how far a box is from the mirror image of its partner after 3 s, m."""
-    final, start = trial.run(3.0, sample="end").positions[-1], trial.scene
-    worst = 0.0
-    for n, body in enumerate(start.bodies[1:], 1):
-        x, y = body.position
-        partner = next(
-            k
-            for k, other in enumerate(start.bodies[1:], 1)
-            if abs(other.position[0] + x) < 1e-9 and abs(other.position[1] - y) < 1e-9
+def falling(draw: Draw) -> Scene:
+    """Return a box, a disc and a plank beside one another that fall on a rough or smooth floor."""
+    surface = Material(draw.uniform("restitution", 0.0, 0.5), draw.uniform("friction", 0.0, 0.8))
+    shapes: list[Shape] = [Polygon.box(1, 1), Circle(0.4), Polygon.box(1.5, 0.3)]
+    bodies = [
+        Body(
+            shape,
+            mass=1,
+            position=(3.0 * n, 1.0 + draw.uniform(f"height_{n}", 0.0, 0.5)),
+            angle=angle_of(draw, f"angle_{n}", 5.0, 40.0),
+            velocity=(draw.uniform(f"speed_{n}", -1.0, 1.0), 0.0),
+            material=surface,
         )
-        worst = max(worst, largest(final[n] * [-1, 1] - final[partner]))
-    return worst
-
-
-def order_error(trial: Trial) -> float:
-    """Return how much the order of the bodies in the list changes a pyramid after 3 s, m."""
-    floor, *boxes = trial.scene.bodies
-    listed = trial.run(3.0, sample="end").positions[-1, 1:]
-    backwards = Scene([floor, *boxes[::-1]], gravity=trial.scene.gravity)
-    found = trial.run(3.0, backwards, sample="end").positions[-1, 1:]
-    return largest(found[::-1] - listed)
-
-
-def crowd() -> Scene:
-    """Return 60 rough discs that fall into a heap."""
-    rng = np.random.default_rng(7)
-    surface = Material(0.5, 0.4)
-    walls = [
-        Body(Segment((-6, 0), (6, 0)), material=surface),
-        Body(Segment((-6, 0), (-6, 40)), material=surface),
-        Body(Segment((6, 0), (6, 40)), material=surface),
+        for n, shape in enumerate(shapes)
     ]
-    places = [(1.5 * (n % 6) - 3.75, 1.0 + 1.4 * (n // 6)) for n in range(60)]
+    floor = Body(Segment((-50, 0), (50, 0)), material=surface)
+    return Scene([floor, *bodies], gravity=(0, -scenes.GRAVITY))
+
+
+def scaled(scene: Scene, length: float, mass: float = 1.0) -> Scene:
+    """Return a scene with all lengths, gravity included, and all masses times a factor."""
+    bodies = [
+        Body(
+            larger(body.shape, length),
+            mass=None if body.mass is None else body.mass * mass,
+            position=(length * body.position[0], length * body.position[1]),
+            velocity=(length * body.velocity[0], length * body.velocity[1]),
+            angle=body.angle,
+            angular_velocity=body.angular_velocity,
+            material=body.material,
+        )
+        for body in scene.bodies
+    ]
+    return Scene(bodies, gravity=[length * g for g in scene.gravity])
+
+
+def larger(shape: Shape, factor: float) -> Shape:
+    """Return a shape times a factor."""
+    if isinstance(shape, Circle):
+        return Circle(factor * shape.radius)
+    corners = [(factor * x, factor * y) for x, y in shape.outline]
+    return Polygon(corners) if isinstance(shape, Polygon) else Segment(corners[0], corners[1])
+
+
+def places(trial: Trial, scene: Scene) -> Any:
+    """Return where all bodies are after a short fall, shape (N, 2)."""
+    return trial.run(scene, SHORT).positions[-1]
+
+
+@family(
+    THEME,
+    why="A length in a solver's constants makes a size special.",
+    law="Lengths and gravity scaled alike: the same fall",
+    unit="",
+    bound=ROUNDING,
+    reason=SAME_FALL,
+)
+def scale(draw: Draw, trial: Trial) -> float:
+    """A fall on a floor, a thousand times smaller to larger: difference in sizes."""
+    scene, factor = falling(draw), draw.log_uniform("factor", 1e-3, 1e3)
+    return largest(places(trial, scaled(scene, factor)) / factor - places(trial, scene))
+
+
+@family(
+    THEME,
+    why="A mass in a solver's constants makes a weight special.",
+    law="All masses scaled alike: the same fall",
+    unit="m",
+    bound=ROUNDING,
+    reason=SAME_FALL,
+)
+def mass_scale(draw: Draw, trial: Trial) -> float:
+    """A fall on a floor, with masses a billion times smaller to larger: difference."""
+    scene, factor = falling(draw), draw.log_uniform("factor", 1e-9, 1e9)
+    return largest(places(trial, scaled(scene, 1.0, factor)) - places(trial, scene))
+
+
+@family(
+    THEME,
+    why="A contact that is taken at the wrong time lies elsewhere on a moving floor.",
+    law="Galilei: the laws are the same in a train.",
+    unit="m",
+    bound=ROUNDING,
+    reason=SAME_FALL,
+)
+def moving_frame(draw: Draw, trial: Trial) -> float:
+    """A fall on a floor, seen from a train of up to 10 m/s: difference."""
+    scene, speed = falling(draw), draw.uniform("train", -10.0, 10.0)
+    bodies = [replace(b, velocity=(b.velocity[0] + speed, b.velocity[1])) for b in scene.bodies]
+    seen = places(trial, Scene(bodies, gravity=scene.gravity))
+    return largest(seen - [speed * SHORT, 0.0] - places(trial, scene))
+
+
+@family(
+    THEME,
+    why="Boxes along the axes are treated apart in many a program.",
+    law="The laws know no direction.",
+    unit="m",
+    bound=ROUNDING,
+    reason=SAME_FALL,
+)
+def turned_world(draw: Draw, trial: Trial) -> float:
+    """A fall on a floor in a world turned by any angle: difference."""
+    scene, angle = falling(draw), draw.uniform("turn", 0.0, 2 * math.pi)
+    rotation = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    bodies = [
+        replace(
+            body,
+            position=tuple(rotation @ body.position),
+            velocity=tuple(rotation @ body.velocity),
+            angle=body.angle + angle,
+        )
+        for body in scene.bodies
+    ]
+    seen = places(trial, Scene(bodies, gravity=rotation @ scene.gravity))
+    return largest(seen @ rotation - places(trial, scene))
+
+
+@family(
+    THEME,
+    why="The body on the left is visited first, or the corner, or the wall.",
+    law="The laws are the same in a mirror.",
+    unit="m",
+    bound=ROUNDING,
+    reason=SAME_FALL,
+)
+def mirrored_world(draw: Draw, trial: Trial) -> float:
+    """A fall on a floor, and its mirror image: difference."""
+    scene = falling(draw)
+    bodies = [
+        replace(
+            body,
+            position=(-body.position[0], body.position[1]),
+            velocity=(-body.velocity[0], body.velocity[1]),
+            angle=-body.angle,
+        )
+        for body in scene.bodies
+    ]
+    seen = places(trial, Scene(bodies, gravity=scene.gravity))
+    return largest(seen * [-1, 1] - places(trial, scene))
+
+
+@family(
+    THEME,
+    why="The box that is visited first gets more.",
+    law="What begins as its mirror image stays so.",
+    unit="m",
+    bound=ROUNDING,
+    reason=SAME_FALL,
+)
+def mirror_pyramid(draw: Draw, trial: Trial) -> float:
+    """A pyramid of 2 to 6 rows that falls by 0 to 1 cm: left and right after 2 s."""
+    rows, drop = draw.integer("rows", 2, 6), draw.choice("drop", (0.0, 1e-3, 1e-2))
+    scene = scenes.box_pyramid(rows, gap=draw.uniform("between", 0.05, 0.4), overlap=-drop)
+    final = trial.run(scene, 2.0).positions[-1, 1:]
+    start = [(row, n) for row in range(rows) for n in range(rows - row)]
+    partner = [start.index((row, rows - row - 1 - n)) for row, n in start]
+    return largest(final[partner] * [-1, 1] - final)
+
+
+@family(
+    THEME,
+    why="Sweeps go through a list, and the list is not physics.",
+    law="The order of a list changes nothing.",
+    unit="m",
+    bound=ROUNDING,
+    reason="rounding in another order",
+)
+def order_of_the_list(draw: Draw, trial: Trial) -> float:
+    """A pyramid of 2 to 6 rows that falls by 0 to 1 cm, its boxes listed in any order, 2 s."""
+    rows, drop = draw.integer("rows", 2, 6), draw.choice("drop", (0.0, 1e-3, 1e-2))
+    floor, *boxes = scenes.box_pyramid(rows, overlap=-drop).bodies
+    order = np.random.default_rng(draw.integer("order", 0, 10**6)).permutation(len(boxes))
+    down = (0, -scenes.GRAVITY)
+    listed = trial.run(Scene([floor, *boxes], gravity=down), 2.0).positions[-1, 1:]
+    other = Scene([floor, *(boxes[n] for n in order)], gravity=down)
+    return largest(trial.run(other, 2.0).positions[-1, 1:] - listed[order])
+
+
+@family(
+    THEME,
+    why="At 1e6 m a place is rounded to 1e-10 m, and in single precision to 6 cm.",
+    law="The laws are the same everywhere.",
+    unit="m",
+    bound=1e-8,
+    reason="a hundred roundings of a place",
+)
+def far_from_the_origin(draw: Draw, trial: Trial) -> float:
+    """A tower of 1 to 6 boxes, 1 to 1,000,000 m from the origin, 5 s: difference."""
+    offset, count = draw.log_uniform("offset", 1.0, 1e6), draw.integer("count", 1, 6)
+    runs = [trial.run(tower((1.0,) * count, at=at), 5.0) for at in (0.0, offset)]
+    near, far = (run.positions[-1] for run in runs)
+    return largest(far - offset - near)
+
+
+@family(
+    THEME,
+    why="An overlap that is too small to see in a house is a whole grain of sand.",
+    law="At rest the centre is one radius above the floor.",
+    unit="",
+    bound=NOT_SEEN,
+    reason="a thousandth of the radius",
+)
+def disc_of_any_size(draw: Draw, trial: Trial) -> float:
+    """A disc of 0.1 mm to 100 m is dropped from a metre: its height at rest, in radii."""
+    radius = draw.log_uniform("radius", 1e-4, 100.0)
+    disc = Body(Circle(radius), mass=1, position=(0, 1 + radius), material=Material(0.0, 0.5))
+    floor = Body(Segment((-500, 0), (500, 0)))
+    run = trial.run(Scene([floor, disc], gravity=(0, -scenes.GRAVITY)), 3.0)
+    return abs(float(run.positions[-1, 1, 1]) / radius - 1)
+
+
+def crowd(seed: int) -> Scene:
+    """Return 30 rough discs that fall into a heap."""
+    rng = np.random.default_rng(seed)
+    surface = Material(0.5, 0.4)
+    lines = [((-6, 0), (6, 0)), ((-6, 0), (-6, 40)), ((6, 0), (6, 40))]
+    walls = [Body(Segment(start, end), material=surface) for start, end in lines]
     discs = [
         Body(
             Circle(float(rng.uniform(0.3, 0.6))),
             mass=1,
-            position=(x + float(rng.uniform(-0.1, 0.1)), y),
+            position=(1.5 * (n % 6) - 3.75 + float(rng.uniform(-0.1, 0.1)), 1 + 1.4 * (n // 6)),
             material=surface,
         )
-        for x, y in places
+        for n in range(30)
     ]
     return Scene([*walls, *discs], gravity=(0, -scenes.GRAVITY))
-
-
-CROWD_SECONDS = 2.0
-"""s."""
 
 
 def fingerprint(run: Run) -> str:
@@ -208,161 +269,26 @@ def fingerprint(run: Run) -> str:
     return hashlib.sha256(np.ascontiguousarray(end_state(run)).tobytes()).hexdigest()
 
 
-def processes_differ(trial: Trial) -> float:
-    """Return how many of two fresh processes differ from this one, by even a single bit."""
-    here = fingerprint(trial.run(CROWD_SECONDS, sample="end"))
-    command = [sys.executable, "-W", "ignore", "-m", __name__, repr(dict(trial.options))]
-    others = [
-        subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()  # noqa: S603 - this very module
-        for _ in range(2)
-    ]
-    return float(sum(other != here for other in others))
+def heap_fingerprint(engine: str, seed: int) -> str:
+    """Return the hash of a heap after a second and a half."""
+    return fingerprint(Trial(engine).run(crowd(seed), 1.5))
 
 
-def momentum_error(trial: Trial) -> float:
-    """Return the relative change of momentum of free discs that collide for 5 s."""
-    run = trial.run(5.0, sample="end")
-    scale = float(np.sum(np.hypot(*run.velocities[0].T)))
-    return largest(run.momentum[-1] - run.momentum[0]) / scale
-
-
-def free_crowd() -> Scene:
-    """Return 36 rough discs of 1 to 1000 kg without walls, all flying to the middle."""
-    rng = np.random.default_rng(3)
-    rough = Material(0.7, 0.5)
-    places = [(1.2 * (n % 6) - 3.0, 1.2 * (n // 6) - 3.0) for n in range(36)]
-    return Scene(
-        Body(
-            Circle(0.5),
-            mass=float(10 ** rng.uniform(0, 3)),
-            position=(x, y),
-            velocity=(-x, -y),
-            angular_velocity=float(rng.uniform(-5, 5)),
-            material=rough,
-        )
-        for x, y in places
-    )
-
-
-CASES = (
-    HardCase(
-        name="small-discs",
-        theme=THEME,
-        title="Discs of 10 m to 1 mm, dropped from 1 m",
-        why="An overlap that is too small to see in a house is a whole grain of sand.",
-        law="At rest the centre is one radius above the floor.",
-        scene=dropped_disc,
-        measure=rest_height_error,
-        unit="",
-        bound=2e-3,
-        reason="a thousandth of the width",
-        failed_by=("pymunk", "box2d"),
-    ),
-    HardCase(
-        name="scale",
-        theme=THEME,
-        title="The same fall, a thousand times smaller and larger",
-        why="A length in a solver's constants makes a size special.",
-        law="Lengths and gravity scaled alike: the same fall",
-        scene=falling_shapes,
-        measure=scale_error,
-        unit="",
-        bound=1e-9,
-        reason="rounding, and some room for what a hit makes of it",
-        failed_by=("pymunk", "box2d"),
-    ),
-    HardCase(
-        name="far-away",
-        theme=THEME,
-        title="A tower of 5 at 1,000,000 m from the origin, 5 s",
-        why="There a place is rounded to 1e-10 m, and single precision to 6 cm.",
-        law="The laws are the same everywhere.",
-        scene=partial(tower, (1.0,) * 5),
-        measure=offset_error,
-        unit="m",
-        bound=1e-8,
-        reason="a hundred roundings of a place",
-        failed_by=("box2d",),
-    ),
-    HardCase(
-        name="turned-world",
-        theme=THEME,
-        title="The same fall in a world that is turned by 0.7 rad",
-        why="Boxes along the axes are treated apart in many a program.",
-        law="The laws know no direction.",
-        scene=falling_shapes,
-        measure=turn_error,
-        unit="m",
-        bound=1e-9,
-        reason="rounding, and some room for what a hit makes of it",
-    ),
-    HardCase(
-        name="moving-frame",
-        theme=THEME,
-        title="The same fall, seen from a train",
-        why="A contact that is taken at the wrong time lies elsewhere on a moving floor.",
-        law="Galilei: the laws are the same in a train.",
-        scene=falling_shapes,
-        measure=frame_error,
-        unit="m",
-        bound=1e-9,
-        reason="rounding, and some room for what a hit makes of it",
-    ),
-    HardCase(
-        name="mirror",
-        theme=THEME,
-        title="A pyramid that falls by a centimetre: left and right",
-        why="The body that is visited first gets more.",
-        law="What begins as its mirror image stays so.",
-        scene=mirror_pyramid,
-        measure=asymmetry,
-        unit="m",
-        bound=1e-9,
-        reason="rounding, and some room for what an impact makes of it",
-        failed_by=("naive", "pymunk", "box2d"),
-    ),
-    HardCase(
-        name="order",
-        theme=THEME,
-        title="A pyramid, its boxes listed backwards",
-        why="Sweeps go through a list, and the list is not physics.",
-        law="The order of a list changes nothing.",
-        scene=partial(scenes.box_pyramid, 5),
-        measure=order_error,
-        unit="m",
-        bound=1e-9,
-        reason="rounding in another order",
-        failed_by=("pymunk", "box2d"),
-    ),
-    HardCase(
-        name="determinism",
-        theme=THEME,
-        title="60 discs fall into a heap, in three processes",
-        why="An order that hangs on memory addresses makes each run another one.",
-        law="The same input gives the same bits.",
-        scene=crowd,
-        measure=processes_differ,
-        unit="",
-        bound=0.0,
-        reason="bits are equal or not",
-    ),
-    HardCase(
-        name="momentum",
-        theme=THEME,
-        title="36 rough discs of 1 to 1000 kg meet in the middle",
-        why="What one body gets, the other has to give, to the last digit.",
-        law="Momentum is kept.",
-        scene=free_crowd,
-        measure=momentum_error,
-        unit="",
-        bound=1e-9,
-        reason="rounding, for masses a thousand apart",
-    ),
+@family(
+    THEME,
+    why="An order that hangs on memory addresses makes each run another one.",
+    law="The same input gives the same bits.",
+    unit="",
+    bound=0.0,
+    reason="bits are equal or not",
 )
+def same_bits(draw: Draw, trial: Trial) -> float:
+    """30 discs fall into a heap: is it the same to the last bit in a fresh process?"""
+    seed = draw.integer("heap", 0, 10**6)
+    command = [sys.executable, "-W", "ignore", "-m", __name__, trial.engine, str(seed)]
+    fresh = subprocess.run(command, capture_output=True, text=True, check=True)  # noqa: S603 - this very module
+    return float(fresh.stdout.strip() != heap_fingerprint(trial.engine, seed))
 
 
 if __name__ == "__main__":
-    import ast
-
-    options = ast.literal_eval(sys.argv[1])
-    sys.stdout.write(fingerprint(Trial(crowd(), options).run(CROWD_SECONDS, sample="end")))
+    sys.stdout.write(heap_fingerprint(sys.argv[1], int(sys.argv[2])))
