@@ -43,10 +43,10 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
         theirs = PymunkStepper(scene, **settings)
         return theirs.space.step, theirs.states
     if solver == "box2d":
-        from lesson_code.reference.box2d_reference import Box2DStepper
+        from lesson_code.reference.box2d_reference.scene_run import SUBSTEPS, Box2DStepper
 
-        other = Box2DStepper(scene, **settings)
-        return lambda dt: other.world.Step(dt, 10, 3), other.states
+        other = Box2DStepper(scene, dt=DT, combine=MixingRule())
+        return lambda dt: other.world.step(dt, SUBSTEPS), other.states
     if solver == "auto":
         choices = solvers_for(Question(scene, dt=DT), asked={})
         solver = next(choice.solver for choice in choices if our_solvers()[choice.solver].stages)
