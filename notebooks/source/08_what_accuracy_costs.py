@@ -218,7 +218,7 @@ show(
 # How to read it. *Along* a line the step gets shorter. Lines that are *parallel* have the same
 # order; the gap between them is a factor in time. Plain Python and compiled code are one program
 # here, and give the same errors to the last bit; what lies between them is the price of the
-# language. C and C++ are pymunk's and Box2D's. A **cross** is a failure: the naive solver treats a
+# language. C is pymunk's and Box2D's. A **cross** is a failure: the naive solver treats a
 # wall as a ball at its middle, and loses the ball. It is not left out, for who leaves out failures
 # finds every method good.
 
