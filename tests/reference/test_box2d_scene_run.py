@@ -129,6 +129,12 @@ def test_damping_rate_means_the_same_as_in_ours() -> None:
     assert run.angular_velocities[-1, 0] == pytest.approx(2 * math.exp(-0.7), rel=roundings)
 
 
+def test_strong_damping_stops_at_once() -> None:
+    """At a rate of 1e6/s nothing is left after a sub-step, and no number overflows."""
+    scene = Scene([Body(Circle(1), mass=1.0, velocity=(3, 0))], damping=1e6)
+    assert run_of(scene, DT).velocities[-1, 0, 0] == pytest.approx(0, abs=SINGLE)
+
+
 def test_static_body_with_a_velocity_keeps_it() -> None:
     """It is kinematic in Box2D: it pushes, and is not pushed."""
     wall = Body(Segment((0, -5), (0, 5)), velocity=(2, 0))

@@ -59,6 +59,23 @@ def test_shapes_that_box2d_can_hold_are_not_refused(shape: Polygon | Segment | C
     refuse(shape)
 
 
+@pytest.mark.parametrize(
+    ("quantities", "message"),
+    [
+        ({"mass": 1e-40}, r"bodies\[0\] must have mass > 1e-37 and < 1e\+37 .* got 1e-40"),
+        ({"mass": 1e40}, r"bodies\[0\] must have mass .* got 1e\+40"),
+        ({"mass": 1.0, "inertia": 1e-40}, r"bodies\[0\] must have inertia .* got 1e-40"),
+    ],
+)
+def test_mass_beyond_single_precision_is_refused(
+    quantities: dict[str, float], message: str
+) -> None:
+    """It would be 0 or infinite, and the body would not move."""
+    pytest.importorskip("pyb2d3", reason=HINT)
+    with pytest.raises(ValueError, match=message):
+        shapes.refuse_what_box2d_cannot_do(box2d(), Scene([Body(Circle(1), **quantities)]))
+
+
 def test_lines_that_nothing_can_push_are_not_refused() -> None:
     """Two floors never meet."""
     pytest.importorskip("pyb2d3", reason=HINT)

@@ -43,6 +43,9 @@ from lesson_code.reference.scene_mapping import refuse_heap
 SUBSTEPS = 4
 """In a step: the advice of Box2D's manual."""
 
+STRONGEST_DAMPING = 80.0
+"""Of a sub-step: exp(-80) is as good as nothing, and exp(80) still fits in single precision."""
+
 FASTEST = 1e9
 """m/s: Box2D caps speeds at 400 m/s unless it is told another number; its square must be finite."""
 
@@ -99,7 +102,7 @@ class Box2DStepper:
         self._follow_turns = follow_turns
         self.world = _world(library, scene)
         part = dt / substeps
-        damping = math.expm1(scene.damping * part) / part
+        damping = math.expm1(min(scene.damping * part, STRONGEST_DAMPING)) / part
         self.bodies = library.Bodies()
         for body, own in zip(scene.bodies, all_surfaces, strict=True):
             self.bodies.append(_add(library, self.world, body, damping, own))

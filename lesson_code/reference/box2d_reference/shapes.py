@@ -1,4 +1,4 @@
-"""Our shapes as Box2D's, and a word against those that it would change or overlook in silence.
+"""Our shapes as Box2D's, and a word against bodies that it would change or overlook in silence.
 
 =================  ==============================================
 ours               Box2D's
@@ -19,11 +19,14 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
 
 SLOP = 0.005
 """m: B2_LINEAR_SLOP. A line that is not longer becomes a circle, or nothing."""
+
+LIGHTEST, HEAVIEST = 1e-37, 1e37
+"""kg or kg m^2: what lies between fits in single precision, and so does its inverse."""
 
 MOST_VERTICES = 8
 """Of a polygon: B2_MAX_POLYGON_VERTICES."""
@@ -36,13 +39,13 @@ STRAIGHT = 0.01
 
 
 def refuse_what_box2d_cannot_do(library: Any, scene: Scene) -> None:
-    """Refuse shapes that Box2D would change or overlook in silence.
+    """Refuse bodies that Box2D would change or overlook in silence.
 
     Raises
     ------
     ValueError
-        A polygon has too many corners or too fine a detail, a segment is too short, or two
-        segments without thickness could meet.
+        A polygon has too many corners or too fine a detail, a segment is too short, two segments
+        without thickness could meet, or a mass does not fit in single precision.
     """
     lines = [n for n, body in enumerate(scene.bodies) if _is_line(body.shape)]
     free = [n for n in lines if not scene.bodies[n].is_static]
@@ -52,6 +55,7 @@ def refuse_what_box2d_cannot_do(library: Any, scene: Scene) -> None:
             "through each other"
         )
     for n, body in enumerate(scene.bodies):
+        _refuse_mass(f"bodies[{n}]", body)
         if isinstance(body.shape, Polygon):
             _refuse_polygon(library, f"bodies[{n}]", body.shape)
         elif isinstance(body.shape, Segment):
@@ -75,6 +79,19 @@ def add_shape(library: Any, made: Any, definition: Any, shape: Shape) -> None:
 def _is_line(shape: Shape) -> bool:
     """Return whether a shape has no thickness."""
     return isinstance(shape, Segment) and shape.radius == 0.0
+
+
+def _refuse_mass(name: str, body: Body) -> None:
+    """Refuse a mass or a moment of inertia that would become 0 or infinite in Box2D."""
+    if body.mass is None or body.inertia is None:
+        return
+    turning = [] if math.isinf(body.inertia) else [("inertia", body.inertia)]
+    for quantity, value in (("mass", body.mass), *turning):
+        if not LIGHTEST < value < HEAVIEST:
+            raise ValueError(
+                f"{name} must have {quantity} > {LIGHTEST:g} and < {HEAVIEST:g} for Box2D, "
+                f"which has single precision, got {value:g}"
+            )
 
 
 def _refuse_polygon(library: Any, name: str, shape: Polygon) -> None:
