@@ -256,9 +256,9 @@ show(
 # one contact in one step, however short that is. A shorter step only adds steps in which *nothing*
 # is found; what costs time there is the search. Each measure of work hides something.
 #
-# In "slide to roll" the naive solver is no better for shorter steps. It has no friction: a rule that
-# is missing, not an error of the step. An order of 0 says: **look for a fault that is no matter of
-# accuracy.**
+# In "slide to roll" the naive solver is no better for shorter steps. It has no friction: a rule
+# that is missing, not an error of the step. An order of 0 says: **look for a fault that is no
+# matter of accuracy.**
 
 # %%
 naive = wp.orders(result, "slide to roll")["naive", "Python"]
@@ -337,10 +337,10 @@ check("best with so many sub-steps", best.substeps, 10)
 check("and worse at both ends", [springs[0].failure, springs[-1].failure], ["fell", "fell"])
 
 # %% [markdown]
-# Box2D has no iterations, and so no split: it is left out of the figure. But it has springs too, and
-# never stiffer ones than of 30 vibrations a second. More sub-steps carry a load further down; they
-# do not make the springs stiffer. So here, too, the best lies inside, and what the springs give
-# way remains.
+# Box2D has no iterations, and so no split: it is left out of the figure. But it has springs too,
+# between boxes never stiffer than 30 vibrations a second. More sub-steps carry a load further down;
+# they do not make the springs stiffer. Here, too, the best lies inside, and by what the springs
+# give way the boxes are always too low.
 
 # %%
 soft = result.lines("stack of 20")["box2d", "C"]

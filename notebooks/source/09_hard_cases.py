@@ -364,11 +364,11 @@ measured = hard_cases.stored()
 print(measured.as_text(96))
 
 # %% [markdown]
-# **Read it with care.** A cross says "over this bound", not "useless". pymunk lets
-# bodies sink into one another by a slop on purpose, and Box2D's soft contacts give way under a
-# load; both are far more than a thousandth. Box2D's digits are those of single precision. And for a game a millimetre is nothing. The
-# *large* numbers are the ones to look at: a load that has fallen by a metre, a box that has lost
-# its speed.
+# **Read it with care.** A cross says "over this bound", not "useless". pymunk lets bodies sink
+# into one another by a slop on purpose, and Box2D's soft contacts give way under a load; both are
+# far more than a thousandth. Box2D's digits are those of single precision. And for a game a
+# millimetre is nothing. The *large* numbers are the ones to look at: a load that has fallen by a
+# metre, a box that has lost its speed.
 #
 # And "naive" holds some cases because it does nothing at all: who has no friction can gain no
 # energy from it.
