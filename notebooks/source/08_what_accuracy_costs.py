@@ -345,7 +345,7 @@ check("and worse at both ends", [springs[0].failure, springs[-1].failure], ["fel
 # %%
 soft = result.lines("stack of 20")["box2d", "C"]
 for point in soft:
-    print(f"Box2D, {point.substeps:2} sub-steps: {point.error:.3f} m {point.failure}")
+    print(f"Box2D, sub-steps {point.substeps:2}: {point.error:.3f} m {point.failure}")
 best = min(soft, key=lambda point: point.error)
 check("best with so many sub-steps", best.substeps, 10)
 
