@@ -56,7 +56,7 @@ def simulate(
         "exact": from collision to collision, with no time step; for discs among bodies that do
         not move or move evenly. `dt`, `iterations` and `substeps` mean nothing to it.
         "pymunk": the same scene, stepped by pymunk.
-        "box2d": the same scene, stepped by Box2D, where that is installed.
+        "box2d": the same scene, stepped by Box2D v3, where that is installed; without impulses.
         "auto": the one that suits the scene: "exact" for discs that fly freely, "direct" for few
         bodies, "substep" for heavy bodies on light ones, "sequential" for others. ``run.plan``
         says which, and why.
@@ -64,10 +64,12 @@ def simulate(
         The time step, s, > 0. All steps have this length.
     iterations : int, optional
         Sweeps over the contacts in each step, >= 1; 10 unless given. For "substep": sweeps before
-        and again after each of its motions; 1 unless given. The naive solver makes one.
+        and again after each of its motions; 1 unless given. The naive solver makes one, and Box2D
+        one before and one after each motion.
     substeps : int, optional
         Equal parts that a step is made in, >= 1, each with its own contacts and sweeps; 1 unless
-        given. For "substep": motions in a step, for which contacts are found once; 4 unless given.
+        given. For "substep" and "box2d": motions in a step, for which contacts are found once; 4
+        unless given.
     combine : str or MixingRule
         How a pair's restitution and friction come from its bodies': "workbook" (the smaller,
         the geometric mean), "pymunk" (products), "box2d" (the larger, the geometric mean).

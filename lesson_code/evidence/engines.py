@@ -57,7 +57,9 @@ def stepper_for(
     substeps: int = 1,
     **own: Any,
 ) -> Stepper:
-    """Return an engine that makes steps; by default it records no impulses.
+    """Return an engine that makes steps and writes nothing down.
+
+    Box2D's angles are right but for whole turns.
 
     Parameters
     ----------
@@ -66,7 +68,7 @@ def stepper_for(
     scene : Scene
         The bodies.
     dt, iterations, substeps
-        As :func:`lesson_code.simulate` takes them.
+        As :func:`lesson_code.simulate` takes them; Box2D has no iterations.
     **own
         Options of this engine alone, such as `slop` for pymunk or `compiled` for ours.
 
@@ -75,21 +77,15 @@ def stepper_for(
     ValueError
         The engine refuses the scene.
     """
-    given: dict[str, Any] = {
-        "dt": dt,
-        "iterations": iterations,
-        "substeps": substeps,
-        "combine": MixingRule(),
-        "keep_impulses": False,
-        **own,
-    }
+    given: dict[str, Any] = {"dt": dt, "substeps": substeps, "combine": MixingRule(), **own}
+    if name == "box2d":
+        return Box2DStepper(scene, follow_turns=False, **given)
+    given = {"iterations": iterations, "keep_impulses": False} | given
     if name == "pymunk":
         return PymunkStepper(scene, **given)
-    if name == "box2d":
-        return Box2DStepper(scene, **given)
     return EngineStepper(scene, solver=name, **given)
 
 
 def has_box2d() -> bool:
     """Return whether Box2D is installed."""
-    return importlib.util.find_spec("Box2D") is not None
+    return importlib.util.find_spec("pyb2d3") is not None

@@ -25,7 +25,7 @@ from lesson_code.parallel import usable_cores
 
 Row = TypeVar("Row")
 
-PACKAGES = ("numpy", "numba", "pymunk", "Box2D")
+PACKAGES = ("numpy", "numba", "pymunk", "pyb2d3")
 """Packages whose versions affect a measured time."""
 
 

@@ -371,11 +371,12 @@ measured = hard_cases.stored()
 print(measured.as_text(100))
 
 # %% [markdown]
-# **Read it with care.** A cross says "not every draw holds this bound", not "useless". Most engines
-# let bodies sink into one another by a slop on purpose, and that may be more than a thousandth.
-# Box2D refuses bodies that are too thin for it: that is a dash. And for a game a millimetre is
-# nothing. The *large* numbers are the ones to look at: a load that has fallen by a metre, a gain of
-# energy that anyone can see.
+# **Read it with care.** A cross says "not every draw holds this bound", not "useless". pymunk lets
+# bodies sink into one another by a slop on purpose, and Box2D's soft contacts give way under a
+# load; both are far more than a thousandth. Box2D's digits are those of single precision, and it
+# refuses bodies that are too thin for it: that is a dash. And for a game a millimetre is nothing.
+# The *large* numbers are the ones to look at: a load that has fallen by a metre, a gain of energy
+# that anyone can see.
 #
 # And "naive" holds some families because it does nothing at all: what has no friction can gain no
 # energy from it. The same as a picture, a row for each family:

@@ -123,4 +123,4 @@ def test_table_has_a_heading_for_each_group() -> None:
 def test_machine_names_what_times_depend_on() -> None:
     """And the packages that race, installed or not."""
     assert set(machine()) == {"python", "system", "processor", "cores", "packages"}
-    assert set(machine()["packages"]) == {"numpy", "numba", "pymunk", "Box2D"}
+    assert set(machine()["packages"]) == {"numpy", "numba", "pymunk", "pyb2d3"}

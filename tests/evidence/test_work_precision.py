@@ -372,14 +372,14 @@ def test_stored_result_has_every_scene_and_method() -> None:
 
 
 def test_stored_result_keeps_failures_and_times_the_rest() -> None:
-    """Refused and fallen points are there; all others have a time and a number of visits."""
+    """Refused and fallen points are there; all others have a time, and visits but for Box2D's."""
     failed = [p for p in stored().points if p.failure]
     assert {"refused", "fell", "lost"} <= {p.failure for p in failed}
     for p in stored().points:
         if not p.failure:
             assert p.seconds > 0
             assert math.isfinite(p.error)
-            assert p.contact_solves > 0
+            assert p.contact_solves > 0 or p.method == "box2d"
 
 
 def test_stored_errors_are_the_same_in_all_codes() -> None:

@@ -1,7 +1,6 @@
 """A scene stepped by Box2D: each convention of ours arrives there as what it means.
 
-What Box2D cannot be talked out of, its threshold of bouncing and its cap on speed, is shown with
-its figure.
+What Box2D cannot be talked out of, its cap on spin, is shown with its figure.
 """
 
 from __future__ import annotations
@@ -15,16 +14,16 @@ import pytest
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.evidence.scenes import rigid_bodies as scenes
-from lesson_code.reference.box2d_reference import Box2DStepper, fixtures
+from lesson_code.reference.box2d_reference import Box2DStepper
 from lesson_code.reference.rigid_body_closed_forms import slide_to_roll
 
-Box2D = pytest.importorskip("Box2D", reason="Box2D is an extra: pip install 'Box2D>=2.3.10'")
+pyb2d3 = pytest.importorskip("pyb2d3", reason="Box2D is an extra: pip install 'pyb2d3>=0.11'")
 
 SINGLE = 1e-5
 """Numbers up to 10 in single precision, 6e-7 each, over some 60 steps; seen 2e-6."""
 
 SLOP = 0.005
-"""m: b2_linearSlop, the overlap that Box2D leaves alone."""
+"""m: B2_LINEAR_SLOP, the overlap that Box2D leaves alone."""
 
 DT = 1 / 60
 
@@ -36,8 +35,7 @@ def run_of(scene: Scene, duration: float, **settings: Any) -> Run:
 
 def stepper(scene: Scene, combine: str = "workbook", **settings: Any) -> Box2DStepper:
     """Return Box2D at work on a scene, in steps of 1/60 s."""
-    usual = {"dt": DT, "iterations": 8, "substeps": 1, "combine": mixing_rule(combine)}
-    return Box2DStepper(scene, **(usual | settings))
+    return Box2DStepper(scene, dt=DT, combine=mixing_rule(combine), **settings)
 
 
 def ball_at_floor(speed: float, restitution: float = 1.0) -> Scene:
@@ -62,44 +60,79 @@ def head_on(first: Material, second: Material) -> Scene:
     )
 
 
-# The library
-
-
-def test_constants_are_those_that_the_mapping_relies_on() -> None:
-    """Slop, skin, corners, threshold and cap: another build of Box2D fails here first."""
-    assert Box2D.b2_linearSlop == pytest.approx(SLOP)
-    assert Box2D.b2PolygonShape(box=(1, 1)).radius == pytest.approx(fixtures.SKIN)
-    assert Box2D.b2_maxPolygonVertices == fixtures.MOST_VERTICES
-    assert (Box2D.b2_velocityThreshold, Box2D.b2_maxTranslation) == (1.0, 2.0)
+# The world
 
 
 def test_settings_are_the_ones_that_are_said() -> None:
     """Nothing sleeps, for a sleeping scene costs nothing and shows nothing."""
     world = stepper(Scene()).world
-    assert not world.GetAllowSleeping()
-    assert world.warmStarting
-    assert world.continuousPhysics
+    assert not world.sleeping_enabled
+    assert world.continuous_enabled
+    assert world.restitution_threshold == 0.0
+
+
+def test_world_ends_with_its_stepper() -> None:
+    """Box2D holds 128 of them: 300, one after the other, are no problem; as many at once are."""
+    scene = ball_at_floor(1.0)
+    for _ in range(300):
+        stepper(scene).advance(1)
+    with pytest.raises(RuntimeError, match="Box2D holds at most 128 worlds at once"):
+        list(map(stepper, [scene] * 129))
+    assert len(stepper(scene).states()) == 2
 
 
 # Flight
 
 
 def test_flight_is_symplectic_eulers_to_single_precision() -> None:
-    """Height is v t - g t (t + dt)/2: velocity first, then position; the spin stays."""
+    """In sub-steps of h, height is v t - g t (t + h)/2: velocity first, then position.
+
+    Each turns a body by atan(w h), for want of a sine.
+    """
     ball = Body(Circle(0.5), mass=1.0, velocity=(3, 5), angular_velocity=2)
     run = run_of(Scene([ball], gravity=(0, -10)), 1.0)
-    t = run.times
+    t, h = run.times, DT / 4
     assert run.positions[:, 0, 0] == pytest.approx(3 * t, abs=SINGLE)
-    assert run.positions[:, 0, 1] == pytest.approx(5 * t - 5 * t * (t + DT), abs=SINGLE)
-    assert run.angles[:, 0] == pytest.approx(2 * t, abs=SINGLE)
+    assert run.positions[:, 0, 1] == pytest.approx(5 * t - 5 * t * (t + h), abs=SINGLE)
+    assert run.angles[:, 0] == pytest.approx(t / h * math.atan(2 * h), abs=SINGLE)
+
+
+@pytest.mark.parametrize("sample", [None, "end"])
+def test_angle_counts_whole_turns(sample: str | None) -> None:
+    """Two bodies turn by 35 rad and -35 rad from angles beyond a turn; Box2D knows no turns."""
+    bodies = [
+        Body(Circle(0.5), position=(2 * w, 0), angle=w, mass=1.0, angular_velocity=w)
+        for w in (7.0, -7.0)
+    ]
+    run = run_of(Scene(bodies), 5.0, sample=sample)
+    turned = 1200 * math.atan(7 / 240)
+    roundings = 1200 * 2 * 2**-24  # two in each sub-step
+    assert run.angles[-1] == pytest.approx([7 + turned, -7 - turned], abs=roundings)
+
+
+def test_turns_that_are_not_followed_are_lost() -> None:
+    """Between two looks a second apart 7 rad are 7 - 2 pi, and nothing else changes."""
+    scene = Scene([Body(Circle(0.5), mass=1.0, angular_velocity=7.0)])
+    followed, lost = stepper(scene), stepper(scene, follow_turns=False)
+    for engine in (followed, lost):
+        engine.advance(60)
+    difference = followed.states() - lost.states()
+    assert difference[0] == pytest.approx([0, 0, 2 * math.pi, 0, 0, 0], abs=SINGLE)
 
 
 def test_damping_rate_means_the_same_as_in_ours() -> None:
     """After 1 s at a rate of 0.7/s, the share exp(-0.7) of the speed and of the spin is left."""
     scene = Scene([Body(Circle(1), mass=1.0, velocity=(3, 0), angular_velocity=2)], damping=0.7)
     run = run_of(scene, 1.0)
-    assert run.velocities[-1, 0, 0] == pytest.approx(3 * math.exp(-0.7), abs=SINGLE)
-    assert run.angular_velocities[-1, 0] == pytest.approx(2 * math.exp(-0.7), abs=SINGLE)
+    roundings = 240 * 2 * 2**-24  # two in each sub-step
+    assert run.velocities[-1, 0, 0] == pytest.approx(3 * math.exp(-0.7), rel=roundings)
+    assert run.angular_velocities[-1, 0] == pytest.approx(2 * math.exp(-0.7), rel=roundings)
+
+
+def test_strong_damping_stops_at_once() -> None:
+    """At a rate of 1e6/s nothing is left after a sub-step, and no number overflows."""
+    scene = Scene([Body(Circle(1), mass=1.0, velocity=(3, 0))], damping=1e6)
+    assert run_of(scene, DT).velocities[-1, 0, 0] == pytest.approx(0, abs=SINGLE)
 
 
 def test_static_body_with_a_velocity_keeps_it() -> None:
@@ -114,16 +147,20 @@ def test_mass_and_inertia_are_ours() -> None:
     """They are given to Box2D, not derived; what never turns has an inverse moment of 0."""
     box = Polygon.box(2, 1)
     bodies = [Body(box, mass=3.0, inertia=7.0), Body(box, mass=3.0, inertia=math.inf)]
-    first, second = stepper(Scene(bodies)).bodies
-    assert (first.mass, first.inertia) == (3.0, 7.0)
-    assert (second.mass, second.inertia) == (3.0, 0.0)
+    engine = stepper(Scene(bodies))
+    made = [pyb2d3.Body(number) for number in engine.bodies.id_iter()]
+    assert [body.mass for body in made] == [3.0, 3.0]
+    assert [body.rotational_inertia() for body in made] == [7.0, 0.0]
 
 
-def test_substeps_are_steps_of_a_part_of_dt() -> None:
-    """Four sub-steps of dt/4 end where four steps of dt/4 do."""
+def test_substeps_are_box2ds_own() -> None:
+    """In flight, four of them in dt end where four steps of dt/4 with one do."""
     scene = Scene([Body(Circle(1), mass=1.0, velocity=(3, 5))], gravity=(0, -10))
-    coarse, fine = run_of(scene, 0.5, dt=1 / 20, substeps=4), run_of(scene, 0.5, dt=1 / 80)
-    np.testing.assert_array_equal(coarse.positions[-1], fine.positions[-1])
+    coarse = run_of(scene, 0.5, dt=1 / 20, substeps=4)
+    fine = run_of(scene, 0.5, dt=1 / 80, substeps=1)
+    assert coarse.positions[-1] == pytest.approx(fine.positions[-1], abs=SINGLE)
+    as_usual = run_of(scene, 0.5, dt=1 / 20, iterations=50)
+    np.testing.assert_array_equal(as_usual.positions, coarse.positions)
 
 
 def test_advance_makes_many_steps_in_one_call() -> None:
@@ -148,15 +185,6 @@ def test_restitution_of_a_pair_is_ours_not_box2ds_larger(combine: str, restituti
     assert (v2 - v1) / 4 == pytest.approx(restitution, abs=SINGLE)
 
 
-def test_box2ds_own_rule_is_used_without_a_callback() -> None:
-    """Where the larger and the geometric mean are right for all pairs, nothing is called."""
-    scene = head_on(Material(0.4, 0.5), Material(0.8, 0.25))
-    assert not stepper(scene, combine="box2d").corrects_coefficients
-    assert stepper(scene, combine="workbook").corrects_coefficients
-    lean = stepper(scene, combine="box2d", keep_impulses=False)
-    assert lean.world.contactListener is None
-
-
 def test_contact_that_begins_anew_is_given_its_coefficients_again() -> None:
     """A ball of e = 0.5 between elastic walls: each bounce halves its speed, the smaller e's share.
 
@@ -164,23 +192,16 @@ def test_contact_that_begins_anew_is_given_its_coefficients_again() -> None:
     """
     walls = [Body(Segment((x, -1), (x, 1)), material=Material(1.0)) for x in (-2.0, 2.0)]
     ball = Body(Circle(0.5), mass=1.0, velocity=(100.0, 0.0), material=Material(0.5))
-    run = run_of(Scene([*walls, ball]), 0.5)
+    run = run_of(Scene([*walls, ball]), 0.6)
     speeds = sorted(set(np.abs(run.velocities[:, 2, 0]).round(3)), reverse=True)
     assert speeds[:5] == pytest.approx([100.0, 50.0, 25.0, 12.5, 6.25], abs=100 * SINGLE)
 
 
-@pytest.mark.parametrize(
-    ("speed", "rebound"), [(0.9, 0.0), (0.999, 0.0), (1.001, 1.001), (3.0, 3.0)]
-)
-def test_elastic_ball_slower_than_the_threshold_does_not_bounce(
-    speed: float, rebound: float
-) -> None:
-    """With e = 1: at 1 m/s Box2D's ball stops dead, or bounces in full. Ours always bounces."""
-    scene = ball_at_floor(speed)
-    assert run_of(scene, 0.5).velocities[-1, 1, 1] == pytest.approx(rebound, abs=SINGLE)
-    assert simulate(scene, 0.5, solver="sequential").velocities[-1, 1, 1] == pytest.approx(
-        speed, abs=SINGLE
-    )
+@pytest.mark.parametrize("speed", [0.01, 0.1, 0.9, 3.0, 100.0])
+def test_elastic_ball_bounces_at_any_speed(speed: float) -> None:
+    """With e = 1 and no threshold: as fast as it came, however slowly that was."""
+    run = run_of(ball_at_floor(speed), 1.5)
+    assert run.velocities[-1, 1, 1] == pytest.approx(speed, rel=SINGLE)
 
 
 def test_drop_rebounds_to_nearly_e_squared_of_its_height() -> None:
@@ -193,93 +214,71 @@ def test_drop_rebounds_to_nearly_e_squared_of_its_height() -> None:
     assert height[landing:].max() / 2 == pytest.approx(0.64, abs=0.01)
 
 
-def test_speed_is_capped_at_two_metres_a_step() -> None:
-    """At 60 steps a second that is 120 m/s, whatever the scene says."""
-    run = run_of(Scene([Body(Circle(0.5), mass=1.0, velocity=(300, 0))]), 1.0)
-    assert run.velocities[-1, 0, 0] == pytest.approx(120, rel=1e-6)
+def test_spin_is_capped_and_speed_is_not() -> None:
+    """An eighth of a turn a step, at 60 steps a second 15 pi rad/s, whatever the scene says."""
+    run = run_of(Scene([Body(Circle(0.5), mass=1.0, velocity=(3000, 0), angular_velocity=100)]), 1)
+    assert run.velocities[-1, 0, 0] == pytest.approx(3000, rel=1e-6)
+    assert run.angular_velocities[-1, 0] == pytest.approx(15 * math.pi, rel=1e-6)
 
 
 @pytest.mark.parametrize("shape", [Circle(0.2), Polygon.box(0.4, 0.4)], ids=["disc", "box"])
 def test_fast_body_does_not_pass_through_a_thin_floor(shape: Circle | Polygon) -> None:
-    """100 m/s at a floor without thickness, and at one of 0.2 m: continuous detection is on."""
+    """100 m/s at a floor without thickness, and at one of 0.2 m: it ends where contacts begin."""
     for floor, top in ((Segment((-9, 0), (9, 0)), 0.0), (Polygon.box(18, 0.2), 0.1)):
         body = Body(shape, position=(0, 3), velocity=(0, -100), mass=1.0)
         run = run_of(Scene([Body(floor), body]), 0.5, sample="end")
-        assert run.positions[-1, 1, 1] == pytest.approx(top + 0.2, abs=2 * SLOP)
+        assert run.positions[-1, 1, 1] == pytest.approx(top + 0.2, abs=4 * SLOP)
 
 
 # Rest and friction
 
 
-def test_stack_of_ten_boxes_rests_within_its_slop() -> None:
-    """After 10 s each box has sunk by no more than the slop, and none moves."""
+def test_stack_of_ten_boxes_sinks_as_its_springs_give_way() -> None:
+    """Each of two points below a box is a spring of 30 Hz that carries half of the load.
+
+    Of the mass m_eff = 1/(2/m + 2 r^2/I) = m/5 for two unit boxes, r = 1/2 and I = m/6: below
+    nine boxes it gives way by 4.5 m g/(m_eff omega^2), 6.3 mm. None moves any more.
+    """
     run = run_of(scenes.box_stack(10), 10.0, sample="end")
     sunk = run.positions[0, 1:, 1] - run.positions[-1, 1:, 1]
-    assert (np.diff(sunk, prepend=0.0) <= SLOP + SINGLE).all()
-    assert np.abs(run.velocities[-1]).max() <= SINGLE
-    assert run.max_penetration[-1] <= SLOP + SINGLE
+    springs = 4.5 * scenes.GRAVITY * 5 / (2 * math.pi * 30) ** 2
+    assert np.diff(sunk).max() == pytest.approx(springs, rel=0.01)
+    assert run.max_penetration[-1] == pytest.approx(springs, rel=0.01)
+    assert np.abs(run.velocities[-1]).max() <= 1e-3 * scenes.GRAVITY
 
 
 @pytest.mark.parametrize("inertia_ratio", [1 / 2, 1.0], ids=["disc", "hoop"])
 def test_sliding_body_ends_rolling_at_the_closed_forms_speed(inertia_ratio: float) -> None:
-    """2/3 of the speed for a disc, 1/2 for a hoop, to what single precision leaves."""
+    """2/3 of the speed for a disc, 1/2 for a hoop, to what friction gives in a sub-step."""
     run = run_of(scenes.sliding_disc(6.0, 0.3, inertia_ratio), 4.0, sample="end")
     velocity, spin = slide_to_roll(
         4.0, 6.0, 0.0, 1.0, inertia_ratio, friction=0.3, gravity=scenes.GRAVITY
     )
-    assert run.velocities[-1, 1, 0] == pytest.approx(velocity, abs=SINGLE)
-    assert run.angular_velocities[-1, 1] == pytest.approx(spin, abs=SINGLE)
+    friction_of_a_substep = 0.3 * scenes.GRAVITY * DT / 4
+    assert run.velocities[-1, 1, 0] == pytest.approx(velocity, abs=friction_of_a_substep)
+    assert run.angular_velocities[-1, 1] == pytest.approx(spin, abs=friction_of_a_substep)
 
 
-@pytest.mark.parametrize("thickness", [0.02, 0.4], ids=["an edge", "a box with round ends"])
+@pytest.mark.parametrize("thickness", [0.02, 0.4])
 @pytest.mark.parametrize("shape", [Circle(0.5), Polygon.box(1, 1)], ids=["disc", "box"])
 def test_body_rests_on_a_thick_segment_at_its_surface(
     shape: Circle | Polygon, thickness: float
 ) -> None:
-    """Half of the thickness above its middle line, less the slop."""
+    """Half of the thickness above its middle line, less what its spring gives way."""
     floor = Body(Segment((-5, 0), (5, 0), radius=thickness / 2))
     body = Body(shape, position=(0, thickness / 2 + 0.51), mass=1.0)
     run = run_of(Scene([floor, body], gravity=(0, -10)), 3.0, sample="end")
-    assert run.positions[-1, 1, 1] == pytest.approx(thickness / 2 + 0.5 - SLOP, abs=1e-4)
+    assert run.positions[-1, 1, 1] == pytest.approx(thickness / 2 + 0.5, abs=1e-4)
 
 
 # Impulses
 
 
-def test_impulse_events_have_our_normal_and_our_sign() -> None:
-    """The normal goes from a to b, the impulse is what b received, and momentum agrees with it."""
-    floor = Body(Segment((-9, 0), (9, 0)))
-    box = Body(
-        Polygon.box(2, 1),
-        position=(0, 0.51),
-        velocity=(1, -2),
-        mass=3.0,
-        material=Material(0.5, 0.1),
-    )
-    for bodies in ([floor, box], [box, floor]):
-        run = run_of(Scene(bodies), 0.1)
-        events, up = run.contacts, 1 if bodies[1] is box else -1
-        assert len(events) > 0
-        assert (events.body_a == 0).all()
-        assert events.normal == pytest.approx(np.tile([0, up], (len(events), 1)), abs=SINGLE)
-        tangents = np.column_stack((-events.normal[:, 1], events.normal[:, 0]))
-        received = (
-            events.normal_impulse[:, None] * events.normal
-            + events.tangent_impulse[:, None] * tangents
-        ).sum(axis=0)
-        gained = run.momentum[-1] - run.momentum[0]
-        assert up * received == pytest.approx(gained, abs=SINGLE)
-
-
-def test_run_without_impulses_is_the_same_run() -> None:
-    """Writing them down changes nothing but the time it takes."""
-    scene = scenes.box_pyramid(4)
-    kept, lean = stepper(scene), stepper(scene, keep_impulses=False)
-    for engine in (kept, lean):
-        engine.advance(60)
-    assert kept.states().tobytes() == lean.states().tobytes()
-    assert len(kept.events()) > 0
-    assert lean.events().shape == (0, 10)
+def test_run_has_no_impulses() -> None:
+    """The binding tells none, so that nothing can be measured on them; momentum shows the blow."""
+    run = run_of(ball_at_floor(3.0), 0.1)
+    assert len(run.contacts) == 0
+    assert run.momentum[-1] - run.momentum[0] == pytest.approx([0, 6], abs=SINGLE)
 
 
 # The door
@@ -290,7 +289,7 @@ def test_simulate_takes_box2d_and_records_every_step() -> None:
     scene = scenes.box_stack(2)
     first, second = (run_of(scene, 0.5, dt=0.125) for _ in range(2))
     assert first.times.tolist() == [0, 0.125, 0.25, 0.375, 0.5]
-    assert str(first.plan) == "solver: box2d (asked for); C++ (Box2D's own)"
+    assert str(first.plan) == "solver: box2d (asked for); C (Box2D's own)"
     assert first.positions.tobytes() == second.positions.tobytes()
     assert run_of(Scene(), 0.5).positions.shape == (31, 0, 2)
 

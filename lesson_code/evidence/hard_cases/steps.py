@@ -38,13 +38,7 @@ RESTS = "What rests, rests, however the time is cut."
 
 
 def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Callable[[], Any]]:
-    """Return a function that makes one step of any length, and one that returns the states.
-
-    Raises
-    ------
-    NotImplementedError
-        There is no way to change Box2D's step.
-    """
+    """Return a function that makes one step of any length, and one that returns the states."""
     settings: dict[str, Any] = {
         "dt": DT,
         "iterations": 10,
@@ -58,7 +52,10 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
         theirs = PymunkStepper(scene, **settings)
         return theirs.space.step, theirs.states
     if solver == "box2d":
-        return box2d_steps(scene)
+        from lesson_code.reference.box2d_reference.scene_run import SUBSTEPS, Box2DStepper
+
+        other = Box2DStepper(scene, dt=DT, combine=MixingRule())
+        return lambda dt: other.world.step(dt, SUBSTEPS), other.states
     if solver == OURS:
         choices = solvers_for(Question(scene, dt=DT), asked={})
         solver = next(choice.solver for choice in choices if our_solvers()[choice.solver].stages)
@@ -69,11 +66,6 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
         ours.advance(1)
 
     return step, ours.states
-
-
-def box2d_steps(scene: Scene) -> tuple[Callable[[float], None], Callable[[], Any]]:
-    """Refuse to make steps of any length in Box2D: its stepper knows only one length."""
-    raise NotImplementedError("Box2D's stepper makes steps of one length")
 
 
 def heights_in_jumping_steps(scene: Scene, solver: str, ratio: float, steps: int = 120) -> Any:

@@ -9,8 +9,9 @@ They are made so that every engine solves the same problem:
   0.5625 by pymunk's product. So no engine is slowed by setting them contact by contact.
 - Bodies at rest have nowhere to fall, or come to rest in the steps before the measurement.
 
-One difference stays: Box2D does not bounce at an approach slower than 1 m/s, so that an elastic
-gas loses energy in it.
+One difference stays: an elastic gas loses energy in Box2D. Where a disc meets two others in a step,
+each pair bounces once, one after the other, and the first is not asked again. 600 steps take 8 %
+from a gas of 1,000 discs, and 67 % from a dense one.
 """
 
 from __future__ import annotations
@@ -65,13 +66,13 @@ THICK = 2.0
 """m: floors and walls under and around polygons."""
 
 STEPS_TO_SETTLE = 600
-"""Until what is built at rest carries its own load. In pymunk and in Box2D nothing is then faster
-than 0.05 m/s, but in the pyramid of 50 rows, which neither holds still.
+"""Until what is built at rest carries its own load. In pymunk nothing is then faster than 0.05 m/s,
+but in the pyramid of 50 rows, which it does not hold still; in Box2D nothing faster than 1 mm/s.
 """
 
 STEPS_TO_STAND = 60
 """Of a free stack. There is no waiting for its rest: pymunk's stack of 20 lies on the ground after
-300 steps.
+300 steps, Box2D's after 720.
 """
 
 STEPS_STACK_LASTS = 60
@@ -274,10 +275,7 @@ def scene_named(name: str) -> SpeedScene:
 
 
 def _on_slab(scene: Scene) -> Scene:
-    """Return a scene whose ground, body 0, is a slab instead of a line.
-
-    On a line a pyramid of 20 rows takes Box2D half as long again, which is no fair comparison.
-    """
+    """Return a scene whose ground, body 0, is a slab instead of a line."""
     ground, *bodies = scene.bodies
     slab = Body(Polygon.box(2 * HALF_LENGTH, THICK), position=(0, -THICK / 2))
     return Scene([replace(slab, material=ground.material), *bodies], gravity=scene.gravity)

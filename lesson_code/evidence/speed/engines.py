@@ -8,7 +8,7 @@ substep         our soft contacts, compiled, 4 sub-steps with one sweep each
 exact           from collision to collision, where that solver takes the scene
 pymunk, tree    pymunk, 10 iterations, with our slop; pairs from its tree of boxes
 pymunk, hash    the same; pairs from its grid
-box2d           Box2D, 8 velocity and 3 position iterations: its manual's advice
+box2d           Box2D, 4 sub-steps: its manual's advice
 ==============  =========================================================================
 """
 
@@ -25,8 +25,8 @@ OURS = ("sequential", "substep", "exact")
 PYMUNK = ("pymunk, tree", "pymunk, hash")
 PEERS = ("pymunk", "box2d")
 
-SETTINGS = {"substep": 4, "box2d": 8}
-"""Sub-steps of our soft solver, and velocity iterations of Box2D; of all others 10 iterations."""
+SETTINGS = {"substep": 4, "box2d": 4}
+"""Sub-steps of our soft solver, and of Box2D; of all others 10 iterations."""
 
 
 def engines_for(speed_scene: SpeedScene) -> list[str]:
@@ -51,7 +51,7 @@ def start(name: str, speed_scene: SpeedScene, setting: int | None = None) -> Eng
         way: dict[str, Any] = {"broad_phase": name.split()[1], "slop": speed_scene.slop}
         return stepper_for("pymunk", scene, dt=dt, iterations=count, **way)
     if name == "box2d":
-        return stepper_for(name, scene, dt=dt, iterations=count, position_iterations=3)
+        return stepper_for(name, scene, dt=dt, substeps=count)
     if name == "substep":
         return stepper_for(name, scene, dt=dt, iterations=1, substeps=count, compiled=True)
     return stepper_for(name, scene, dt=dt, iterations=count, compiled=True)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.core.constants import SLOP
 from lesson_code.engine.core.scene import Scene
 from lesson_code.evidence.scenes.speed import SpeedScene, pyramid, stack
-from lesson_code.evidence.speed.engines import engines_for, start
+from lesson_code.evidence.speed.engines import SETTINGS, engines_for, start
 from lesson_code.evidence.speed.quality import Gauge, states_of
 from lesson_code.evidence.timing import in_turns, timed
 
@@ -80,7 +80,7 @@ class Held:
     """The setting with which one engine holds a pile."""
 
     engine: str
-    setting: int  # iterations, for "substep" sub-steps; the most that are tried if none holds
+    setting: int  # iterations, or sub-steps; the most that are tried if none holds
     held: bool  # to the end
     overlap: float  # the deepest in the last second, in the smaller body's width
     seconds: float  # for all steps: median
@@ -128,7 +128,7 @@ def race_with_pile(pile: Pile, repeats: int) -> PileRace:
 
 def _least(pile: Pile, name: str) -> Attempt:
     """Return the attempt with the cheapest setting that holds the pile, else with the dearest."""
-    settings = SUBSTEPS if name == "substep" else ITERATIONS
+    settings = SUBSTEPS if name in SETTINGS else ITERATIONS
     attempts = (_attempt(pile, name, setting) for setting in settings)
     return next(attempt for attempt in attempts if attempt.held or attempt.setting == settings[-1])
 

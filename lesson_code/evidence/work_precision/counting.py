@@ -7,7 +7,7 @@ ours           after each step, from the engine's own tables: contacts times the
                and candidate pairs. The sweeps that push overlaps apart are left out
 exact          collisions; its forecasts are not counted
 pymunk         contact points that it reports, times its iterations; it does not tell its pairs
-box2d          contact points in its list, times velocity iterations; the pairs in that list
+box2d          not known: its binding tells neither its contacts nor its pairs
 =============  =================================================================================
 
 A visit of the direct solver is a row in a system of equations, and costs more the more there are.
@@ -48,10 +48,10 @@ def work_of(scene: PrecisionScene, method: Method, setting: Setting, *, compiled
         setting = Setting(setting.dt / setting.substeps, setting.iterations, 1)
     steps = whole_parts(scene.duration, setting.dt)
     made = stepper(scene, method, setting, compiled=compiled)
+    if isinstance(made, Box2DStepper):
+        return Work()
     if isinstance(made, PymunkStepper):
         return _of_pymunk(made, steps, setting.iterations)
-    if isinstance(made, Box2DStepper):
-        return _of_box2d(made, steps, setting.iterations)
     try:
         return _of_ours(made, steps, setting.sweeps * method.sweeps_an_iteration)
     except FloatingPointError:
@@ -80,13 +80,3 @@ def _of_pymunk(made: PymunkStepper, steps: int, iterations: int) -> Work:
     made.space.on_collision(None, None, post_solve=count)
     made.advance(steps)
     return Work(points * iterations)
-
-
-def _of_box2d(made: Box2DStepper, steps: int, iterations: int) -> Work:
-    """Return the sums over Box2D's list of contacts: pairs whose boxes overlap."""
-    points = pairs = 0
-    for _ in range(steps):
-        made.advance(1)
-        pairs += len(made.world.contacts)
-        points += sum(contact.manifold.pointCount for contact in made.world.contacts)
-    return Work(points * iterations, pairs)

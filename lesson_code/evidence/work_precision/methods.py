@@ -30,6 +30,9 @@ SPLITS = ((1, 10), (2, 5), (5, 2), (10, 1), (1, 100), (2, 50), (4, 25), (10, 10)
 SPRING_SPLITS = ((5, 1), (1, 5), (1, 50), (2, 25), (5, 10), (10, 5), (25, 2), (50, 1))
 """The same for the solver with sub-steps, which sweeps twice in each iteration."""
 
+BOX2D_SPLITS = ((1, 1), (2, 1), (5, 1), (10, 1), (25, 1), (50, 1))
+"""Sub-steps of Box2D, which has no iterations: it sweeps once before and once after each motion."""
+
 PARTS = ((1, 1), (2, 1), (4, 1), (10, 1))
 """Sub-steps of the naive solver, which sweeps once, and of the direct one, which need not."""
 
@@ -95,6 +98,8 @@ class Method:
         """Return the sub-steps and iterations where these are what is varied."""
         if self.name == "substep":
             return SPRING_SPLITS
+        if self.name == "box2d":
+            return BOX2D_SPLITS
         if self.name == "direct":
             return PARTS[:3]  # each costs seconds in a tall stack, and none is wrong
         return PARTS if self.name == "naive" else SPLITS
@@ -109,7 +114,7 @@ METHODS = {
         Method("direct", (PLAIN,), iterations=1),
         Method("exact", (PLAIN,), iterations=1),
         Method("pymunk", ("C",)),
-        Method("box2d", ("C++",)),
+        Method("box2d", ("C",), iterations=1, substeps=4, sweeps_an_iteration=2),
     )
 }
 """All methods, by name. The direct solver's Python calls LAPACK's linear algebra."""

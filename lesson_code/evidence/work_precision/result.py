@@ -36,7 +36,7 @@ class Point:
     Attributes
     ----------
     scene, method, code : str
-        Names; the code is "Python", "compiled", "C" or "C++".
+        Names; the code is "Python", "compiled" or "C".
     dt : float
         s; 0 for the method that has no step.
     iterations, substeps : int

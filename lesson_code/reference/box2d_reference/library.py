@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any
 
 
 def box2d() -> Any:
-    """Return the module Box2D.
+    """Return the module pyb2d3.
 
     Raises
     ------
@@ -15,12 +14,10 @@ def box2d() -> Any:
         Box2D is not installed; the message says what to install.
     """
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # as an error, one of its own would end the process
-            import Box2D
+        import pyb2d3
     except ModuleNotFoundError as missing:
         raise ModuleNotFoundError(
-            'Box2D must be installed to run a scene in it: pip install "Box2D>=2.3.10"',
+            'Box2D must be installed to run a scene in it: pip install "pyb2d3>=0.11"',
             name=missing.name,
         ) from missing
-    return Box2D
+    return pyb2d3

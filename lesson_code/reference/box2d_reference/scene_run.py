@@ -3,48 +3,55 @@
 ==========================  ==============================================================
 ours                        Box2D's
 ==========================  ==============================================================
-the pair's coefficients     each body is given values that Box2D's own rule (the larger
-                            restitution, the geometric mean of the frictions) turns into
-                            the pair's; where there are none, set on each contact when it
-                            begins
+the pair's coefficients     see :mod:`lesson_code.reference.box2d_reference.surfaces`
 static body                 static, or kinematic when it has a velocity
-damping rate c, 1/s         ``linearDamping`` = ``angularDamping`` = (1 - exp(-c h))/h, of
-                            which a step of h leaves the share exp(-c h)
+damping rate c, 1/s         ``linear_damping`` = ``angular_damping`` = (exp(c h) - 1)/h, of
+                            which a sub-step of h leaves the share 1/(1 + exp(c h) - 1)
 mass, moment of inertia     given, not derived; an infinite moment is 0, Box2D's word for it
-iterations                  velocity iterations; those for positions are set apart
-normal, from a to b         turned round where Box2D lists the bodies the other way
-tangent, +90 degrees        Box2D's is -90 degrees: the impulse changes its sign
+sub-steps                   its own: contacts are found once a step. In each it makes one
+                            sweep before the bodies move, and one after
+angle, any number           a direction, which is followed step by step
 ==========================  ==============================================================
 
-Sleeping is off; warm starting and continuous detection are on. What cannot be changed, since it is
-compiled into Box2D: single precision; a slop of 0.005 m; no bounce below an approach of 1 m/s; no
-body moves more than 2 m in a step. Callbacks of a scene are not called: they belong to our engine.
+Sleeping is off; warm starting and continuous detection against what nothing can push are on. Every
+approach bounces (Box2D's threshold, 1 m/s unless it is set, is 0), and no speed is capped but a
+spin, at an eighth of a turn a step. What cannot be changed, since it is compiled into Box2D: single
+precision; a slop of 0.005 m; contacts that begin 0.02 m before bodies touch; a turn by atan(w h)
+where w h is right, in a sub-step of h.
+
+The binding tells no impulses of contacts: a run has none, and what is measured on them has no
+result. Callbacks of a scene are not called: they belong to our engine.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
+from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event, moved_on
+from lesson_code.engine.core.recording import EVENT_NUMBERS, moved_on
 from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.geometry.manifold import collide
-from lesson_code.reference.box2d_reference.fixtures import (
-    fixture_shapes,
-    refuse_what_box2d_cannot_do,
-)
 from lesson_code.reference.box2d_reference.library import box2d
-from lesson_code.reference.scene_mapping import coefficients, own_values, refuse_heap
+from lesson_code.reference.box2d_reference.shapes import add_shape, refuse_what_box2d_cannot_do
+from lesson_code.reference.box2d_reference.surfaces import Surface, surfaces
+from lesson_code.reference.scene_mapping import refuse_heap
+
+SUBSTEPS = 4
+"""In a step: the advice of Box2D's manual."""
+
+STRONGEST_DAMPING = 80.0
+"""Of a sub-step: exp(-80) is as good as nothing, and exp(80) still fits in single precision."""
+
+FASTEST = 1e9
+"""m/s: Box2D caps speeds at 400 m/s unless it is told another number; its square must be finite."""
 
 
 class Box2DStepper:
-    """A scene that Box2D advances by steps of `dt`, each in `substeps` equal parts.
+    """A scene that Box2D advances by steps of `dt`, each in `substeps` parts.
 
     Parameters
     ----------
@@ -52,28 +59,29 @@ class Box2DStepper:
         What is simulated.
     dt : float
         s, > 0.
-    iterations : int
-        Of Box2D's solver for velocities, in each sub-step.
-    substeps : int
-        Parts of a step.
     combine : MixingRule
         How a pair's coefficients come from its bodies'.
-    position_iterations : int
-        Of Box2D's solver for overlaps, in each sub-step; 3 is its manual's advice.
-    keep_impulses : bool
-        Whether to write down what each pair receives, which costs a call for each pair and step.
+    substeps : int
+        Box2D's own, in a step.
+    follow_turns : bool
+        Whether to look after each step how far each body has turned. Without it, which is faster,
+        an angle is right but for whole turns.
 
     Raises
     ------
     ModuleNotFoundError
         Box2D is not installed.
+    RuntimeError
+        As many of Box2D's worlds are in use as it can hold: 128.
     ValueError
         The bodies are heaped into one another, or Box2D cannot hold one of them.
 
     Attributes
     ----------
-    corrects_coefficients : bool
-        Whether each new contact is given its coefficients by a callback, which costs time.
+    world : pyb2d3.World
+        It must live as long as the bodies are asked.
+    bodies : pyb2d3.Bodies
+        The scene's, in its order.
     """
 
     def __init__(
@@ -81,148 +89,115 @@ class Box2DStepper:
         scene: Scene,
         *,
         dt: float,
-        iterations: int,
-        substeps: int,
         combine: MixingRule,
-        position_iterations: int = 3,
-        keep_impulses: bool = True,
+        substeps: int = SUBSTEPS,
+        follow_turns: bool = True,
     ) -> None:
         library = box2d()
         refuse_heap(scene)
-        refuse_what_box2d_cannot_do(scene)
+        refuse_what_box2d_cannot_do(library, scene)
+        all_surfaces = surfaces(scene.bodies, combine)
         self.dt = dt
-        self._part = dt / substeps
         self._substeps = substeps
-        self._substeps_done = 0
-        self._iterations = iterations, position_iterations
-        self._combine = combine
-        self._scene = scene
-        self._events: list[Event] = []
-        values = own_values(scene.bodies, combine, MIXING_RULES["box2d"])
-        self.corrects_coefficients = values is None
-        self.world = library.b2World(gravity=scene.gravity)
-        self.world.SetAllowSleeping(False)  # the binding overlooks the constructor's doSleep
-        self.world.warmStarting = self.world.continuousPhysics = True
-        damping = -math.expm1(-scene.damping * self._part) / self._part
-        given = values or [(0.0, 0.0)] * len(scene.bodies)
-        self.bodies = [
-            _add(library, self.world, number, body, damping, *given[number])
-            for number, body in enumerate(scene.bodies)
-        ]
-        wanted = {"BeginContact": self._correct} if self.corrects_coefficients else {}
-        self._listener = _listener(library, wanted, self._note if keep_impulses else None)
-        self.world.contactListener = self._listener
+        self._follow_turns = follow_turns
+        self.world = _world(library, scene)
+        part = dt / substeps
+        damping = math.expm1(min(scene.damping * part, STRONGEST_DAMPING)) / part
+        self.bodies = library.Bodies()
+        for body, own in zip(scene.bodies, all_surfaces, strict=True):
+            self.bodies.append(_add(library, self.world, body, damping, own))
+        self._angles = np.array([body.angle for body in scene.bodies], dtype=float)
 
     def advance(self, steps: int) -> None:
         """Advance by this many steps of dt."""
-        for _ in range(steps * self._substeps):
-            self._substeps_done += 1
-            self.world.Step(self._part, *self._iterations)
+        for _ in range(steps):
+            self.world.step(self.dt, self._substeps)
+            if self._follow_turns:
+                self._turn()
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        rows = [
-            (*body.position, body.angle, *body.linearVelocity, body.angularVelocity)
-            for body in self.bodies
-        ]
-        return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+        self._turn()
+        return np.column_stack(
+            (
+                self.bodies.get_positions(),
+                self._angles,
+                self.bodies.get_linear_velocities(),
+                self.bodies.get_angular_velocities(),
+            )
+        ).astype(float)
 
     def states_after(self, duration: float) -> NDArray[np.float64]:
         """Return the states moved on at their velocities, shape (N, 6)."""
         return moved_on(self.states(), duration)
 
     def events(self) -> NDArray[np.float64]:
-        """Return the impulses so far, shape (K, 10); points and depths as the step leaves them."""
-        return np.array(self._events, dtype=float).reshape(-1, EVENT_NUMBERS)
+        """Return no impulses, shape (0, 10): the binding tells none."""
+        return np.zeros((0, EVENT_NUMBERS))
 
     def plan(self, reason: str) -> Plan:
         """Return how the scene is run, with the reason for the choice of this engine."""
-        return Plan("box2d", reason, "C++", "Box2D's own")
+        return Plan("box2d", reason, "C", "Box2D's own")
 
-    def _correct(self, contact: Any) -> None:
-        """Set a new contact's coefficients; Box2D keeps them until it ends."""
-        a, b = (self._scene.bodies[n].material for n in _numbers(contact))
-        contact.restitution, contact.friction = coefficients(self._combine, a, b)
-
-    def _note(self, contact: Any, impulse: Any) -> None:
-        """Write down what a pair has received in this step, at the middle of its points."""
-        count = contact.manifold.pointCount
-        along, across = sum(impulse.normalImpulses[:count]), sum(impulse.tangentImpulses[:count])
-        if along == 0.0 and across == 0.0:
-            return
-        first, second = _numbers(contact)
-        manifold = contact.worldManifold
-        normal, points = tuple(manifold.normal), manifold.points[:count]
-        side = 1.0 if first < second else -1.0
-        a, b = min(first, second), max(first, second)
-        self._events.append(
-            (
-                *(self._substeps_done * self._part, a, b),
-                *(sum(point[axis] for point in points) / count for axis in (0, 1)),
-                *(side * normal[0], side * normal[1], along, -across, self._depth(a, b)),
-            )
-        )
-
-    def _depth(self, a: int, b: int) -> float:
-        """Return the current overlap of two bodies, m, by our definition."""
-        poses = [(*self.bodies[n].position, self.bodies[n].angle) for n in (a, b)]
-        shapes = [self._scene.bodies[n].shape for n in (a, b)]
-        contact = collide(shapes[0], poses[0], shapes[1], poses[1])
-        return 0.0 if contact is None else float(max(contact.penetrations))
+    def _turn(self) -> None:
+        """Turn each angle on, the shorter way, to the direction that Box2D has by now."""
+        cosines, sines = self.bodies.get_rotations().T
+        turns = np.arctan2(sines, cosines) - self._angles
+        self._angles += turns - 2 * np.pi * np.round(turns / (2 * np.pi))
 
 
-def _listener(
-    library: Any,
-    methods: dict[str, Callable[..., None]],
-    note: Callable[[Any, Any], None] | None,
-) -> Any:
-    """Return a listener with the wanted methods alone, or None: each costs a call for a contact."""
-    if note is not None:
-        methods = methods | {"PostSolve": note}
-    if not methods:
-        return None
-    bound = {name: staticmethod(method) for name, method in methods.items()}
-    return type("Listener", (library.b2ContactListener,), bound)()
+def _world(library: Any, scene: Scene) -> Any:
+    """Return an empty world with a scene's gravity and our settings."""
+    world = library.World(
+        gravity=scene.gravity, restitution_threshold=0.0, maximum_linear_speed=FASTEST
+    )
+    if not world.is_valid():
+        raise RuntimeError("Box2D holds at most 128 worlds at once: let some steppers go")
+    world.sleeping_enabled = False
+    world.continuous_enabled = True
+    return world
 
 
-def _numbers(contact: Any) -> tuple[int, int]:
-    """Return the places in the scene of a contact's two bodies, in Box2D's order."""
-    return contact.fixtureA.body.userData, contact.fixtureB.body.userData
-
-
-def _add(
-    library: Any,
-    world: Any,
-    number: int,
-    body: Body,
-    damping: float,
-    restitution: float,
-    friction: float,
-) -> Any:
-    """Add a body and its fixtures to a world."""
-    made = world.CreateBody(
+def _add(library: Any, world: Any, body: Body, damping: float, own: list[Surface]) -> Any:
+    """Add a body to a world, with a shape for each surface, and return its number in Box2D."""
+    made = world.create_body(
         type=_kind(library, body),
         position=body.position,
-        angle=body.angle,
-        linearVelocity=body.velocity,
-        angularVelocity=body.angular_velocity,
-        linearDamping=damping,
-        angularDamping=damping,
-        userData=number,
+        rotation=library.make_rot(body.angle),
+        linear_velocity=body.velocity,
+        angular_velocity=body.angular_velocity,
+        linear_damping=damping,
+        angular_damping=damping,
     )
-    for shape in fixture_shapes(library, body.shape):
-        made.CreateFixture(
-            library.b2FixtureDef(shape=shape, restitution=restitution, friction=friction)
-        )
+    for surface in own:
+        add_shape(library, made, _definition(library, surface), body.shape)
     if body.mass is not None and body.inertia is not None:
-        inertia = 0.0 if math.isinf(body.inertia) else body.inertia
-        made.massData = library.b2MassData(mass=body.mass, center=(0.0, 0.0), I=inertia)
-    return made
+        made.mass_data = _mass_data(library, body.mass, body.inertia)
+    return made.id
 
 
-def _kind(library: Any, body: Body) -> int:
+def _definition(library: Any, surface: Surface) -> Any:
+    """Return what Box2D is told of a shape besides its outline."""
+    return library.shape_def(
+        material=library.surface_material(
+            restitution=surface.restitution, friction=surface.friction
+        ),
+        filter=library.make_filter(category_bits=surface.category, mask_bits=surface.mask),
+        enable_contact_events=False,
+    )
+
+
+def _mass_data(library: Any, mass: float, inertia: float) -> Any:
+    """Return a mass, kg, and a moment of inertia, kg m^2, as Box2D takes them."""
+    data = library.MassData()
+    data.mass, data.center = mass, (0.0, 0.0)
+    data.rotational_inertia = 0.0 if math.isinf(inertia) else inertia
+    return data
+
+
+def _kind(library: Any, body: Body) -> Any:
     """Return Box2D's kind of body."""
     if not body.is_static:
-        return int(library.b2_dynamicBody)
+        return library.BodyType.DYNAMIC
     moving = body.velocity != (0.0, 0.0) or body.angular_velocity != 0.0
-    return int(library.b2_kinematicBody if moving else library.b2_staticBody)
+    return library.BodyType.KINEMATIC if moving else library.BodyType.STATIC

@@ -11,10 +11,11 @@ from lesson_code.reference.solvers import settings_of
 def run_scene(asked: Request) -> Run:
     """Let Box2D step a scene."""
     settings = settings_of(asked, SOLVER)
+    del settings["iterations"]  # there is nothing to set
     from lesson_code.reference.box2d_reference import Box2DStepper
 
     stepper = Box2DStepper(asked.scene, **settings)
     return record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
 
 
-SOLVER = Solver(name="box2d", run_scene=run_scene)
+SOLVER = Solver(name="box2d", run_scene=run_scene, substeps=4, has_one_sweep=True)
