@@ -159,7 +159,8 @@ def _first_that_can(choices: Iterable[SolverChoice], asked: Request) -> Run:
     refused = ""
     for name, reason in choices:
         try:
-            return _run(SOLVERS[name], replace(asked, reason=reason + refused))
+            request = replace(asked, reason=reason + refused, may_give_up=True)
+            return _run(SOLVERS[name], request)
         except RuntimeError:
             if not SOLVERS[name].gives_up:
                 raise

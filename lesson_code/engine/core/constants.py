@@ -48,8 +48,13 @@ IMPACT_DEPTH = 0.5
 At 0 they would only touch, which is not a contact; at 1 or more they would be pushed apart.
 """
 
-LEAST_PART = 1e-6
-"""Of a step: the shortest part that one is split into by bodies with a skin. At 0 time may stop."""
+LEAST_PART = 1e-12
+"""Of a step: the shortest part that one is split into by bodies with a skin. At 0 time may stop; at
+1e-6 what flies at 1e7 m/s passes through a plate in it."""
+
+NEAR = 1e-9
+"""Of a body's width: how far apart two bodies with skins still are when their impact is seen. At
+half a skin they would bounce off each other at an angle that is wrong by a thousandth."""
 
 MOST_IMPACTS = 64
 """Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""
@@ -160,7 +165,7 @@ QUIET_TIME = 1.0
 STEPS_A_LOOK = 8
 """Steps from one search for islands that may sleep to the next."""
 
-MOST_FOR_DIRECT = 400
+MOST_FOR_DIRECT = 100
 """Bodies that can be pushed: up to here the direct solver suits any scene. Its time grows with the
 cube of the contacts in an island, that of a sweep with their number.
 """

@@ -30,18 +30,23 @@ LOOK_AGAIN = 0.25
 def take_skins_off(world: World) -> None:
     """Let each contact tell of the bodies without their skins, and act on both at one point.
 
-    The point lies midway between the two surfaces: an impulse and its opposite at one point leave
-    no torque over.
+    An impulse and its opposite at one point leave no torque over. The point lies midway between
+    the two surfaces, or on the one of the body that can be pushed: so that a disc rolls by its
+    radius, however deep it lies in the floor.
     """
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
         skin_a, skin_b = skin_of(world, a), skin_of(world, b)
         c.penetration -= skin_a + skin_b
+        c.ax, c.ay = c.ax - skin_a * c.nx, c.ay - skin_a * c.ny
+        c.bx, c.by = c.bx + skin_b * c.nx, c.by + skin_b * c.ny
         dx, dy = b.x - a.x, b.y - a.y
-        c.ax = (c.ax + dx + c.bx + (skin_b - skin_a) * c.nx) / 2
-        c.ay = (c.ay + dy + c.by + (skin_b - skin_a) * c.ny) / 2
-        c.bx, c.by = c.ax - dx, c.ay - dy
+        of_b = 0.5 if a.inv_m > 0.0 and b.inv_m > 0.0 else (1.0 if b.inv_m > 0.0 else 0.0)
+        c.ax += of_b * (dx + c.bx - c.ax)
+        c.ay += of_b * (dy + c.by - c.ay)
+        if of_b < 1.0:
+            c.bx, c.by = c.ax - dx, c.ay - dy
 
 
 def skin_of(world: World, body: BodyRow) -> float:

@@ -32,6 +32,8 @@ class Request:
         Choices that only some solvers offer, such as "impacts".
     reason : str
         Why it is this solver that runs.
+    may_give_up : bool
+        Whether another solver takes over where this one has no answer.
     """
 
     scene: Scene
@@ -45,6 +47,7 @@ class Request:
     options: Mapping[str, str]
     sample: Sample
     reason: str = "asked for"
+    may_give_up: bool = False
 
 
 RunScene: TypeAlias = Callable[[Request], Run]

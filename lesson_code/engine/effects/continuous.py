@@ -23,6 +23,7 @@ from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
     LEAST_PART,
     MOST_IMPACTS,
+    NEAR,
     SLOP,
     SPEED_DOUBT,
 )
@@ -30,11 +31,12 @@ from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.engine.core.skin import next_corner_time
+from lesson_code.engine.core.skin import next_corner_time, skin_of
 from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.outlines import cornered
 from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.solvers import our_solvers
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.rows import ManifoldRow
 from lesson_code.geometry.shapes import Circle, Segment
@@ -57,7 +59,8 @@ def rule(question: Question) -> Finding:
     corners_rub = friction.rule(question).called_for and cornered(scene)
     if corners_rub and restitution.rule(question).called_for:
         return Finding(True, "bounces at corners that rub may gain speed")
-    way, room = fastest_way(scene, question.dt)
+    solver = our_solvers().get(question.solver)
+    way, room = fastest_way(scene, question.dt, skin=solver.skin if solver else 0.0)
     if SPEED_DOUBT * way > room:
         return Finding(True, f"a body may move {way:.3g} m in a step, and has {room:.3g} m")
     return Finding(False, f"no body can move more than {way:.3g} m in a step, and has {room:.3g} m")
@@ -71,8 +74,10 @@ def is_mover(body: Body) -> bool:
     return body.is_static and (any(body.velocity) or body.angular_velocity != 0.0)
 
 
-def fastest_way(scene: Scene, dt: float) -> tuple[float, float]:
+def fastest_way(scene: Scene, dt: float, skin: float = 0.0) -> tuple[float, float]:
     """Return how far a body can move in a step, m, and how far it may without being watched, m.
+
+    That is half of the least width, or where bodies have a skin, its thickness.
 
     Without gravity all bodies together keep the kinetic energy that they have. If one body had
     all of it, it would have the speed sqrt(2 E / m). What counts is the way of its farthest point.
@@ -89,6 +94,8 @@ def fastest_way(scene: Scene, dt: float) -> tuple[float, float]:
     free = [body for body in scene.bodies if not body.is_static]
     twice_energy = sum(_twice_energy(body) for body in free)
     speed = max((_fastest_point(body, twice_energy) for body in free), default=0.0)
+    if skin > 0.0:
+        return speed * dt, skin * min((b.shape.min_width for b in free), default=math.inf)
     return speed * dt, min((_half_width(body) for body in free), default=math.inf)
 
 
@@ -220,35 +227,35 @@ def pair_impact_time(
         return time_into_skin(world, a, b, duration, effects)
     if world.manifold.count > 0:
         return 0.0 if is_far(world, way_into(world.manifold, a, b, duration)) else math.inf
-    return free_impact_time(world, a, b, duration, effects)
+    return free_impact_time(world, a, b, duration, 0.1 * depth_into(world, a, b), effects)
 
 
 def time_into_skin(
     world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects
 ) -> float:
-    """Return when two bodies are so deep in each other's skin that a new contact is seen, s.
+    """Return when two bodies with skins meet at a new contact, s.
 
     The contacts that there are the solver holds. There may be more as the bodies turn.
     """
-    depth = depth_into(world, a, b)
     if world.manifold.count > 0:
         may_turn = effects.outlines and effects.rotation and (is_turning(a) or is_turning(b))
-        speed = rim_speed(a, effects) + rim_speed(b, effects)
+        speed, depth = rim_speed(a, effects) + rim_speed(b, effects), depth_into(world, a, b)
         return next_corner_time(world, a, b, duration, speed, depth) if may_turn else math.inf
+    near = NEAR * min(a.min_width, b.min_width)
     body = a if a.inv_m > 0.0 else b
     radius = body.radius
-    body.radius = radius - depth
-    time = free_impact_time(world, a, b, duration, effects)
+    body.radius = radius + near - skin_of(world, a) - skin_of(world, b)
+    time = free_impact_time(world, a, b, duration, 0.1 * near, effects)
     body.radius = radius
     return time
 
 
 def free_impact_time(
-    world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects
+    world: World, a: BodyRow, b: BodyRow, duration: float, tolerance: float, effects: Effects
 ) -> float:
-    """Return when two bodies that are apart first touch, s."""
+    """Return when two bodies that are apart first touch, s; of turning ones within a tolerance."""
     if effects.outlines and effects.rotation and (is_turning(a) or is_turning(b)):
-        return advance_to_impact(world.corners, a, b, duration, 0.1 * depth_into(world, a, b))
+        return advance_to_impact(world.corners, a, b, duration, tolerance)
     if effects.manifolds:
         return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
     return impact_time_with_circle(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)

@@ -95,3 +95,7 @@ MOST_AHEAD = 10.0
 
 RECORD_ROWS = 4_096
 """Impulses that are written down before the driver takes them away."""
+
+TIE_TIME = 1e-12
+"""Of the time: two collisions that are this close together come at once, but for rounding. At 0 a
+rack that a cue ball hits in the middle breaks askew; 1e-12 s is far less than any two by chance."""

@@ -26,7 +26,7 @@ from typing import TypeAlias
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
-from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE
+from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE, TIE_TIME
 from lesson_code.engine.event_driven.event_prediction import predict, predict_beyond
 from lesson_code.engine.event_driven.motion import move_to
 from lesson_code.engine.event_driven.rows import DISC, END, GRIP, OBSTACLE, DiscRow, Tables
@@ -35,9 +35,10 @@ from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding
 Recorder: TypeAlias = Callable[[Tables, int], None]
 """Writes down the impulse of the collision that has just happened; a disc is its body b."""
 
-TIME_REACHED, COLLISION, PAUSE, RECORD_FULL, NO_END = range(5)
+TIME_REACHED, COLLISION, PAUSE, RECORD_FULL, NO_END, TIE = range(6)
 """What stops the loop: nothing is left to do, a collision where that was asked for, so many events
-that the driver is to have a look, no room for an impulse, or events without end at one instant."""
+that the driver is to have a look, no room for an impulse, events without end at one instant, or two
+collisions of one disc at the same time where that was asked for."""
 
 
 def advance_until(
@@ -61,6 +62,8 @@ def advance_until(
         state.events_left -= 1
         if has_no_end(tables, effects):
             return NO_END
+        if state.stops_at_tie and state.ties > 0:
+            return TIE
         if is_hit and state.stops_at_collision:
             return COLLISION
     return TIME_REACHED
@@ -129,8 +132,10 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
     disc = tables.discs[i]
     kind, partner = disc.event_kind, disc.partner
     if kind == DISC:
-        if tables.discs[partner].changes != disc.partner_changes:
-            return False  # stale: the partner's motion has changed
+        other = tables.discs[partner]
+        if other.changes != disc.partner_changes:  # stale: the partner's motion has changed
+            tables.state.ties += is_tie(other.time, disc.event_time)
+            return False
         collide_discs(tables, i, partner, effects)
         predict(tables, partner, effects)
     elif kind == OBSTACLE:
@@ -141,6 +146,11 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
     if record is not None:
         record(tables, max(i, partner) if kind == DISC else i)
     return True
+
+
+def is_tie(earlier: float, later: float) -> bool:
+    """Return whether two times, s, are the same but for rounding."""
+    return later - earlier <= TIE_TIME * later
 
 
 def go_on_along_face(tables: Tables, disc: DiscRow, effects: Effects) -> None:

@@ -110,6 +110,8 @@ class ExactState:
 
     until: float = -math.inf  # s, later events are left alone
     stops_at_collision: bool = False  # whether to stop after the next one, too
+    stops_at_tie: bool = False  # whether to stop where two collisions of a disc come at one time
+    ties: int = 0  # of those so far
     has_begun: bool = False  # whether the first events have been predicted
     events_left: int = EVENTS_A_CALL  # after so many more the driver has a look
 

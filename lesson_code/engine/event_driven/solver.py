@@ -42,6 +42,7 @@ from lesson_code.engine.event_driven.loop import (
     NO_END,
     PAUSE,
     RECORD_FULL,
+    TIE,
     Recorder,
     advance_until,
     note_impulse,
@@ -80,6 +81,10 @@ class ExactSolver:
     effects : mapping, optional
         Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effects.choice`.
 
+    stops_at_tie : bool
+        Whether to give up where two collisions of one disc come at the same time. They are else
+        played one after the other, in an order that rounding decides.
+
     Attributes
     ----------
     tables : Tables
@@ -96,6 +101,8 @@ class ExactSolver:
     ValueError
         The scene holds what the solver cannot do, or cannot be compiled as was asked; or effects
         are asked for that it lacks.
+    RuntimeError
+        Two collisions of a disc come at the same time, and the run is to stop there.
     """
 
     def __init__(
@@ -107,6 +114,7 @@ class ExactSolver:
         compiled: bool | None = False,
         duration: float = math.inf,
         effects: Mapping[str, bool] | None = None,
+        stops_at_tie: bool = False,
     ) -> None:
         reason = why_not(scene)
         if reason:
@@ -119,6 +127,7 @@ class ExactSolver:
         self._flags = flags_of(self.effects)
         record = note_impulse if "impulse_record" in used else None
         self.tables = tables_of(scene, combine, "broad_phase" in used)
+        self.tables.state.stops_at_tie = stops_at_tie
         self.collisions = 0
         self._events: list[NDArray[np.float64]] = []
         self._program = partial(program, self._flags, record)
@@ -209,6 +218,10 @@ class ExactSolver:
                 raise RuntimeError(
                     f"the exact solver finds no end of the collisions at {state.now} s: the discs "
                     'lie in a pile; solver="sequential" can hold it'
+                )
+            if stopped_by == TIE:
+                raise RuntimeError(
+                    f"the exact solver finds no order of two collisions of a disc at {state.now} s"
                 )
             if stopped_by == RECORD_FULL:
                 self._take_impulses()

@@ -78,14 +78,13 @@ ALMOST = 1.0 - 1e-9
 """Of mu jn: a friction impulse that is no smaller is at the limit, but for rounding."""
 
 MOST_ROUNDS = 8
-"""Rounds of impacts: what a bounce throws at a third body is struck in the next. In the last one
-bodies stop without a bounce."""
+"""Impacts at each contact in a part of a step: then what still closes stops without a bounce."""
 
 ROUNDING = 1e-9
 """Of the fastest approach: slower ones are left over by rounding, and stopped without a bounce."""
 
-TOUCHING = 1e-6
-"""Of a body's width: what is nearer takes part in an impact, though it does not close."""
+TOUCHING = 1e-10
+"""Of a body's width: what is nearer touches, but for rounding."""
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
@@ -132,29 +131,35 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT, *, rule: StrikeRule) 
 def impacts_of(world: World, island: Island, u: Floats, rule: StrikeRule) -> Floats:
     """Return the impulses of the impacts of an island, shape (2m,), N s.
 
-    Struck is what closes before the end of the step, together with what touches it then.
+    Struck is what closes before the end of the step, in the order in which it does; with each
+    impact all contacts that touch at that instant take part.
     """
     contacts, m = island.contacts, len(island.contacts)
-    gap = np.array([gap_of(c) for c in contacts])
+    gap, left = np.array([gap_of(c) for c in contacts]), world.state.left
+    touching = TOUCHING * np.array([_width(world, c) for c in contacts])
+    problem = Problem(island.delassus, u, island.friction, island.scale)
     restitution = np.array([c.restitution for c in contacts])
-    takes_part = gap <= TOUCHING * np.array([_width(world, c) for c in contacts])
     quiet = max(quiet_speed(world.state), -ROUNDING * float(u[:m].min()))
     x = np.zeros(2 * m)
-    for left in reversed(range(MOST_ROUNDS)):
-        closes = (u[:m] < 0.0) & (u[:m] * world.state.left < -gap)
+    for rounds in range(MOST_ROUNDS * m, -1, -1):
+        closes = (u[:m] < 0.0) & (-u[:m] * left > gap)
         if not closes.any():
             break
-        takes_part |= closes
-        points = np.flatnonzero(takes_part)
+        is_last = rounds == 0 or (u[:m][closes] >= -quiet).all()
+        if not is_last:
+            closes &= u[:m] < -quiet
+        after = float((gap[closes] / -u[:m][closes]).min())
+        gap, left = np.maximum(gap + after * u[:m], 0.0), left - after
+        points = np.flatnonzero(closes if is_last else gap <= touching)
         both = np.concatenate((points, m + points))
-        part = Problem(island.delassus, u, island.friction, island.scale).part(points)
-        if is_quiet := left == 0 or (u[:m][closes] >= -quiet).all():
+        part = problem._replace(velocity=u).part(points)
+        if is_last:
             y = solve_contacts(part).impulses
         else:
             y = rule(part, restitution[points], _pairs([contacts[k] for k in points]), quiet)
         x[both] += y
         u = u + island.delassus[:, both] @ y
-        if is_quiet:
+        if is_last:
             break
     return x
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lesson_code.engine.core.constants import MOST_FOR_DIRECT
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.effects.flags import NAMES
@@ -23,6 +24,7 @@ def run_scene(asked: Request) -> Run:
         compiled=asked.compiled,
         duration=asked.duration,
         effects=asked.effects,
+        stops_at_tie=asked.may_give_up and len(asked.scene.bodies) <= MOST_FOR_DIRECT,
     )
     return record_exact(solver, asked.duration, asked.sample, asked.reason)
 
@@ -30,7 +32,7 @@ def run_scene(asked: Request) -> Run:
 SOLVER = Solver(
     name="exact",
     run_scene=run_scene,
-    gives_up="the exact solver finds no end of the collisions",
+    gives_up="the exact solver finds no end, or no order, of the collisions",
     lacks=dict.fromkeys(sorted(set(NAMES) - _HAS), "it makes no steps, of which this is a stage")
     | {
         "manifolds": "discs touch at one point",

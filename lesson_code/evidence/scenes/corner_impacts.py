@@ -15,14 +15,15 @@ from typing import Any
 import numpy as np
 
 from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.formulas.energetic import energetic_impulse
 from lesson_code.geometry.shapes import Polygon, Segment
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
 from lesson_code.simulation import simulate
 
-STEP = 1e-6
+STEP = 1e-9
 """s: an engine first moves the box for this time; then it is where the closed form has it."""
 
-OVERLAP = 1e-3
+OVERLAP = 1e-9
 """Of the box's smaller side: without an overlap an engine sees no contact."""
 
 STRONGEST = 0.9
@@ -40,7 +41,9 @@ class CornerImpact:
     kind : str
         "sticks" or "slides", at the end of the impact.
     expected : ndarray, shape (3,)
-        vx, vy, m/s, and w, rad/s, after the impact: the closed form.
+        vx, vy, m/s, and w, rad/s, after the impact: the closed form by Newton's law.
+    by_work : ndarray, shape (3,)
+        The same by the energetic law, Stronge's.
     coupling : float
         mu abs(knt) / knn: how much friction changes what the normal impulse has to be.
     """
@@ -48,6 +51,7 @@ class CornerImpact:
     scene: Scene
     kind: str
     expected: Any
+    by_work: Any
     coupling: float
 
 
@@ -93,7 +97,13 @@ def corner_impact(
     )
     after = np.array([*impact.velocities[1], impact.angular_velocities[1]])
     knn, knt = 1 + arm[0] ** 2 * inverse_inertia, -arm[0] * arm[1] * inverse_inertia
-    return CornerImpact(Scene([floor, box]), impact.kind, after, float(friction * abs(knt) / knn))
+    ktt = 1 + arm[1] ** 2 * inverse_inertia
+    vt, vn = velocity[0] - angular_velocity * arm[1], velocity[1] + angular_velocity * arm[0]
+    jn, jt = energetic_impulse(vn, vt, knn, knt, ktt, restitution, friction)
+    turned = (arm[0] * jn - arm[1] * jt) * inverse_inertia
+    by_work = np.array([velocity[0] + jt, velocity[1] + jn, angular_velocity + turned])
+    coupling = float(friction * abs(knt) / knn)
+    return CornerImpact(Scene([floor, box]), impact.kind, after, by_work, coupling)
 
 
 def box_on_corner(

@@ -26,7 +26,7 @@ from lesson_code.formulas.arithmetic import cross, dot, perpendicular
 from lesson_code.formulas.validation import Vector
 from lesson_code.geometry.shapes import Circle
 
-OVERLAP = 1e-3
+OVERLAP = 1e-9
 """Of the sum of the radii, at a random impact: without an overlap an engine sees no contact."""
 
 

@@ -404,6 +404,7 @@ def test_stages_of_the_direct_solver_are_imported(law: str) -> None:
             cornered(), solver="direct", dt=1 / 60, iterations=1, substeps=1,
             combine=MixingRule(),
             options={"restitution_law": law},
+            splits_steps=True,
         )
         for _ in range(2)
     )  # fmt: skip
