@@ -52,9 +52,12 @@ LEAST_PART = 1e-12
 """Of a step: the shortest part that one is split into by bodies with a skin. At 0 time may stop; at
 1e-6 what flies at 1e7 m/s passes through a plate in it."""
 
-NEAR = 1e-9
-"""Of a body's width: how far apart two bodies with skins still are when their impact is seen. At
-half a skin they would bounce off each other at an angle that is wrong by a thousandth."""
+NEAR = 1e-10
+"""Of a body's width: two bodies with skins that are nearer than this touch. At half a skin they
+would bounce off each other at an angle that is wrong by a thousandth."""
+
+LAST_DIGITS = 1e-15
+"""Of the bodies' coordinates: what is nearer than this touches, too; rounding tells no more."""
 
 MOST_IMPACTS = 64
 """Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""

@@ -141,6 +141,7 @@ class ContactRow:
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_covered: bool = False  # whether it is with an edge inside a floor (internal_edges.py)
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
+    is_ahead: bool = False  # whether it closes, but has not yet (the direct solver)
     case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
 
     # Of the solver with sub-steps; there the impulses above are those of one sub-step
@@ -214,6 +215,7 @@ class State:
     is_prepared: bool = False  # whether the contacts of the part are ready (sub-steps)
     has_fast: bool = False  # whether a fast body has stopped a run that splits no steps
     thinnest: float = math.inf  # m, the least thickness of all bodies that can be pushed
+    horizon: float = math.inf  # s, when a contact that is seen will be reached (the direct solver)
     reach: float = math.inf  # m, how far a body may move without being watched
     skin: float = 0.0  # of a body's width: how far from its surface contacts are seen
     gravity_x: float = 0.0  # m/s^2

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from typing import TypeAlias
 
+from lesson_code.engine.core.constants import LAST_DIGITS, NEAR
 from lesson_code.engine.core.motion import turn_with_angle
 from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
@@ -57,6 +58,12 @@ def skin_of(world: World, body: BodyRow) -> float:
 def gap_of(c: ContactRow) -> float:
     """Return the distance of two bodies at a contact, m; 0 if they touch or overlap."""
     return max(-c.penetration, 0.0)
+
+
+def touching_gap(a: BodyRow, b: BodyRow) -> float:
+    """Return how far apart two bodies are that touch, at the most, m."""
+    places = abs(a.x) + abs(a.y) + abs(b.x) + abs(b.y)
+    return NEAR * min(a.min_width, b.min_width) + LAST_DIGITS * places
 
 
 def next_corner_time(

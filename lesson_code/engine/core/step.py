@@ -25,6 +25,8 @@ it: it then knows the velocities with which they will move.
 
 from __future__ import annotations
 
+import math
+
 from lesson_code.engine.core.candidate_pairs import find_pairs
 from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.motion import accelerate, move
@@ -168,14 +170,15 @@ def midpoint_part(world: World, pipeline: Pipeline) -> bool:
     state, effects = world.state, pipeline.effects
     if not state.is_prepared and not begin_at_contacts(world, pipeline):
         return False
-    state.dt = state.left
+    longest = min(state.left, state.horizon)
+    state.dt = longest
     let_forces_act(world, pipeline)
     exchange_velocities(world)
     is_chosen = choose_part(world, pipeline)
     exchange_velocities(world)
     if not is_chosen:
         return False
-    if let_islands_wait(world) or state.dt < state.left:
+    if let_islands_wait(world) or state.dt < longest:
         let_forces_act(world, pipeline)
     if effects.collisions:
         pipeline.solver.store(world, effects)
@@ -188,7 +191,7 @@ def midpoint_part(world: World, pipeline: Pipeline) -> bool:
 def begin_at_contacts(world: World, pipeline: Pipeline) -> bool:
     """Find the contacts, and let impacts pass; return whether the tables had room for that."""
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
-    state.dt = state.left
+    state.dt, state.horizon = state.left, math.inf
     if effects.collisions:
         if not detect(world, pipeline):
             return False

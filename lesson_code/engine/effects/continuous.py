@@ -23,7 +23,6 @@ from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
     LEAST_PART,
     MOST_IMPACTS,
-    NEAR,
     SLOP,
     SPEED_DOUBT,
 )
@@ -31,7 +30,7 @@ from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.engine.core.skin import next_corner_time, skin_of
+from lesson_code.engine.core.skin import next_corner_time, skin_of, touching_gap
 from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.outlines import cornered
@@ -127,13 +126,14 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
     All of it, or as much as passes until a fast body hits something.
     """
     state = world.state
-    state.dt = state.left
+    longest = min(state.left, state.horizon)
+    state.dt = longest
     if pipeline.effects.continuous and not pipeline.splits_steps:
-        state.has_fast = has_fast_body(world, state.left, pipeline.effects)
+        state.has_fast = has_fast_body(world, longest, pipeline.effects)
         if state.has_fast:
             return False
-    elif pipeline.effects.continuous and mark_fast(world, state.left, pipeline.effects):
-        state.dt = time_to_impact(world, pipeline, state.left)
+    elif pipeline.effects.continuous and mark_fast(world, longest, pipeline.effects):
+        state.dt = time_to_impact(world, pipeline, longest)
         if state.pairs_wanted > 0:
             return False
         state.impacts += 1
@@ -241,7 +241,7 @@ def time_into_skin(
         may_turn = effects.outlines and effects.rotation and (is_turning(a) or is_turning(b))
         speed, depth = rim_speed(a, effects) + rim_speed(b, effects), depth_into(world, a, b)
         return next_corner_time(world, a, b, duration, speed, depth) if may_turn else math.inf
-    near = NEAR * min(a.min_width, b.min_width)
+    near = 0.5 * touching_gap(a, b)
     body = a if a.inv_m > 0.0 else b
     radius = body.radius
     body.radius = radius + near - skin_of(world, a) - skin_of(world, b)

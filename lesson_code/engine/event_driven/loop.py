@@ -133,9 +133,9 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
     kind, partner = disc.event_kind, disc.partner
     if kind == DISC:
         other = tables.discs[partner]
-        if other.changes != disc.partner_changes:  # stale: the partner's motion has changed
-            tables.state.ties += is_tie(other.time, disc.event_time)
-            return False
+        if other.changes != disc.partner_changes:
+            return False  # stale: the partner's motion has changed
+        tables.state.ties += is_tie(max(disc.time, other.time), disc.event_time)
         collide_discs(tables, i, partner, effects)
         predict(tables, partner, effects)
     elif kind == OBSTACLE:
@@ -149,7 +149,7 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
 
 
 def is_tie(earlier: float, later: float) -> bool:
-    """Return whether two times, s, are the same but for rounding."""
+    """Return whether the time of a collision is that of an earlier one, but for rounding; s."""
     return later - earlier <= TIE_TIME * later
 
 

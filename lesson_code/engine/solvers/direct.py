@@ -38,8 +38,9 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
-from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_SLOP, SKIN
+from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_SLOP, MOST_IMPACTS, SKIN
 from lesson_code.engine.core.islands import (
     Floats,
     Island,
@@ -53,7 +54,7 @@ from lesson_code.engine.core.islands import (
 )
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import ContactRow, World
-from lesson_code.engine.core.skin import gap_of
+from lesson_code.engine.core.skin import gap_of, touching_gap
 from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
 from lesson_code.engine.core.step import midpoint, midpoint_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
@@ -78,13 +79,10 @@ ALMOST = 1.0 - 1e-9
 """Of mu jn: a friction impulse that is no smaller is at the limit, but for rounding."""
 
 MOST_ROUNDS = 8
-"""Impacts at each contact in a part of a step: then what still closes stops without a bounce."""
+"""Impacts at each contact at one time: then what still closes stops without a bounce."""
 
 ROUNDING = 1e-9
 """Of the fastest approach: slower ones are left over by rounding, and stopped without a bounce."""
-
-TOUCHING = 1e-10
-"""Of a body's width: what is nearer touches, but for rounding."""
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
@@ -95,7 +93,7 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
     contact_solver.recall(world)
     for c in contacts:
         c.case = case_of(c)
-        c.normal_impulse, c.tangent_impulse = 0.0, 0.0
+        c.normal_impulse, c.tangent_impulse, c.is_ahead = 0.0, 0.0, False
 
 
 def case_of(c: ContactRow) -> int:
@@ -113,44 +111,58 @@ def case_of(c: ContactRow) -> int:
 
 
 def prepare(world: World, effects: Effects = EVERY_EFFECT, *, rule: StrikeRule) -> None:
-    """Give each island the impulses of its impacts, round by round."""
+    """Give each island the impulses of its impacts, and note when the next one is due."""
     state = world.state
     for c in world.contacts[: state.contact_count]:
         c.normal_total, c.tangent_total = 0.0, 0.0
     for contacts in islands_of(world):
-        island = island_of(world, contacts)
+        island, m = island_of(world, contacts), len(contacts)
+        gap = np.array([gap_of(c) for c in contacts])
         u = velocities(island)
-        if (u[: len(contacts)] < 0.0).any():
-            x = impacts_of(world, island, u, rule)
+        if (u[:m] < 0.0).any():
+            x = impacts_of(world, island, gap, u, rule)
             apply_impulses(island, x)
-            jn, jt = x[: len(contacts)].tolist(), x[len(contacts) :].tolist()
+            jn, jt = x[:m].tolist(), x[m:].tolist()
             for c, normal, tangent in zip(contacts, jn, jt, strict=True):
                 c.normal_total, c.tangent_total = normal, tangent
+            u = u + island.delassus @ x
+            comes = is_to_come(u[:m], gap, state.left)
+            for c, is_ahead in zip(contacts, comes.tolist(), strict=True):
+                c.is_ahead = is_ahead
+            if comes.any():
+                state.horizon = min(state.horizon, float((gap[comes] / -u[:m][comes]).min()))
+    if state.horizon < state.left:
+        state.impacts += 1
 
 
-def impacts_of(world: World, island: Island, u: Floats, rule: StrikeRule) -> Floats:
+def is_to_come(un: Floats, gap: Floats, left: float) -> NDArray[np.bool_]:
+    """Return which contacts close in the time that is left, s, and have not closed yet."""
+    comes: NDArray[np.bool_] = (gap > 0.0) & (-un * left > gap)
+    return comes
+
+
+def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: StrikeRule) -> Floats:
     """Return the impulses of the impacts of an island, shape (2m,), N s.
 
-    Struck is what closes before the end of the step, in the order in which it does; with each
-    impact all contacts that touch at that instant take part.
+    All contacts that touch take part; if there have been too many impacts in this step, those as
+    well that would touch before its end.
     """
     contacts, m = island.contacts, len(island.contacts)
-    gap, left = np.array([gap_of(c) for c in contacts]), world.state.left
-    touching = TOUCHING * np.array([_width(world, c) for c in contacts])
+    bodies = world.bodies
+    touches = gap <= np.array([touching_gap(bodies[c.a], bodies[c.b]) for c in contacts])
+    gap[touches] = 0.0
     problem = Problem(island.delassus, u, island.friction, island.scale)
     restitution = np.array([c.restitution for c in contacts])
     quiet = max(quiet_speed(world.state), -ROUNDING * float(u[:m].min()))
     x = np.zeros(2 * m)
-    for rounds in range(MOST_ROUNDS * m, -1, -1):
-        closes = (u[:m] < 0.0) & (-u[:m] * left > gap)
+    for rounds in reversed(range(MOST_ROUNDS * m)):
+        if world.state.impacts > MOST_IMPACTS:
+            touches |= is_to_come(u[:m], gap, world.state.left)
+        closes = touches & (u[:m] < 0.0)
         if not closes.any():
             break
         is_last = rounds == 0 or (u[:m][closes] >= -quiet).all()
-        if not is_last:
-            closes &= u[:m] < -quiet
-        after = float((gap[closes] / -u[:m][closes]).min())
-        gap, left = np.maximum(gap + after * u[:m], 0.0), left - after
-        points = np.flatnonzero(closes if is_last else gap <= touching)
+        points = np.flatnonzero(touches)
         both = np.concatenate((points, m + points))
         part = problem._replace(velocity=u).part(points)
         if is_last:
@@ -191,12 +203,13 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     for contacts in islands_of(world):
         island, m = island_of(world, contacts), len(contacts)
         x = np.zeros(2 * m)
-        if not any(body.waits for body in island.bodies):
+        held = np.flatnonzero([not c.is_ahead for c in contacts])
+        if len(held) > 0 and not any(body.waits for body in island.bodies):
             u = (1.0 - theta) * start_velocities(island) + theta * velocities(island)
             u[:m] += np.array([gap_of(c) for c in contacts]) / state.dt
-            problem = Problem(theta * island.delassus, u, island.friction, island.scale)
-            answer = solve_contacts(problem, np.array([c.case for c in contacts]))
-            x = answer.impulses
+            problem = Problem(theta * island.delassus, u, island.friction, island.scale).part(held)
+            answer = solve_contacts(problem, np.array([contacts[k].case for k in held]))
+            x[np.concatenate((held, m + held))] = answer.impulses
             state.softened += answer.method == "softened"
             apply_impulses(island, x)
         jn, jt = x[:m].tolist(), x[m:].tolist()
