@@ -59,6 +59,12 @@ would bounce off each other at an angle that is wrong by a thousandth."""
 LAST_DIGITS = 1e-15
 """Of the bodies' coordinates: what is nearer than this touches, too; rounding tells no more."""
 
+FINE_IMPACTS = 4
+"""Impacts in one step that come exactly where the bodies touch. After so many, what is within the
+skin and closes is struck at once: a pile that falls makes dozens of impacts in each step, and to
+stop at each costs as much as a step.
+"""
+
 MOST_IMPACTS = 64
 """Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""
 

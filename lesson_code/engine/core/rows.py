@@ -141,7 +141,6 @@ class ContactRow:
     feature: int = 0  # which features of the shapes touch; the same in the next step
     is_covered: bool = False  # whether it is with an edge inside a floor (internal_edges.py)
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
-    is_ahead: bool = False  # whether it closes, but has not yet (the direct solver)
     case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
 
     # Of the solver with sub-steps; there the impulses above are those of one sub-step

@@ -20,7 +20,7 @@ from lesson_code.engine.effects.flags import EVERY_EFFECT
 Place: TypeAlias = tuple[float, float, float]
 """x, y, m, and angle, rad."""
 
-MOST_LOOKS = 64
+LOOKS_AHEAD = 64
 """Looks ahead at two bodies that touch and turn. A thin rod that whirls needs more: then the part
 of the step ends where the last look was."""
 
@@ -96,7 +96,7 @@ def next_corner_time(
     look = max(LOOK_AGAIN * world.state.thinnest, depth) / speed
     place_a, place_b = place_of(a), place_of(b)
     safe, late = 0.0, math.inf
-    for _ in range(MOST_LOOKS):
+    for _ in range(LOOKS_AHEAD):
         if safe == duration or (late < math.inf and (late - safe) * speed < depth):
             break
         t = 0.5 * (safe + late) if late < math.inf else min(safe + look, duration)

@@ -40,7 +40,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_SLOP, MOST_IMPACTS, SKIN
+from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, FINE_IMPACTS, FINE_SLOP, SKIN
 from lesson_code.engine.core.islands import (
     Floats,
     Island,
@@ -70,7 +70,12 @@ from lesson_code.engine.solvers.contact_problem import (
     UNKNOWN,
     Problem,
 )
-from lesson_code.engine.solvers.impact_rules import STRIKE_RULES, StrikeRule, quiet_speed
+from lesson_code.engine.solvers.impact_rules import (
+    STRIKE_RULES,
+    StrikeRule,
+    gravity_of,
+    quiet_speed,
+)
 
 NEW = -1.0
 """What stands in a contact's impulse until the memory has been asked."""
@@ -93,7 +98,7 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
     contact_solver.recall(world)
     for c in contacts:
         c.case = case_of(c)
-        c.normal_impulse, c.tangent_impulse, c.is_ahead = 0.0, 0.0, False
+        c.normal_impulse, c.tangent_impulse = 0.0, 0.0
 
 
 def case_of(c: ContactRow) -> int:
@@ -127,10 +132,9 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT, *, rule: StrikeRule) 
                 c.normal_total, c.tangent_total = normal, tangent
             u = u + island.delassus @ x
             comes = is_to_come(u[:m], gap, state.left)
-            for c, is_ahead in zip(contacts, comes.tolist(), strict=True):
-                c.is_ahead = is_ahead
             if comes.any():
-                state.horizon = min(state.horizon, float((gap[comes] / -u[:m][comes]).min()))
+                after = closing_times(gap[comes], -u[:m][comes], gravity_of(state))
+                state.horizon = min(state.horizon, float(after.min()))
     if state.horizon < state.left:
         state.impacts += 1
 
@@ -139,6 +143,12 @@ def is_to_come(un: Floats, gap: Floats, left: float) -> NDArray[np.bool_]:
     """Return which contacts close in the time that is left, s, and have not closed yet."""
     comes: NDArray[np.bool_] = (gap > 0.0) & (-un * left > gap)
     return comes
+
+
+def closing_times(gap: Floats, approach: Floats, gravity: float) -> Floats:
+    """Return when gaps close, s, at the earliest: gap = approach t + gravity t^2 / 2."""
+    times: Floats = 2.0 * gap / (approach + np.sqrt(approach * approach + 2.0 * gravity * gap))
+    return times
 
 
 def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: StrikeRule) -> Floats:
@@ -156,7 +166,7 @@ def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: Strik
     quiet = max(quiet_speed(world.state), -ROUNDING * float(u[:m].min()))
     x = np.zeros(2 * m)
     for rounds in reversed(range(MOST_ROUNDS * m)):
-        if world.state.impacts > MOST_IMPACTS:
+        if world.state.impacts >= FINE_IMPACTS:
             touches |= is_to_come(u[:m], gap, world.state.left)
         closes = touches & (u[:m] < 0.0)
         if not closes.any():
@@ -203,13 +213,12 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     for contacts in islands_of(world):
         island, m = island_of(world, contacts), len(contacts)
         x = np.zeros(2 * m)
-        held = np.flatnonzero([not c.is_ahead for c in contacts])
-        if len(held) > 0 and not any(body.waits for body in island.bodies):
+        if not any(body.waits for body in island.bodies):
             u = (1.0 - theta) * start_velocities(island) + theta * velocities(island)
             u[:m] += np.array([gap_of(c) for c in contacts]) / state.dt
-            problem = Problem(theta * island.delassus, u, island.friction, island.scale).part(held)
-            answer = solve_contacts(problem, np.array([contacts[k].case for k in held]))
-            x[np.concatenate((held, m + held))] = answer.impulses
+            problem = Problem(theta * island.delassus, u, island.friction, island.scale)
+            answer = solve_contacts(problem, np.array([c.case for c in contacts]))
+            x = answer.impulses
             state.softened += answer.method == "softened"
             apply_impulses(island, x)
         jn, jt = x[:m].tolist(), x[m:].tolist()

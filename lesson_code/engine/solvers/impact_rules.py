@@ -63,7 +63,12 @@ stronge = equation(energetic_impulse)
 
 def quiet_speed(state: State) -> float:
     """Return the speed of approach, m/s, that gravity alone explains."""
-    return QUIET * math.hypot(state.gravity_x, state.gravity_y) * state.dt
+    return QUIET * gravity_of(state) * state.dt
+
+
+def gravity_of(state: State) -> float:
+    """Return the strength of gravity, m/s^2."""
+    return math.hypot(state.gravity_x, state.gravity_y)
 
 
 def newton(problem: Problem, restitution: Floats) -> Floats:
