@@ -457,7 +457,7 @@ choices = {
     "a smooth gas": gas,
     "a ball that bounces": events.bouncing_to_rest(0.8),
     "1,000,000 kg on 1 kg": loads.tower((1.0, 1e6)),
-    "a pyramid of 55 boxes": rigid_bodies.box_pyramid(10),
+    "a pyramid of 210 boxes": rigid_bodies.box_pyramid(20),
 }
 for title, scene in choices.items():
     chosen = simulate(scene, 1 / 60).plan

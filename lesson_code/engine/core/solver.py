@@ -52,7 +52,7 @@ class Request:
 
 RunScene: TypeAlias = Callable[[Request], Run]
 
-NEVER_SLEEPS = {"sleeping": "only the sequential solver lets islands sleep"}
+NEVER_SLEEPS = {"sleeping": "only the sequential and the direct solver let islands sleep"}
 """For a solver that lacks it."""
 
 

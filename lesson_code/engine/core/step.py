@@ -168,6 +168,8 @@ def midpoint_part(world: World, pipeline: Pipeline) -> bool:
     before its end, they are found again for the time until then.
     """
     state, effects = world.state, pipeline.effects
+    if effects.sleeping and everything_sleeps(world):
+        return rest(world, pipeline)
     if not state.is_prepared and not begin_at_contacts(world, pipeline):
         return False
     longest = min(state.left, state.horizon)

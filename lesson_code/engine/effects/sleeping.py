@@ -106,11 +106,10 @@ def note_quiet(world: World) -> bool:
 
 
 def is_still(body: BodyRow, most: float) -> bool:
-    """Return whether no point of a body is faster than `most`, m/s, and none is pushed."""
-    is_pushed = body.pseudo_vx != 0.0 or body.pseudo_vy != 0.0 or body.pseudo_w != 0.0
-    return (
-        abs(body.vx) + abs(body.vy) + abs(body.w) * body.bounding_radius <= most and not is_pushed
-    )
+    """Return whether no point of a body is faster than `most`, m/s, nor pushed faster."""
+    speed = abs(body.vx) + abs(body.vy) + abs(body.w) * body.bounding_radius
+    push = abs(body.pseudo_vx) + abs(body.pseudo_vy) + abs(body.pseudo_w) * body.bounding_radius
+    return speed <= most and push <= most
 
 
 def disturb(world: World) -> None:

@@ -35,7 +35,7 @@ from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding
 Recorder: TypeAlias = Callable[[Tables, int], None]
 """Writes down the impulse of the collision that has just happened; a disc is its body b."""
 
-TIME_REACHED, COLLISION, PAUSE, RECORD_FULL, NO_END, TIE = range(6)
+TIME_REACHED, COLLISION, PAUSE, RECORD_FULL, NO_END, NO_ORDER = range(6)
 """What stops the loop: nothing is left to do, a collision where that was asked for, so many events
 that the driver is to have a look, no room for an impulse, events without end at one instant, or two
 collisions of one disc at the same time where that was asked for."""
@@ -63,7 +63,7 @@ def advance_until(
         if has_no_end(tables, effects):
             return NO_END
         if state.stops_at_tie and state.ties > 0:
-            return TIE
+            return NO_ORDER
         if is_hit and state.stops_at_collision:
             return COLLISION
     return TIME_REACHED

@@ -40,9 +40,9 @@ from lesson_code.engine.event_driven.constants import (
 from lesson_code.engine.event_driven.loop import (
     COLLISION,
     NO_END,
+    NO_ORDER,
     PAUSE,
     RECORD_FULL,
-    TIE,
     Recorder,
     advance_until,
     note_impulse,
@@ -219,7 +219,7 @@ class ExactSolver:
                     f"the exact solver finds no end of the collisions at {state.now} s: the discs "
                     'lie in a pile; solver="sequential" can hold it'
                 )
-            if stopped_by == TIE:
+            if stopped_by == NO_ORDER:
                 raise RuntimeError(
                     f"the exact solver finds no order of two collisions of a disc at {state.now} s"
                 )

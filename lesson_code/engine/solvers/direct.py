@@ -55,7 +55,7 @@ from lesson_code.engine.core.islands import (
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import ContactRow, World
 from lesson_code.engine.core.skin import gap_of, touching_gap
-from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
+from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import midpoint, midpoint_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
@@ -310,6 +310,5 @@ SOLVER = Solver(
     },
     variants=_STAGES,
     never_compiled="the direct solver works on arrays of its own",
-    lacks=NEVER_SLEEPS,
     built_in={"friction": _OWN, "warm_starting": "the cases of the last step are the first guess"},
 )
