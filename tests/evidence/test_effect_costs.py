@@ -185,10 +185,10 @@ def test_measurement_of_one_effect_has_its_rows() -> None:
 
 
 def test_measurement_of_billiards_plans_and_runs_them() -> None:
-    """By the exact solver, in plain Python; planning is a part of the whole."""
+    """By the solver that ends the run, in plain Python; planning is a part of the whole."""
     result = measure.measure_effects(["billiards"], quick=True, repeats=1)
     assert result.billiards is not None
-    assert result.billiards.solver == "exact"
+    assert result.billiards.solver == "direct"
     assert 0.0 < result.billiards.planning < result.billiards.whole
 
 

@@ -26,7 +26,7 @@ from typing import TypeAlias
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
-from lesson_code.engine.event_driven.constants import MOST_EVENTS_AT_ONCE, TIE_TIME
+from lesson_code.engine.event_driven.constants import LONG_AGO, MOST_EVENTS_AT_ONCE, TIE_TIME
 from lesson_code.engine.event_driven.event_prediction import predict, predict_beyond
 from lesson_code.engine.event_driven.motion import move_to
 from lesson_code.engine.event_driven.rows import DISC, END, GRIP, OBSTACLE, DiscRow, Tables
@@ -135,7 +135,7 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
         other = tables.discs[partner]
         if other.changes != disc.partner_changes:
             return False  # stale: the partner's motion has changed
-        tables.state.ties += is_tie(max(disc.time, other.time), disc.event_time)
+        tables.state.ties += is_tie(disc.time, other.time, disc.event_time)
         collide_discs(tables, i, partner, effects)
         predict(tables, partner, effects)
     elif kind == OBSTACLE:
@@ -148,9 +148,14 @@ def happen(tables: Tables, i: int, effects: Effects, record: Recorder | None) ->
     return True
 
 
-def is_tie(earlier: float, later: float) -> bool:
-    """Return whether the time of a collision is that of an earlier one, but for rounding; s."""
-    return later - earlier <= TIE_TIME * later
+def is_tie(a: float, b: float, now: float) -> bool:
+    """Return whether of two discs that collide now one has just collided, and the other has not.
+
+    Their last collisions were at the times a and b, s. Where both have just collided, discs hit
+    each other ever faster, and their order is known.
+    """
+    same = TIE_TIME * now
+    return now - max(a, b) <= same and now - min(a, b) > LONG_AGO * same
 
 
 def go_on_along_face(tables: Tables, disc: DiscRow, effects: Effects) -> None:

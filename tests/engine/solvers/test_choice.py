@@ -148,7 +148,7 @@ def test_setting_that_only_one_solver_has_decides(
 @pytest.mark.parametrize(
     ("effects", "expected"),
     [
-        ({"sleeping": True}, "sequential"),
+        ({"sleeping": True}, "direct"),
         ({"continuous": True}, "direct"),
         ({"friction": False}, "exact"),
         ({"damping": False}, "exact"),
