@@ -2,9 +2,10 @@
 
 1. A rule for impacts is asked for: only the direct solver has one.
 2. Sweeps or sub-steps are asked for: the sequential solver makes them.
-3. Discs in free flight, one collision at a time: the exact solver.
-4. Few bodies: the direct solver. All contacts are solved at once, and in plain Python that takes
-   no longer than sweeps do.
+3. Discs in free flight, one collision at a time: the exact solver. Where two collisions of a disc
+   come at once it gives up, and the next one runs.
+4. Few bodies, or some more that stand from the start: the direct solver. All contacts are solved at
+   once, and no law depends on the step. Sweeps take less of time, and break laws.
 5. Many bodies, heavy ones on light ones: the solver with sub-steps.
 6. Other scenes of many bodies: the sequential solver.
 """
@@ -17,9 +18,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
+from lesson_code.engine.core.broad_phase import all_pairs, bound
+from lesson_code.engine.core.candidate_pairs import seek_pairs
+from lesson_code.engine.core.capacity import add_capacity
+from lesson_code.engine.core.constants import (
+    HEAVY_ON_LIGHT,
+    MOST_FOR_DIRECT,
+    MOST_STANDING,
+    SKIN,
+    TOUCHING,
+)
+from lesson_code.engine.core.mixing import MixingRule
+from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.penetration import deepest_overlaps
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.effects.choice import capabilities, checked_wishes
 from lesson_code.engine.effects.continuous import is_mover
 from lesson_code.engine.effects.question import Question
@@ -76,8 +89,11 @@ def solvers_for(
     if _has_all("exact", wishes) and flies_freely(question):
         yield SolverChoice("exact", "discs that fly freely between their collisions")
     free = sum(not body.is_static for body in scene.bodies)
-    if _has_all("direct", wishes) and free <= MOST_FOR_DIRECT and compiled is not True:
-        yield SolverChoice("direct", "few bodies: all contacts are solved at once")
+    if _has_all("direct", wishes) and compiled is not True:
+        if free <= MOST_FOR_DIRECT:
+            yield SolverChoice("direct", "few bodies: all contacts are solved at once")
+        elif free <= MOST_STANDING and stands(scene):
+            yield SolverChoice("direct", "all bodies stand: their contacts are solved at once")
     ratio = mass_ratio(scene)
     if _has_all("substep", wishes) and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
         yield SolverChoice(
@@ -123,6 +139,19 @@ def is_apart(scene: Scene) -> bool:
     angles = np.array([[body.angle for body in scene.bodies]])
     overlaps = deepest_overlaps(Scene(larger), positions, angles)
     return bool(overlaps[0] == 0.0)
+
+
+def stands(scene: Scene) -> bool:
+    """Return whether gravity acts, and every body that can be pushed touches another one."""
+    if not any(scene.gravity):
+        return False
+    world = world_of(scene, dt=1.0, iterations=0, combine=MixingRule(), skin=SKIN)
+    bound(world)
+    while not (seek_pairs(world, all_pairs) and find_contacts(world)):
+        world = add_capacity(world)
+    contacts = world.contacts[: world.state.contact_count]
+    touching = {number for c in contacts for number in (c.a, c.b)}
+    return all(body.is_static or number in touching for number, body in enumerate(scene.bodies))
 
 
 def mass_ratio(scene: Scene) -> float:
