@@ -183,7 +183,9 @@ class EngineStepper:
         self._solver = our_solvers()[solver]
         self._options = options
         self._steps_a_step = 1 if self._solver.shares_contacts else substeps
-        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine)
+        self._question = Question(
+            scene, solver, dt / self._steps_a_step, duration, combine, self._solver.skin
+        )
         self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
         self._changes: list[str] = []
         self.effects = choose_effects(self._question, self._asked)

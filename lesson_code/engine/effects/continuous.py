@@ -35,7 +35,6 @@ from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.outlines import cornered
 from lesson_code.engine.effects.question import Effect, Finding, Question
-from lesson_code.engine.solvers import our_solvers
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.rows import ManifoldRow
 from lesson_code.geometry.shapes import Circle, Segment
@@ -58,8 +57,7 @@ def rule(question: Question) -> Finding:
     corners_rub = friction.rule(question).called_for and cornered(scene)
     if corners_rub and restitution.rule(question).called_for:
         return Finding(True, "bounces at corners that rub may gain speed")
-    solver = our_solvers().get(question.solver)
-    way, room = fastest_way(scene, question.dt, skin=solver.skin if solver else 0.0)
+    way, room = fastest_way(scene, question.dt, question.skin)
     if SPEED_DOUBT * way > room:
         return Finding(True, f"a body may move {way:.3g} m in a step, and has {room:.3g} m")
     return Finding(False, f"no body can move more than {way:.3g} m in a step, and has {room:.3g} m")

@@ -42,6 +42,8 @@ class Question:
         s; ``math.inf``: not yet known.
     combine : MixingRule
         How a pair's coefficients come from its bodies'.
+    skin : float
+        Of a body's width: how far from its surface the solver sees contacts.
     """
 
     scene: Scene
@@ -49,6 +51,7 @@ class Question:
     dt: float = 1 / 60
     duration: float = math.inf
     combine: MixingRule = MIXING_RULES["workbook"]
+    skin: float = 0.0
 
     def coefficients(self, name: str) -> list[float]:
         """Return the values of "restitution" or "friction" that the pairs of bodies can have.
