@@ -7,10 +7,6 @@ that are not in this list are searched by Hypothesis.
 from __future__ import annotations
 
 KNOWN_TO_FAIL: dict[str, tuple[int, str]] = {
-    "collapse": (
-        5002,
-        "balls that are nearer than 1e-10 of their width bounce once more, together",
-    ),
     "moving-frame": (0, "the bodies of a fast train count as fast, and their steps end elsewhere"),
     "nearly-straight-sides": (
         5001,

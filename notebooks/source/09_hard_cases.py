@@ -469,6 +469,24 @@ check("exact: change of L", run.angular_momentum - run.angular_momentum[0], 0, t
 # %% [markdown]
 # The exact solver lets them meet where they touch, and there the two points are one.
 #
+# ### What the default chooses, and the price
+#
+# Some laws cannot hold at once, and some questions have more than one answer. So
+# `simulate(scene, T)` has to choose.
+#
+# - **e as a ratio of velocities, or no gain of energy?** No gain: Stronge's e. The price: a rough
+#   corner does not part at e times its approach. `restitution_law="newton"` asks for that.
+# - **Energy or angular momentum, in each step?** Where gravity acts, energy: contacts act at the
+#   mean velocity of the step. Without gravity both momenta are kept, and energy can only fall.
+#   The price: a pair that spins while it falls keeps its spin only as well as the step is short.
+# - **Several contacts at one instant?** All bounce at once. The price: balls that touch in a row
+#   share the blow. `impacts="sequential"` passes it on.
+# - **Where bodies touch, or in good time?** The first four impacts of a step come where the bodies
+#   touch. Others may come a thousandth of a width early.
+# - **Right, or fast?** Up to 40 bodies, or 100 that stand from the start, all contacts are solved
+#   at once. The price: a step takes far longer than one of sweeps. Larger piles get the sweeps,
+#   and break the laws that sweeps break.
+#
 # ## 10 Quiz
 
 # %%

@@ -100,5 +100,5 @@ TIE_TIME = 1e-12
 """Of the time: two collisions that are this close together come at once, but for rounding. At 0 a
 rack that a cue ball hits in the middle breaks askew; 1e-12 s is far less than any two by chance."""
 
-LONG_AGO = 1e3
+LONG_AGO = 1e6
 """Times that: a disc that has not collided for so long is in no series of ever faster hits."""
