@@ -246,8 +246,12 @@ by_seed = settings(
 
 
 def solvers_of(effect: str) -> list[str]:
-    """Return the solvers that can do with or without an effect."""
-    return [s for s in SOLVERS if not any(effect in names for names in capabilities(s))]
+    """Return the solvers that can do with or without an effect.
+
+    With a skin, what moves at all calls for continuous detection.
+    """
+    able = [s for s in SOLVERS if not any(effect in names for names in capabilities(s))]
+    return [s for s in able if effect != "continuous" or our_solvers()[s].skin == 0.0]
 
 
 def run_of(spared: Spared, solver: str, effects: dict[str, bool], **settings: Any) -> Run:
