@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Callable, Iterator
 from itertools import combinations
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,7 +17,6 @@ from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 from lesson_code import Run, Scene
-from lesson_code.engine import compiled
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.run import ImpulseEvents
@@ -52,19 +49,9 @@ def pytest_configure(config: pytest.Config) -> None:
     """Choose the tier; keep compiled programs from run to run, for all processes of a run."""
     tiers.choose(full=config.getoption("--full", default=False))
     load_examples()
-    os.environ.setdefault(FOLDER_VARIABLE, str(programs_folder(config)))
+    os.environ.setdefault(FOLDER_VARIABLE, str(config.rootpath / ".pytest_cache" / "programs"))
     # Files keep their order. Doctests and notebooks come last: they are short, and no worker waits.
     config.option.loadscopereorder = False
-
-
-def programs_folder(config: pytest.Config) -> Path:
-    """Return where compiled programs are kept: another place after a change of the compiler's own.
-
-    A program is found again by its text, which does not say how it was compiled.
-    """
-    sources = sorted(Path(*compiled.__path__).glob("*.py"))
-    text = b"".join(path.read_bytes() for path in sources)
-    return config.rootpath / ".pytest_cache" / f"programs-{hashlib.sha256(text).hexdigest()[:12]}"
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -13,6 +13,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from processes import is_gone
 
 from lesson_code.parallel import WorkerDiedError, iter_tasks, map_tasks
 
@@ -24,18 +25,6 @@ HANG = 60.0
 AT_ONCE = 5.0
 """s: the end of a call that is interrupted, on a machine with much else to do; the tasks that it
 interrupts would take 600 s."""
-
-
-def is_gone(pid: int) -> bool:
-    """Return whether a process has ended, or ends within some seconds."""
-    until = time.monotonic() + AT_ONCE
-    while time.monotonic() < until:
-        try:
-            os.kill(pid, 0)
-        except ProcessLookupError:
-            return True
-        time.sleep(0.02)
-    return False
 
 
 # Death
@@ -137,7 +126,7 @@ def test_workers_end_with_the_process_that_started_them(
         assert len(workers) == 2
         send(process.pid, stop)
         assert process.wait(AT_ONCE) != 0
-        assert all(is_gone(pid) for pid in workers)
+        assert all(is_gone(pid, within=AT_ONCE) for pid in workers)
         told = process.stderr.read() if process.stderr else ""
     if stop == signal.SIGINT:
         assert told.count("Traceback") == 1

@@ -49,6 +49,11 @@ def momentum_before_and_after(arguments: Arguments, answer: Any) -> str:
         after = m1 * v1_after + m2 * v2_after
     except (TypeError, ValueError):
         return f"Two velocities were asked for; the momentum before is {written(before)} kg m/s."
+    if written(after) == written(before):
+        return (
+            f"Momentum stays {written(before)} kg m/s, as it should. The bodies approach at "
+            f"{written(v1 - v2)} m/s and part, by yours, at {written(v2_after - v1_after)} m/s."
+        )
     return f"Momentum before {written(before)} kg m/s, after yours {written(after)} kg m/s."
 
 

@@ -225,8 +225,11 @@ def momentum_and_speed_along_normal(arguments: Arguments, answer: Any) -> str:
     before, after = (
         tuple(m1 * a + m2 * b for a, b in zip(*pair, strict=True)) for pair in ((v1, v2), (w1, w2))
     )
+    momentum = f"Momentum {written(before)} before, {written(after)} after yours"
+    if written(after) == written(before):
+        momentum = f"Momentum stays {written(before)}, as it should"
     return (
-        f"Momentum {written(before)} before, {written(after)} after yours; (v2 - v1) . n "
+        f"{momentum}; (v2 - v1) . n "
         f"{_relative(v1, v2, normal)} before, {_relative(w1, w2, normal)} after."
     )
 

@@ -158,7 +158,7 @@ def _files_in(folder: Path, entry: Path, problems: list[str]) -> Iterator[Path]:
     for top, folders, files in os.walk(entry, onerror=unreadable):
         folders[:] = sorted(name for name in folders if not _is_tools(name))
         for name in sorted(files):
-            if Path(name).suffix in GRADABLE and not _is_tools(name):
+            if Path(name).suffix.lower() in GRADABLE and not _is_tools(name):
                 yield Path(top) / name
 
 

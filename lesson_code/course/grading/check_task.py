@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -41,7 +42,38 @@ def check_task(task_id: str, function: Callable[..., Any], *, seed: int | None =
     task = task_by_id(task_id)
     drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
     verdict = judge(task, partial(call_here, {task.function: function}), drawn)
-    print("\n".join(lines_of(verdict)))  # noqa: T201 - what a check cell is for
+    print("\n".join([*lines_of(verdict), *left_out_of(function)]))  # noqa: T201 - a check cell's
+
+
+def left_out_of(function: Callable[..., Any]) -> list[str]:
+    """Return in a line which names an answer takes from lesson_code: grading leaves these out.
+
+    Helpers that the answer calls, if they stand in the same notebook, are looked through, too.
+    """
+    names = sorted(_borrowed(function, set()))
+    if not names:
+        return []
+    return [f"  grading leaves out imports of lesson_code, and so {', '.join(names)}"]
+
+
+def _borrowed(function: Any, seen: set[Any]) -> Iterator[str]:
+    """Yield the names that a function of a notebook has from lesson_code."""
+    code = getattr(inspect.unwrap(function), "__code__", None)
+    if code is None or code in seen or _is_ours(function):
+        return
+    seen.add(code)
+    for name in code.co_names:
+        value = inspect.unwrap(function).__globals__.get(name)
+        if _is_ours(value):
+            yield name
+        elif inspect.isfunction(value) and value.__module__ == function.__module__:
+            yield from _borrowed(value, seen)
+
+
+def _is_ours(value: Any) -> bool:
+    """Return whether an object is of lesson_code, or one of its modules."""
+    home = value.__name__ if inspect.ismodule(value) else getattr(value, "__module__", None)
+    return isinstance(home, str) and home.partition(".")[0] == "lesson_code"
 
 
 def lines_of(verdict: Verdict) -> list[str]:

@@ -8,26 +8,41 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from lesson_code.course.grading.compare import agrees
 
 COUNTS = ("no", "one", "two", "three", "four", "five", "six")
 FACTORS = {-1.0: "minus", 2.0: "twice", 0.5: "half of", -2.0: "minus twice", -0.5: "minus half of"}
 
+PLACES = ("first", "second", "third", "fourth")
 
-def of_form(got: Any, expected: Any) -> str:
+ALMOST = 1e-4
+"""Relative difference up to which an answer counts as right but for its last digits: a slip in a
+formula changes more, four decimals and a float32 less."""
+
+
+def of_form(got: Any, expected: Any, *, may_be_none: bool = False) -> str:
     """Return a sentence about how the form of two plain values differs, or nothing if it does not.
+
+    Where other calls of the task are answered by None, as for circles that do not touch, None is
+    no sign of a forgotten return.
 
     >>> of_form(None, [1.0, 2.0])
     'Two values were asked for; is a return missing?'
-    >>> of_form([[1.0], [2.0]], [1.0, 2.0])
+    >>> of_form([[1.0], 2.0], [1.0, 2.0])
     'There is a tuple where one number was asked for.'
     """
     if got is None and expected is not None:
+        if may_be_none:
+            return f"{_asked_for(expected)} here: None is right in other cases only."
         return f"{_asked_for(expected)}; is a return missing?"
     if expected is None:
         return "" if got is None else "There is nothing to return here: None was asked for."
     if isinstance(expected, list) != isinstance(got, list):
         return f"{_asked_for(expected)}."
+    if _is_column(got) and isinstance(expected, list) and not isinstance(expected[0], list):
+        return f"{_asked_for(expected)}: one row, and yours is a column. Shape it by .ravel()."
     if isinstance(expected, list) and len(got) != len(expected):
         return f"{_asked_for(expected)}, and there {_are(len(got))}."
     return _of_form_inside(got, expected)
@@ -59,14 +74,63 @@ def of_numbers(got: Any, expected: Any) -> str:
         return "nan is no number: it comes of 0/0, or of inf - inf."
     if any(math.isinf(number) for number in mine):
         return "inf is beyond all numbers: something was divided by zero."
-    if len(right) > 1 and agrees(sorted(mine), sorted(right)):
-        return "That is the right answer in another order."
     if not any(right) or not any(mine):
         return ""
+    return (
+        _of_a_factor(mine, right)
+        or _of_one_part(got, expected)
+        or _of_the_order(mine, right)
+        or _of_digits(mine, right)
+    )
+
+
+def _of_a_factor(mine: list[float], right: list[float]) -> str:
+    """Return in a sentence which factor lies between all numbers, or nothing."""
     for factor, words in FACTORS.items():
         if agrees(mine, [factor * number for number in right]):
             return f"That is {words} what was expected."
     return ""
+
+
+def _of_one_part(got: Any, expected: Any) -> str:
+    """Return in a sentence which one of several parts is wrong by a factor, or nothing."""
+    if not isinstance(expected, list) or len(expected) < 2:
+        return ""
+    wrong = [k for k in range(len(expected)) if not agrees(got[k], expected[k])]
+    if len(wrong) != 1 or wrong[0] >= len(PLACES):
+        return ""
+    mine, right = _numbers(got[wrong[0]]) or [], _numbers(expected[wrong[0]]) or []
+    for factor, words in FACTORS.items():
+        if any(right) and agrees(mine, [factor * number for number in right]):
+            return f"The {PLACES[wrong[0]]} is {words} what was expected; all else is right."
+    return ""
+
+
+def _of_the_order(mine: list[float], right: list[float]) -> str:
+    """Return in a sentence that two different numbers stand in each other's places, or nothing."""
+    sizes = {round(abs(number), 9) for number in right}
+    if len(sizes) > 1 and agrees(sorted(mine), sorted(right)):
+        return "That is the right answer in another order."
+    return ""
+
+
+def _of_digits(mine: list[float], right: list[float]) -> str:
+    """Return in a sentence that an answer is right to some digits only, or nothing."""
+    errors = [abs(a - b) / max(1.0, abs(b)) for a, b in zip(mine, right, strict=True)]
+    if max(errors) > ALMOST:
+        return ""
+    if all(number == float(np.float32(number)) for number in mine):
+        return "That is right to the 7 digits of a float32. Use float64, which Python's float is."
+    return f"That is right to {int(-math.log10(max(errors)))} digits. Is something rounded?"
+
+
+def _is_column(value: Any) -> bool:
+    """Return whether a plain value is a list of lists of one number each."""
+    return (
+        isinstance(value, list)
+        and len(value) > 1
+        and all(isinstance(item, list) and len(item) == 1 for item in value)
+    )
 
 
 def _numbers(value: Any) -> list[float] | None:

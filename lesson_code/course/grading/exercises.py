@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
@@ -67,6 +68,7 @@ class Exercise:
             task,
             wrong_models=tuple(mark for mark in known if isinstance(mark, WrongModel)),
             alternatives=tuple(mark for mark in known if isinstance(mark, Alternative)),
+            parameters=tuple(inspect.signature(known[0].function).parameters) if known else (),
         )
 
     @property

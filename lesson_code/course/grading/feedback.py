@@ -15,6 +15,7 @@ import numpy as np
 from lesson_code.course.grading import difference
 from lesson_code.course.grading.compare import told_apart, written
 from lesson_code.course.grading.task import Arguments, Task
+from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.call_outcome import CallOutcome
 
 NOT_WRITTEN = "not written yet"
@@ -38,9 +39,7 @@ HIDDEN = {
 """The message for each kind of outcome while inputs stay hidden: no word of it is the student's."""
 
 
-def message(
-    task: Task, arguments: Arguments, outcome: CallOutcome, got: Any, expected: Any
-) -> tuple[str, str]:
+def message(task: Task, call: TriedCall, *, may_be_none: bool = False) -> tuple[str, str]:
     """Return what to say of a call that did not do what was asked, and the reason in short.
 
     The reason names no input: two failures of the same reason need not both be told at length. It
@@ -50,31 +49,40 @@ def message(
     ----------
     task : Task
         What is asked.
-    arguments : tuple
-        The inputs of the call.
-    outcome : CallOutcome
-        What came of it.
-    got, expected
-        What is looked at of the answer, and what it should have been.
+    call : TriedCall
+        What was called, what came of it, and what should have.
+    may_be_none : bool
+        Whether None is the right answer to some calls.
     """
+    outcome = call.outcome
     if outcome.kind == "not written":
         return NOT_WRITTEN, NOT_WRITTEN
     if outcome.kind == "missing":
         return outcome.text, outcome.text
-    called = f"Called {task.function}({', '.join(map(written, arguments))})."
+    called = f"Called {call_of(task, call.arguments)}."
     if outcome.kind == "raised":
         said = f"{called} It stopped with {outcome.text}. {_question(outcome.text)}"
         return said.rstrip(), outcome.text
     if outcome.kind != "returned":
         said = f"it {outcome.text}" if outcome.kind == "unusable" else outcome.text
         return f"{called} {_sentence(said)}", outcome.text
+    got, expected = call.got, call.wanted
     shown = "It returned {}; expected {}.".format(*told_apart(got, expected))
-    looks = difference.of_form(got, expected)
+    looks = difference.of_form(got, expected, may_be_none=may_be_none)
     if not looks:
         looks = difference.of_numbers(got, expected)
-        shown = " ".join(filter(None, (shown, looks, _explained(task, arguments, outcome.value))))
-        return f"{called} {shown}", looks
+        why = _explained(task, call.arguments, outcome.value)
+        return f"{called} {' '.join(filter(None, (shown, looks, why)))}", looks
     return f"{called} {shown} {looks}", looks
+
+
+def call_of(task: Task, arguments: Arguments) -> str:
+    """Return a call as a message shows it: arguments with their names, where these are known."""
+    values = list(map(written, arguments))
+    if len(task.parameters) == len(values):
+        pairs = zip(task.parameters, values, strict=True)
+        values = [f"{name}={value}" for name, value in pairs]
+    return f"{task.function}({', '.join(values)})"
 
 
 def hidden_message(outcome: CallOutcome) -> tuple[str, str]:
@@ -106,6 +114,18 @@ def _explained(task: Task, arguments: Arguments, answer: Any) -> str:
             return task.explain(arguments, answer)
     except (TypeError, ValueError, IndexError):
         return ""
+
+
+def left_out_name(text: str, left_out: dict[str, str]) -> str:
+    """Return why a name is missing, if the import that gives it is left out when grading.
+
+    >>> left_out_name("NameError: name 'mtv' is not defined", {"mtv": "import of lesson_code"})
+    'mtv comes from an import of lesson_code, which is left out: an answer stands on its own'
+    """
+    name = text.removeprefix("NameError: name '").partition("'")[0]
+    if not text.startswith("NameError") or name not in left_out:
+        return ""
+    return f"{name} comes from an {left_out[name]}, which is left out: an answer stands on its own"
 
 
 def missing_function(function: str, others: Iterable[str], lost: dict[str, str]) -> str:

@@ -9,7 +9,7 @@ from types import TracebackType
 
 from lesson_code.course.grading.check_task import LARGEST_SEED
 from lesson_code.course.grading.exercises import Exercise, exercise_by_name, exercise_of
-from lesson_code.course.grading.feedback import missing_function
+from lesson_code.course.grading.feedback import left_out_name, missing_function
 from lesson_code.course.grading.report import Report
 from lesson_code.course.grading.submission import Submission, read_submission
 from lesson_code.course.grading.task import Arguments
@@ -102,9 +102,12 @@ class Grader:
 
 def _explaining(call: Call, submission: Submission, exercise: Exercise) -> Call:
     """Return a way to call functions that says of a missing one where it may be."""
+    left_out = submission.left_out
 
     def explaining(function: str, arguments: Arguments) -> CallOutcome:
         outcome = call(function, arguments)
+        if outcome.kind == "raised" and (why := left_out_name(outcome.text, left_out)):
+            return CallOutcome("raised", text=f"{outcome.text}: {why}")
         if outcome.kind != "missing":
             return outcome
         others = [name for name in submission.functions if name not in exercise.task_ids]

@@ -105,6 +105,7 @@ def _as_dict(task: Task) -> dict[str, Any]:
         "id": task.id,
         "function": task.function,
         "objective": task.objective,
+        "parameters": task.parameters,
         "explain": task.explain and reference(task.explain),
         "wrong_models": seal([[m.name, m.misconception, m.hint] for m in task.wrong_models]),
         "criteria": [
@@ -134,6 +135,7 @@ def _task(entry: dict[str, Any]) -> Task:
             for place, (name, misconception, hint) in enumerate(said, start=1)
         ),
         explain=entry["explain"] and _found(entry["explain"]),
+        parameters=tuple(entry["parameters"]),
     )
 
 

@@ -1,17 +1,21 @@
 """A submission: a notebook or a .py file, taken apart into the statements that define answers.
 
 Answers are found by the names of functions, wherever in the file they stand. Kept are
-definitions, imports and assignments; bare calls (prints, plots, checks) are left out, and so are
-imports of lesson_code, since an answer has to stand on its own.
+definitions, imports and assignments, and calls that fill a container (``SETTINGS.update(...)``).
+Left out are other bare calls (prints, plots, checks), loops without an end, what awaits something,
+and imports of lesson_code, since an answer has to stand on its own.
 """
 
 from __future__ import annotations
 
 import ast
+import codecs
+import io
 import json
 import re
+import tokenize
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -31,8 +35,16 @@ MAGIC = re.compile(
 )
 """Lines that a notebook understands and Python does not: %magic, !command, x = !command, name?."""
 
+FOREIGN = re.compile(
+    r"\s*%%(bash|sh|html|javascript|js|latex|markdown|svg|script|writefile|perl)\b"
+)
+"""How a cell in another language begins."""
+
 DEFINITION = re.compile(r"^[ \t]*def[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
 """Where a function begins in code that cannot be read."""
+
+FILLS = ("update", "append", "extend", "add", "insert", "setdefault", "sort", "reverse")
+"""Methods that a bare call may fill a container with."""
 
 LONGEST_LINE = 80
 """Characters of a line with an error in it that are shown."""
@@ -60,6 +72,11 @@ class Unit:
     def as_request(self) -> dict[str, Any]:
         """Return the unit as the child process is sent it."""
         return {"name": self.name, "source": self.source, "groups": self.groups}
+
+    @property
+    def parts(self) -> list[Unit]:
+        """The unit in parts, each of which holds one statement that is kept."""
+        return [replace(self, groups=((index,),)) for group in self.groups for index in group]
 
     @property
     def statements(self) -> list[ast.stmt]:
@@ -90,6 +107,17 @@ class Submission:
     lost: dict[str, str] = field(default_factory=dict)
 
     @property
+    def left_out(self) -> dict[str, str]:
+        """What gives a name and is left out, by that name: imports of lesson_code."""
+        return {
+            (alias.asname or alias.name).partition(".")[0]: "import of lesson_code"
+            for unit in self.units
+            for statement in ast.walk(ast.Module(unit.statements, []))
+            if isinstance(statement, ast.Import | ast.ImportFrom) and not _is_kept(statement)
+            for alias in statement.names
+        }
+
+    @property
     def functions(self) -> tuple[str, ...]:
         """The names of the functions it defines, in the order of the file."""
         return tuple(
@@ -110,7 +138,7 @@ def read_submission(path: Path) -> Submission:
         a notebook, or holds no code at all.
     """
     text = _text_of(path)
-    is_notebook = path.suffix == ".ipynb"
+    is_notebook = _is_notebook(path)
     sources, exercise = [(f"your {path.name}", text)], None
     if is_notebook:
         sources, exercise = _notebook_cells(path, text)
@@ -138,17 +166,35 @@ def _text_of(path: Path) -> str:
         raise SubmissionError(f"{path}: no such file")
     if not path.is_file():
         raise SubmissionError(f"{path}: a submission is a file, and this is none")
-    if path.suffix not in (".ipynb", ".py"):
+    if path.suffix.lower() not in (".ipynb", ".py"):
         raise SubmissionError(f"{path}: a submission ends in .ipynb or .py")
     if path.stat().st_size > LARGEST_FILE:
-        raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB")
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise SubmissionError(f"{path}: is not text in UTF-8") from None
+        cause = "; clear the outputs of its cells and save it" if _is_notebook(path) else ""
+        raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{cause}")
+    text = _decoded(path)
     if not text.strip():
         raise SubmissionError(f"{path}: is empty")
     return text
+
+
+def _is_notebook(path: Path) -> bool:
+    """Return whether a file is a notebook by its name."""
+    return path.suffix.lower() == ".ipynb"
+
+
+def _decoded(path: Path) -> str:
+    """Return a file's text: in UTF-16 by its mark, in what its first lines name, or in UTF-8."""
+    raw = path.read_bytes()
+    encoding = (
+        "utf-16" if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
+    )
+    try:
+        if not _is_notebook(path) and encoding != "utf-16":
+            encoding, _ = tokenize.detect_encoding(io.BytesIO(raw).readline)
+        text = raw.decode(encoding)
+    except (UnicodeDecodeError, SyntaxError, LookupError):
+        raise SubmissionError(f"{path}: is not text in UTF-8; save it as UTF-8") from None
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _notebook_cells(path: Path, text: str) -> tuple[list[tuple[str, str]], str | None]:
@@ -202,7 +248,12 @@ def _unit(name: str, source: str, *, is_cell: bool) -> Unit | str:
 
 
 def _without_magics(source: str) -> str:
-    """Return a cell's code, with magics commented out if it cannot be read as it is."""
+    """Return a cell's code, with magics commented out if it cannot be read as it is.
+
+    A cell in another language is no code at all.
+    """
+    if FOREIGN.match(source):
+        return ""
     try:
         parsed(source)
     except UNPARSABLE:
@@ -221,13 +272,44 @@ def _unreadable(name: str, error: Exception) -> str:
 
 def _is_kept(statement: ast.stmt) -> bool:
     """Return whether a statement may define an answer."""
-    if isinstance(statement, ast.Expr | ast.Pass):
+    if isinstance(statement, ast.Expr):
+        return _sets_up(statement.value)
+    if isinstance(statement, ast.Pass) or _never_ends(statement) or _waits(statement):
         return False
     if isinstance(statement, ast.Import):
         return not any(_is_lesson_code(alias.name) for alias in statement.names)
     if isinstance(statement, ast.ImportFrom):
         return not _is_lesson_code(statement.module or "")
     return not (isinstance(statement, ast.If) and _asks_for_name(statement.test))
+
+
+def _sets_up(expression: ast.expr) -> bool:
+    """Return whether an expression fills a container of the answer's own: ``SETTINGS.update(a=1)``.
+
+    Any other bare call, such as a print, a plot or a check, is left out.
+    """
+    match expression:
+        case ast.Call(func=ast.Attribute(value=ast.Name(), attr=method)):
+            return method in FILLS
+    return False
+
+
+def _never_ends(statement: ast.stmt) -> bool:
+    """Return whether a statement is a loop without an end: a demo below the answers."""
+    return (
+        isinstance(statement, ast.While)
+        and isinstance(statement.test, ast.Constant)
+        and bool(statement.test.value)
+        and not any(isinstance(part, ast.Break) for part in ast.walk(statement))
+    )
+
+
+def _waits(statement: ast.stmt) -> bool:
+    """Return whether a statement awaits something, which only a notebook can do."""
+    if isinstance(statement, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+        return False
+    waits = ast.Await | ast.AsyncFor | ast.AsyncWith
+    return any(isinstance(part, waits) for part in ast.walk(statement))
 
 
 def _asks_for_name(test: ast.expr) -> bool:

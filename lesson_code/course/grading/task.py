@@ -145,6 +145,7 @@ class Task:
     wrong_models: tuple[WrongModel, ...] = ()
     alternatives: tuple[Alternative, ...] = ()
     explain: Callable[[Arguments, Any], str] | None = None
+    parameters: tuple[str, ...] = ()
 
     @property
     def points(self) -> int:

@@ -3,39 +3,21 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from random import Random
 from typing import Any, TypeAlias
 
-import numpy as np
-
-from lesson_code.course.grading.compare import agrees
 from lesson_code.course.grading.feedback import NOT_WRITTEN, hidden_message, message
-from lesson_code.course.grading.task import Arguments, Criterion, Part, Task, WrongModel
+from lesson_code.course.grading.recognition import Diagnosis, diagnoses
+from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
+from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
 
 Call: TypeAlias = Callable[[str, Arguments], CallOutcome]
 """Calls a student's function by name: in this process, or across the wall."""
-
-
-@dataclass(frozen=True)
-class TriedCall:
-    """One call: its arguments, what was expected, and what came."""
-
-    arguments: Arguments
-    expected: Any
-    outcome: CallOutcome
-
-    def agrees(self, part: Part | None) -> bool:
-        """Return whether the answer is right, in the part that is looked at."""
-        if self.outcome.kind != "returned":
-            return False
-        if part is None:
-            return agrees(self.outcome.value, self.expected)
-        return agrees(_part(part, self.outcome.value), plain(part(self.expected)))
 
 
 @dataclass(frozen=True)
@@ -51,12 +33,18 @@ class CriterionVerdict:
 
 @dataclass(frozen=True)
 class Verdict:
-    """The marks for a task, criterion by criterion, and the hint for a recognised wrong model."""
+    """The marks for a task, criterion by criterion, and what explains the answer."""
 
     task: Task
     criteria: tuple[CriterionVerdict, ...]
-    recognised: WrongModel | None
+    diagnoses: tuple[Diagnosis, ...]
     seed: int
+
+    @property
+    def recognised(self) -> WrongModel | None:
+        """The mistake that was recognised, if one alone explains the most."""
+        mistakes = self.diagnoses[0].mistakes if self.diagnoses else ()
+        return mistakes[0] if len(mistakes) == 1 else None
 
     @property
     def points(self) -> int:
@@ -90,22 +78,24 @@ class Verdict:
             return [self.line, *(f"  {message}" for message in messages)]
         lines = [self.line]
         lines += [f"  right: {each.name}" for each in self.criteria if not each.message]
-        for first, *others in _by_reason(failed, self.recognised):
+        for first, *others in _by_reason(failed, self.diagnoses):
             lines.append(f"  {first.name}: {first.message}")
             if others:
                 lines.append(f"  for the same reason: {'; '.join(each.name for each in others)}")
-        if self.recognised is not None:
-            lines.append(f"  hint: {self.recognised.hint}")
+        for diagnosis in self.diagnoses:
+            where = "" if diagnosis.is_all else f"in {'; '.join(diagnosis.criteria)}: "
+            lines.append(f"  hint: {where}{diagnosis.hint}")
         return lines
 
 
 def _by_reason(
-    failed: list[CriterionVerdict], recognised: WrongModel | None
+    failed: list[CriterionVerdict], diagnoses: Sequence[Diagnosis]
 ) -> list[list[CriterionVerdict]]:
     """Return failures in groups of the same reason, in the order of the first of each."""
+    explained = {name: diagnosis.name for diagnosis in diagnoses for name in diagnosis.criteria}
     groups: dict[str, list[CriterionVerdict]] = {}
     for criterion in failed:
-        key = "recognised" if recognised else criterion.reason or criterion.name
+        key = explained.get(criterion.name) or criterion.reason or criterion.name
         groups.setdefault(key, []).append(criterion)
     return list(groups.values())
 
@@ -125,10 +115,13 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
         Keep inputs, values and the words of errors out of every message.
     """
     tried = [(criterion, _try(task, criterion, call, seed)) for criterion in task.criteria]
+    may_be_none = any(
+        expected is None for each in task.criteria for _, expected in drawn(task, each, seed)
+    )
     return Verdict(
         task,
-        tuple(_mark(task, criterion, some, hide_inputs) for criterion, some in tried),
-        _recognised(task, tried),
+        tuple(_mark(task, criterion, some, hide_inputs, may_be_none) for criterion, some in tried),
+        diagnoses(task, [call for _, calls in tried for call in calls], seed),
         seed,
     )
 
@@ -138,7 +131,7 @@ def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[TriedC
     trials: list[TriedCall] = []
     for arguments, expected in drawn(task, criterion, seed):
         outcome = call(task.function, arguments)
-        trials.append(TriedCall(arguments, expected, outcome))
+        trials.append(TriedCall(criterion, arguments, expected, outcome))
         if outcome.kind not in ("returned", "raised"):
             break
     return trials
@@ -159,66 +152,18 @@ def stream_of(task: Task, criterion: Criterion, seed: int) -> Random:
 
 
 def _mark(
-    task: Task, criterion: Criterion, trials: list[TriedCall], hidden: bool
+    task: Task, criterion: Criterion, trials: list[TriedCall], hidden: bool, may_be_none: bool
 ) -> CriterionVerdict:
     """Return the marks for one criterion: all of its points or none."""
-    failed = next((trial for trial in trials if not trial.agrees(criterion.part)), None)
+    failed = next((trial for trial in trials if not trial.is_right), None)
     if failed is None:
         return CriterionVerdict(criterion.name, criterion.points, criterion.points)
-    said, reason = _message(task, criterion, failed, hidden)
+    said, reason = _message(task, failed, hidden, may_be_none)
     return CriterionVerdict(criterion.name, 0, criterion.points, said, reason)
 
 
-def _message(task: Task, criterion: Criterion, trial: TriedCall, hidden: bool) -> tuple[str, str]:
+def _message(task: Task, trial: TriedCall, hidden: bool, may_be_none: bool) -> tuple[str, str]:
     """Return what to say of a trial that failed, in the part that its criterion looks at."""
     if hidden:
         return hidden_message(trial.outcome)
-    got, expected = trial.outcome.value, trial.expected
-    if criterion.part is not None and trial.outcome.kind == "returned":
-        got, expected = _part(criterion.part, got), plain(criterion.part(expected))
-    return message(task, trial.arguments, trial.outcome, got, expected)
-
-
-def _part(part: Part, answer: Any) -> Any:
-    """Return the part of an answer that is looked at; of an answer of another form, None."""
-    try:
-        return plain(part(answer))
-    except (TypeError, ValueError, IndexError):
-        return None
-
-
-def _recognised(task: Task, tried: list[tuple[Criterion, list[TriedCall]]]) -> WrongModel | None:
-    """Return the wrong model that gives just what the student's function gave, if one does.
-
-    As for the marks, only that part of an answer counts which its criterion looks at.
-    """
-    returned = [
-        (criterion.part, trial)
-        for criterion, trials in tried
-        for trial in trials
-        if trial.outcome.kind == "returned"
-    ]
-    if all(trial.agrees(part) for part, trial in returned):
-        return None
-    for model in task.wrong_models:
-        if all(
-            agrees(_looked_at(part, trial), _wrong_answer(model, part, trial))
-            for part, trial in returned
-        ):
-            return model
-    return None
-
-
-def _looked_at(part: Part | None, trial: TriedCall) -> Any:
-    """Return what a criterion looks at of the answer that came."""
-    return trial.outcome.value if part is None else _part(part, trial.outcome.value)
-
-
-def _wrong_answer(model: WrongModel, part: Part | None, trial: TriedCall) -> Any:
-    """Return what a wrong model makes of a trial's arguments, or words where it fails."""
-    try:
-        with np.errstate(all="ignore"):
-            answer = plain(model(*arguments_from(trial.arguments)))
-            return answer if part is None else plain(part(answer))
-    except Exception as error:  # a wrong model may fail in any way
-        return f"failed: {error}"
+    return message(task, trial, may_be_none=may_be_none)

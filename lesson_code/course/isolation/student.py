@@ -37,6 +37,7 @@ class StudentProcess:
         self._numbers = count(1)
         self._load_failed: CallOutcome | None = None
         self._is_loaded = False
+        self._is_shortened = False
         self.load_errors: list[str] = []
 
     def __enter__(self) -> StudentProcess:
@@ -67,13 +68,32 @@ class StudentProcess:
         reply = self._ask(
             {"load": [unit.as_request() for unit in self._units]}, self._limits.seconds_to_load
         )
-        if isinstance(reply, CallOutcome):
+        if isinstance(reply, CallOutcome) and reply.kind == "timeout" and not self._is_shortened:
+            self._shorten()
+            self._start()
+        elif isinstance(reply, CallOutcome):
             self._load_failed = CallOutcome(reply.kind, text=f"{reply.text}, while it was loaded")
         elif not self._is_loaded:  # a second child could tell what the first was called with
             self._is_loaded = True
             errors = reply.get("loaded")
             lines = errors if isinstance(errors, list) else []
-            self.load_errors = [one_line(line) for line in lines if isinstance(line, str)]
+            self.load_errors += [one_line(line) for line in lines if isinstance(line, str)]
+
+    def _shorten(self) -> None:
+        """Keep only the units that stand before the statements that do not finish."""
+        self._is_shortened = True
+        self._channel = self._children.start()
+        done: list[Unit] = []
+        for part in [part for unit in self._units for part in unit.parts]:
+            reply = self._ask({"load": [part.as_request()]}, self._limits.seconds_to_load)
+            if isinstance(reply, CallOutcome):
+                self._units = tuple(done)
+                self.load_errors.append(
+                    f"{part.name}: {reply.text}; it is left out, and so is all that follows"
+                )
+                return
+            done.append(part)
+        self._end()
 
     def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | CallOutcome:
         """Return the child's reply, or what kept it from replying."""

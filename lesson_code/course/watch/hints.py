@@ -1,10 +1,15 @@
-"""Help that comes a step at a time: what is wrong, a question, the misconception, the text."""
+"""Help that comes a step at a time: what is wrong, a question, an example, where to read."""
 
 from __future__ import annotations
 
+from random import Random
+
+from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.exercises import Exercise
-from lesson_code.course.grading.feedback import NOT_WRITTEN
+from lesson_code.course.grading.feedback import NOT_WRITTEN, call_of
+from lesson_code.course.grading.task import Task
 from lesson_code.course.grading.verdict import Verdict
+from lesson_code.course.isolation.inside.answers import arguments_from, plain
 
 
 def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
@@ -27,7 +32,21 @@ def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
     else:
         steps += [f"Also: {message}" for message in messages[1:]]
     steps.append(f"What is asked: {verdict.task.objective}")
+    steps.append(example(verdict.task))
     return [*steps, _where_to_read(exercise)]
+
+
+def example(task: Task) -> str:
+    """Return a call with its right answer, with other numbers than those of the check.
+
+    Of the first calls of all criteria it is the one with the fewest digits, which is the easiest
+    to follow by hand.
+    """
+    stream = Random(0)  # noqa: S311 - any will do
+    calls = [next(iter(criterion.cases(stream))) for criterion in task.criteria]
+    arguments = min(calls, key=lambda call: len(call_of(task, call)))
+    answer = plain(task.expected(*arguments_from(arguments)))
+    return f"An example to follow by hand: {call_of(task, arguments)} is {written(answer)}."
 
 
 def _where_to_read(exercise: Exercise) -> str:

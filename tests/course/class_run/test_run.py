@@ -169,7 +169,7 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
     assert ran.exit_code == 1
     remarks = {s["id"]: s["remarks"] for s in json.loads(ran.stdout)["students"]}
     assert remarks == {
-        "big": ["big.ipynb: larger than 20 MB"],
+        "big": ["big.ipynb: larger than 20 MB; clear the outputs of its cells and save it"],
         "broken": ["broken.ipynb: is not a notebook (its text is not JSON)"],
         "cells": ["cells.ipynb: has more than 2000 cells"],
         "empty": ["empty.py: is empty"],

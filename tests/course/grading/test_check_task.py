@@ -141,3 +141,17 @@ def test_lines_of_half_written_answer_are_one_line_with_its_points() -> None:
 
     verdict = judge(task_by_id("1.1"), partial(call_here, {"elastic_1d": half}), 1)
     assert lines_of(verdict) == ["1.1 elastic_1d: 1/4 points (not written yet)"]
+
+
+def test_check_says_which_names_grading_leaves_out(capsys: pytest.CaptureFixture[str]) -> None:
+    """An answer that takes the lesson's formula is right here and fails when it is graded."""
+    names: dict[str, object] = {"__name__": "notebook"}
+    source = (
+        "from lesson_code.formulas import reflect as ours\n"
+        "def helper(v, n):\n    return ours(v, n)\n"
+        "def reflect(v, n):\n    return helper(v, n)\n"
+    )
+    exec(source, names)  # noqa: S102 - a notebook's cell
+    check_task("3.1", names["reflect"])  # type: ignore[arg-type]
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last == "  grading leaves out imports of lesson_code, and so ours"

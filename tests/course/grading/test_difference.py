@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from lesson_code.course.grading.difference import of_form, of_numbers
@@ -27,6 +28,11 @@ from lesson_code.course.grading.difference import of_form, of_numbers
         ([1.0, 2.0], [[1.0, 2.0], 2.0], "There is one value where two values were asked for."),
         ([[1.0, 2.0, 3.0]], [[1.0, 2.0]], "Two values were asked for, and there are three."),
         ([1.0, [2.0, 3.0]], [5.0, [6.0, 7.0]], ""),
+        (
+            [[1.0], [2.0]],
+            [1.0, 2.0],
+            "Two values were asked for: one row, and yours is a column. Shape it by .ravel().",
+        ),
     ],
 )
 def test_form_of_an_answer_is_said_where_it_differs(got: Any, expected: Any, said: str) -> None:
@@ -44,6 +50,19 @@ def test_form_of_an_answer_is_said_where_it_differs(got: Any, expected: Any, sai
         (math.nan, 1.0, "nan is no number: it comes of 0/0, or of inf - inf."),
         ([math.inf, 1.0], [2.0, 1.0], "inf is beyond all numbers: something was divided by zero."),
         ([1.0, 5.0], [1.0, 2.0], ""),
+        ([-0.6, 0.6], [0.6, -0.6], "That is minus what was expected."),
+        ([0.6, 0.6], [0.6, -0.6], "The second is minus what was expected; all else is right."),
+        (
+            [[1.0, 2.0], 3.0],
+            [[1.0, 2.0], 1.5],
+            "The second is twice what was expected; all else is right.",
+        ),
+        (0.33, 0.3300123, "That is right to 4 digits. Is something rounded?"),
+        (
+            float(np.float32(1 / 3)),
+            1 / 3,
+            "That is right to the 7 digits of a float32. Use float64, which Python's float is.",
+        ),
         (0.0, 1.0, ""),
         ([0.0, 0.0], [0.0, 1.0], ""),
         ("left", 1.0, ""),

@@ -69,6 +69,18 @@ def test_graded_misspelt_and_unreadable_functions_are_named(write: Write) -> Non
     )
 
 
+def test_name_from_an_import_that_is_left_out_is_said_to_be(write: Write) -> None:
+    """An answer that uses the lesson's own formula is told why the name is not there."""
+    path = write(
+        "answer.py",
+        "from lesson_code.formulas import elastic_1d as ours\n"
+        "def elastic_1d(m1, v1, m2, v2):\n    return ours(m1, v1, m2, v2)\n",
+    )
+    with Grader() as grader:
+        lines = grader.grade(path, exercise="01", seed=1).verdicts[0].lines
+    assert "ours comes from an import of lesson_code, which is left out" in lines[1]
+
+
 def test_error_is_told_once_with_its_place_and_a_question() -> None:
     """Three calls that fail alike are one line, without a traceback."""
     lines = judged(lambda *given: given[0] / 0).lines

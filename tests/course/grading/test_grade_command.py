@@ -35,7 +35,7 @@ def graded(*arguments: str) -> dict[str, Any]:
         ("missing.ipynb", None, "no such file"),
         ("empty.ipynb", b"", "is empty"),
         ("broken.ipynb", b"{", "is not a notebook"),
-        ("binary.py", b"\xff\xfe", "is not text"),
+        ("binary.py", b"\xff\xfd", "is not text"),
         ("unknown.py", b"def f(): pass", "say it with --exercise"),
     ],
 )

@@ -97,6 +97,7 @@ def test_faults_of_wrong_models_and_alternatives_are_found(
     assert found(with_task(spoilt)) == [
         "task 1.1 elastic_1d: wrong model right passes (seed 0)",
         "task 1.1 elastic_1d: wrong model swapped has an empty hint or misconception",
+        "task 1.1 elastic_1d: wrong model swapped is not recognised",
         "task 1.1 elastic_1d: wrong model mute has an empty hint or misconception",
         "task 1.1 elastic_1d: wrong model mute is not recognised",
         "task 1.1 elastic_1d: alternative swapped gets 1.1 elastic_1d: 1/4 points",

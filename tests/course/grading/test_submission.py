@@ -344,3 +344,67 @@ def test_exercise_is_read_from_the_notebook(
     cells = [{"cell_type": "code", "source": "x = 1"}]
     path.write_text(json.dumps({"cells": cells, "metadata": metadata}))
     assert read_submission(path).exercise == exercise
+
+
+SETS_UP = """\
+SETTINGS = {}
+SETTINGS.update(factor=2)
+PARTS = [2]
+PARTS.append(1)
+print("not kept")
+def elastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return SETTINGS["factor"] * v - v1, PARTS[0] * v - v2
+"""
+
+
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+def test_read_keeps_calls_that_set_things_up(write: Write, name: str) -> None:
+    """An answer that fills a table of its own at top level has it when it is called."""
+    path = write(name, SETS_UP)
+    assert "print" not in str(kept(read_submission(path)))
+    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+
+
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+@pytest.mark.parametrize(
+    "below", ["while True:\n    pass\n", "await nothing()\n", "x = await nothing()\n"]
+)
+def test_read_leaves_out_what_never_ends_or_waits(write: Write, name: str, below: str) -> None:
+    """A demo below the answers takes no points away from what stands above it."""
+    path = write(name, SETS_UP + below)
+    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+
+
+@pytest.mark.parametrize("magic", ["%%bash\nls -l | wc\n", "%%html\n<b>bold</b>\n"])
+def test_read_cell_in_another_language_is_no_code(write: Write, magic: str) -> None:
+    """Such a cell is nothing that could not be read."""
+    submission = read_submission(write("answer.ipynb", SETS_UP, magic))
+    assert submission.unreadable == ()
+
+
+@pytest.mark.parametrize(
+    ("name", "encoding", "first"),
+    [
+        ("answer.py", "utf-16", ""),
+        ("answer.py", "latin-1", "# -*- coding: latin-1 -*-\n"),
+        ("answer.PY", "utf-8", ""),
+        ("answer.py", "utf-8-sig", "# coding: utf-8\n"),
+    ],
+)
+def test_read_text_in_the_encoding_that_it_names(
+    tmp_path: Path, name: str, encoding: str, first: str
+) -> None:
+    """A mark of UTF-16, a coding cookie and capital letters in the suffix do no harm."""
+    path = tmp_path / name
+    path.write_bytes(f"{first}# Stoß\r\n{SETS_UP}".encode(encoding))
+    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+
+
+def test_read_notebook_that_is_too_large_names_the_cause(
+    write: Write, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What makes a notebook large are its outputs."""
+    monkeypatch.setattr("lesson_code.course.grading.submission.LARGEST_FILE", 10)
+    with pytest.raises(SubmissionError, match="clear the outputs of its cells"):
+        read_submission(write("answer.ipynb", SETS_UP))

@@ -191,12 +191,21 @@ def test_judge_inputs_do_not_depend_on_the_answer() -> None:
     assert again.criteria[3].message.startswith(called)
 
 
-def test_judge_half_recognised_answer_gets_no_hint() -> None:
-    """An answer that agrees with a wrong model on some inputs only is not taken for it."""
+def test_judge_answer_recognised_in_a_part_gets_the_hint_for_that_part() -> None:
+    """Where an answer agrees with a wrong model in some criteria only, the hint names these."""
     model = WrongModel("9.1", thrice, "Count again?")
     task = made_up(Criterion("a", small), Criterion("b", vectors), wrong_models=(model,))
     assert judged(task, thrice).recognised is model
-    assert judged(task, lambda x: 3 * x if np.ndim(x) == 0 else 4 * x).recognised is None
+    half = judged(task, lambda x: 3 * x if np.ndim(x) == 0 else 4 * x)
+    assert half.recognised is model
+    assert half.lines[-1] == "  hint: in a: Count again?"
+
+
+def test_judge_answer_that_is_right_where_a_wrong_model_is_wrong_gets_no_hint() -> None:
+    """A model is ruled out by every right answer that it does not give."""
+    model = WrongModel("9.1", thrice, "Count again?")
+    task = made_up(Criterion("a", small), Criterion("b", vectors), wrong_models=(model,))
+    assert judged(task, lambda x: 3 * x if np.ndim(x) == 0 else 2 * x).recognised is None
 
 
 def test_judge_right_answer_gets_no_hint_from_a_model_that_is_right() -> None:
@@ -218,7 +227,7 @@ def test_message_says_call_answer_expectation_and_reason() -> None:
         judged(task_by_id("1.1"), lambda *given: (given[3], given[1]), seed=1).criteria[1].message
     )
     assert message == (
-        "Called elastic_1d(0.82, 4.69, 4.85, 0). It returned (0, 4.69); expected "
+        "Called elastic_1d(m1=0.82, v1=4.69, m2=4.85, v2=0). It returned (0, 4.69); expected "
         "(-3.33346, 1.35654). Momentum before 3.8458 kg m/s, after yours 22.7465 kg m/s."
     )
 
@@ -240,6 +249,21 @@ def test_message_of_an_unusual_failure(function: Callable[[Any], Any], end: str)
     assert message.startswith("Called twice(2.5e-09). ")
     assert end in message
     assert len(message) < 1000
+
+
+def test_message_of_a_pair_that_keeps_its_momentum_says_what_differs() -> None:
+    """Where before and after are the same, it is said that this is right, and what is not."""
+    left_alone = judged(task_by_id("1.1"), lambda *given: (given[1], given[3]))
+    message = left_alone.criteria[1].message
+    assert "Momentum stays 3.8458 kg m/s, as it should." in message
+    assert message.endswith("The bodies approach at 4.69 m/s and part, by yours, at -4.69 m/s.")
+
+
+def test_message_of_none_does_not_ask_for_a_return_where_none_is_legal() -> None:
+    """Circles that do not touch are answered by None, so that a wrong None was meant."""
+    message = judged(task_by_id("4.1"), lambda *_: None).criteria[0].message
+    assert message.endswith("Two values were asked for here: None is right in other cases only.")
+    assert "is a return missing?" in judged(task_by_id("1.1"), lambda *_: None).lines[1]
 
 
 def test_message_of_an_answer_that_is_not_there() -> None:

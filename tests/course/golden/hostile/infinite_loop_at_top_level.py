@@ -3,8 +3,9 @@ def elastic_1d(m1, v1, m2, v2):
     return ((m1 - m2) * v1 + 2 * m2 * v2) / total, ((m2 - m1) * v2 + 2 * m1 * v1) / total
 
 
-while True:
-    pass
+turns = 1
+while turns:
+    turns += 1
 
 
 def inelastic_1d(m1, v1, m2, v2):

@@ -1,0 +1,294 @@
+"""Why an answer is wrong: by the models that a chapter lists, and by slips that a machine makes.
+
+A mistake is recognised where the answer differs from the right one. Of all wrong models that give
+the student's own numbers there, and are right wherever the student is, those count that explain
+the most criteria. Calls of a degenerate kind stand apart: there an answer often is right, or fails,
+for a reason of its own. Where more than two mistakes explain the same, nothing is said.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import zlib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.compare import agrees
+from lesson_code.course.grading.recognition.candidates import in_general, listed, pairs, slips
+from lesson_code.course.grading.task import Arguments, Task, WrongModel
+from lesson_code.course.grading.tried import TriedCall
+from lesson_code.course.isolation.inside.answers import arguments_from, plain
+
+ENOUGH_TELLING_CALLS = 2
+"""Wrong calls with telling numbers that a listed model must explain if it explains a part."""
+
+ENOUGH_PLAIN_CALLS = 3
+"""Wrong calls that a slip must explain where an answer holds no number that luck cannot give."""
+
+MOST_SAID = 2
+"""Mistakes that explain the same and are both said; of more, none is."""
+
+NEAR = 1e-6
+"""Relative difference up to which two signatures may belong to answers that agree: far above the
+tolerance of answers, and so small that few others come through."""
+
+NO_ANSWER = "no answer"
+"""Stands where a wrong model gives none; no task asks for these words."""
+
+
+Numbered: TypeAlias = tuple[int, TriedCall]
+"""A call with its place among all calls."""
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What explains an answer: a mistake, or one of two, and the criteria where it does."""
+
+    mistakes: tuple[WrongModel, ...]
+    criteria: tuple[str, ...]
+    is_all: bool
+
+    @property
+    def name(self) -> str:
+        """The name of the mistake, or both names."""
+        return " or ".join(dict.fromkeys(mistake.name for mistake in self.mistakes))
+
+    @property
+    def hint(self) -> str:
+        """The hint, or both."""
+        return " Or: ".join(mistake.hint for mistake in self.mistakes)
+
+    @property
+    def misconception(self) -> str:
+        """What a student believes who makes the mistake."""
+        return " Or: ".join(mistake.misconception for mistake in self.mistakes)
+
+
+def diagnoses(task: Task, calls: Sequence[TriedCall], seed: int) -> tuple[Diagnosis, ...]:
+    """Return what explains a wrong answer: nothing, one mistake, or two in different criteria."""
+    evidence = Evidence(task, calls, seed)
+    if not evidence.failed:
+        return ()
+    first = evidence.best(evidence.failed)
+    if first is None:
+        return ()
+    rest = [name for name in evidence.failed if name not in first.criteria]
+    second = evidence.best(rest) if rest else None
+    return (first,) if second is None else (first, second)
+
+
+class Evidence:
+    """The calls of one answer, and what wrong models make of them."""
+
+    def __init__(self, task: Task, calls: Sequence[TriedCall], seed: int) -> None:
+        self._task = task
+        self._made = _made_with(task, seed)
+        self._calls: dict[str, list[Numbered]] = {}
+        for number, call in enumerate(calls):
+            self._calls.setdefault(call.criterion.name, []).append((number, call))
+        self._right = [
+            (number, call)
+            for number, call in enumerate(calls)
+            if call.is_right and not is_degenerate(call.arguments)
+        ]
+        self._wrong = {name: _telling(some) for name, some in self._calls.items()}
+        failed = [name for name, some in self._wrong.items() if some]
+        self.failed = [name for name in failed if not _all_degenerate(self._wrong[name])] or failed
+        self._apart = [name for name in failed if name not in self.failed]
+
+    def best(self, criteria: Sequence[str]) -> Diagnosis | None:
+        """Return the mistakes that explain the most of some criteria, if they are at most two."""
+        best: tuple[str, ...] = ()
+        found: list[WrongModel] = []
+        for models_of in (listed, slips, pairs):  # the likelier first; each is made if needed
+            explained = self._explained_by(models_of(self._task), criteria)
+            most = max(explained.values(), key=len, default=())
+            if len(most) > len(best):
+                best, found = most, [model for model, some in explained.items() if some == most]
+            if len(best) == len(criteria):
+                break
+        said = _said(found)
+        if not best or len(said) > MOST_SAID:
+            return None
+        beside = [name for name in self._apart if self._gives_all(said[0], self._wrong[name])]
+        return Diagnosis(said, (*best, *beside), is_all=len(best) == len(self.failed))
+
+    def _explained_by(
+        self, models: tuple[WrongModel, ...], criteria: Sequence[str]
+    ) -> dict[WrongModel, tuple[str, ...]]:
+        """Return in which criteria each model explains the answer, of those that do."""
+        near = sorted({index for name in criteria for index in self._near(models, name)})
+        found = {models[index]: self._explained(models[index], criteria) for index in near}
+        return {model: explained for model, explained in found.items() if explained}
+
+    def _near(self, models: tuple[WrongModel, ...], criterion: str) -> Iterable[int]:
+        """Return which models give nearly the student's answer to a criterion's first wrong call.
+
+        One number stands for each answer, so that thousands are compared at once.
+        """
+        number, call = self._wrong[criterion][0]
+        if call.outcome.kind != "returned":
+            return ()
+        key = id(models), number
+        if key not in self._made:
+            answers = (signature(self._answer(model, number, call)) for model in models)
+            self._made[key] = np.fromiter(answers, float, len(models))
+        mine = signature(call.got)
+        with np.errstate(invalid="ignore"):
+            return np.flatnonzero(np.abs(self._made[key] - mine) <= NEAR * max(1.0, abs(mine)))
+
+    def _explained(self, model: WrongModel, criteria: Sequence[str]) -> tuple[str, ...]:
+        """Return in which of some criteria a model gives the student's own numbers.
+
+        A slip explains all of them or none: there are so many slips that one may fit a part by
+        luck.
+        """
+        explained = [name for name in criteria if self._gives_all(model, self._wrong[name])]
+        if not explained or not self._gives_all(model, self._right):
+            return ()
+        is_listed, is_part = model in self._task.wrong_models, len(explained) < len(criteria)
+        told = [call for name in explained for _, call in self._wrong[name]]
+        telling = sum(map(holds_a_telling_number, told))
+        if is_part and not (
+            is_listed and telling >= ENOUGH_TELLING_CALLS and 2 * len(explained) >= len(criteria)
+        ):
+            return ()
+        if telling or ((is_listed or _varies(told)) and self._gives_every_call(model)):
+            return tuple(explained)
+        return ()
+
+    def _gives_every_call(self, model: WrongModel) -> bool:
+        """Return whether a model does what the student's function did, failing where it failed."""
+        return all(
+            agrees(call.got, answer) if call.outcome.kind == "returned" else answer == NO_ANSWER
+            for calls in self._calls.values()
+            for number, call in calls
+            for answer in [self._answer(model, number, call)]
+        )
+
+    def _gives_all(self, model: WrongModel, calls: Iterable[Numbered]) -> bool:
+        """Return whether a model gives just what the student's function gave."""
+        return all(
+            call.outcome.kind == "returned" and agrees(call.got, self._answer(model, number, call))
+            for number, call in calls
+        )
+
+    def _answer(self, model: WrongModel, number: int, call: TriedCall) -> Any:
+        """Return what a criterion looks at of a model's answer to a call."""
+        key = id(model), number
+        if key not in self._made:
+            self._made[key] = answer_of(model, call)
+        return self._made[key]
+
+
+def _said(found: list[WrongModel]) -> tuple[WrongModel, ...]:
+    """Return one model of each kind that explains an answer: the only one with names, if any."""
+    kinds: dict[str, dict[str, WrongModel]] = {}
+    for model in found:
+        kinds.setdefault(model.name, {})[model.hint] = model
+    return tuple(_of_one_kind(list(models.values())) for models in kinds.values())
+
+
+def _of_one_kind(models: list[WrongModel]) -> WrongModel:
+    """Return the model that stands for some of one kind."""
+    unnamed = in_general(models[0])
+    named = [model for model in models if model.hint != unnamed.hint]
+    return named[0] if len(named) == 1 else unnamed
+
+
+def answer_of(model: WrongModel, call: TriedCall) -> Any:
+    """Return what a criterion looks at of a model's answer to a call, or NO_ANSWER."""
+    part = call.criterion.part
+    try:
+        with np.errstate(all="ignore"), contextlib.redirect_stdout(None):
+            answer = plain(model(*arguments_from(call.arguments)))
+            return answer if part is None else plain(part(answer))
+    except Exception:  # a wrong model may fail in any way
+        return NO_ANSWER
+
+
+@lru_cache(maxsize=16)
+def _made_with(_task: Task, _seed: int) -> dict[tuple[int, int], Any]:
+    """Return what models make of the calls that a seed draws: worked out once for a class."""
+    return {}
+
+
+def signature(value: Any) -> float:
+    """Return a number that is nearly the same for answers that agree.
+
+    >>> abs(signature([1.0, None]) - signature([1.0 + 1e-12, None])) < 1e-11
+    True
+    """
+    parts = _flat(value)
+    return float(sum(part * math.cos(place) for place, part in enumerate(parts)))
+
+
+def _flat(value: Any) -> list[float]:
+    """Return numbers for all parts of a plain value."""
+    if isinstance(value, list):
+        return [number for item in value for number in _flat(item)]
+    if isinstance(value, int | float):
+        return [float(value)]
+    return [zlib.crc32(repr(value).encode()) / 2**32]
+
+
+def _telling(calls: list[Numbered]) -> list[Numbered]:
+    """Return the wrong calls of a criterion: those that are not degenerate, if there are any."""
+    wrong = [(number, call) for number, call in calls if not call.is_right]
+    return [each for each in wrong if not is_degenerate(each[1].arguments)] or wrong
+
+
+def _varies(calls: list[TriedCall]) -> bool:
+    """Return whether there are enough plain answers to tell slips apart, and not all the same."""
+    return len(calls) >= ENOUGH_PLAIN_CALLS and any(call.got != calls[0].got for call in calls)
+
+
+def _all_degenerate(calls: list[Numbered]) -> bool:
+    """Return whether all calls have a special case in them."""
+    return all(is_degenerate(call.arguments) for _, call in calls)
+
+
+def is_degenerate(arguments: Arguments) -> bool:
+    """Return whether a call has a special case in it: 0, infinity, two equal vectors.
+
+    >>> is_degenerate((1.0, (0.0, 0.0))), is_degenerate((math.inf,)), is_degenerate((1.0, 2.0))
+    (True, True, False)
+    """
+    values = plain(list(arguments))
+    vectors = [value for value in values if isinstance(value, list)]
+    numbers = leaves([value for value in values if not isinstance(value, list)])
+    return (
+        any(number == 0 or math.isinf(number) for number in numbers)
+        or any(not any(leaves(vector)) for vector in vectors)
+        or any(a == b for i, a in enumerate(vectors) for b in vectors[:i])
+    )
+
+
+def holds_a_telling_number(call: TriedCall) -> bool:
+    """Return whether a wrong answer holds a number that is neither given, expected nor whole.
+
+    Where None was expected or came, a condition was wrong, and the numbers tell nothing of it.
+    """
+    if call.got is None or call.wanted is None:
+        return False
+    known = set(leaves([plain(list(call.arguments)), call.wanted]))
+    return any(
+        isinstance(number, float) and not number.is_integer() and number not in known
+        for number in leaves(call.got)
+    )
+
+
+def leaves(value: Any) -> list[Any]:
+    """Return all numbers of a plain value.
+
+    >>> leaves([1.0, [2.0, None, "left"]])
+    [1.0, 2.0]
+    """
+    if isinstance(value, list):
+        return [number for item in value for number in leaves(item)]
+    return [value] if isinstance(value, int | float) and not isinstance(value, bool) else []

@@ -1,0 +1,135 @@
+"""Slips around a right answer: in what goes into it, and in what comes out of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import combinations, permutations
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.recognition.edits import others_of
+from lesson_code.course.grading.recognition.in_source import model
+from lesson_code.course.grading.task import Function, WrongModel
+from lesson_code.course.isolation.inside.answers import plain
+
+Change: TypeAlias = Callable[[Any], Any]
+
+NUMBERS: tuple[tuple[str, Change], ...] = (
+    ("minus", lambda x: -x),
+    ("factor", lambda x: 2 * x),
+    ("factor", lambda x: x / 2),
+    ("absolute", abs),
+    ("degrees", math.degrees),
+    ("degrees", math.radians),
+    ("power", lambda x: x * x),
+    ("power", lambda x: math.copysign(math.sqrt(abs(x)), x)),
+    ("upside_down", lambda x: 1 / x),
+    ("rounding", math.trunc),
+    *(("rounding", lambda x, digits=digits: round(x, digits)) for digits in range(8)),
+)
+"""What may be done to each number that is returned."""
+
+ARGUMENTS: tuple[tuple[str, Change], ...] = (
+    ("sign", lambda x: -x),
+    ("ignored", lambda x: 0 * x),
+    ("factor", lambda x: 2 * x),
+    ("factor", lambda x: x / 2),
+    ("absolute", abs),
+    ("degrees", np.degrees),
+    ("degrees", np.radians),
+    ("power", lambda x: x * x),
+    ("power", np.sqrt),
+    ("upside_down", lambda x: 1 / x),
+    ("index", lambda x: x[::-1]),
+)
+"""What may be done to one argument before it is used."""
+
+MOST_OF_ANY_KIND = 6
+"""With more arguments only those are exchanged that are two of a pair by their names."""
+
+LARGEST_ORDER = 4
+"""Values in an answer whose order and parts are looked at one by one."""
+
+
+def slips_around(right: Function, task: str, parameters: Sequence[str]) -> Iterator[WrongModel]:
+    """Yield a wrong model for each slip in the arguments and in the answer of a right function."""
+    yield from of_the_answer(right, task)
+    for place, name in enumerate(parameters):
+        for kind, change in ARGUMENTS:
+            yield model(task, kind, _with_argument(right, place, change), {"name": name})
+    for i, k in combinations(range(len(parameters)), 2):
+        one, other = parameters[i], parameters[k]
+        if len(parameters) > MOST_OF_ANY_KIND and other not in others_of(one, {*parameters}):
+            continue
+        exchanged = _with_places(right, {i: k, k: i})
+        yield model(task, "exchanged", exchanged, {"first": one, "second": other})
+        for a, b in ((i, k), (k, i)):
+            names = {"wrong": parameters[b], "right": parameters[a]}
+            yield model(task, "other", _with_places(right, {a: b}), names)
+
+
+def of_the_answer(right: Function, task: str) -> Iterator[WrongModel]:
+    """Yield a wrong model for each slip in the answer of a function."""
+    for kind, change in NUMBERS:
+        yield model(task, kind, _then(right, partial(_mapped, change=change)), {})
+    yield model(task, "order", _then(right, lambda value: value and value[::-1]), {})
+    for count in range(2, LARGEST_ORDER + 1):
+        for order in permutations(range(count)):
+            if list(order) != sorted(order):
+                yield model(task, "order", _then(right, _reordered(order)), {})
+    for count in range(2, LARGEST_ORDER + 1):
+        for place in range(count):
+            for kind, change in NUMBERS[:3]:
+                said = "sign" if kind == "minus" else kind
+                yield model(task, said, _then(right, _in_part(count, place, change)), {})
+
+
+def _then(right: Function, change: Change) -> Function:
+    """Return a function whose answer is changed."""
+    return lambda *arguments: change(plain(right(*arguments)))
+
+
+def _mapped(value: Any, change: Change) -> Any:
+    """Return an answer with all its numbers changed."""
+    if isinstance(value, list):
+        return [_mapped(item, change) for item in value]
+    return value if value is None or isinstance(value, bool | str) else change(value)
+
+
+def _reordered(order: tuple[int, ...]) -> Change:
+    """Return what puts an answer of just as many parts into an order."""
+
+    def change(value: Any) -> Any:
+        if value is None:
+            return None
+        if len(value) != len(order):
+            raise ValueError(f"value must have {len(order)} parts, got {len(value)}")
+        return [value[index] for index in order]
+
+    return change
+
+
+def _in_part(count: int, place: int, change: Change) -> Change:
+    """Return what changes one part of an answer of just as many parts."""
+
+    def changed(value: Any) -> Any:
+        if value is None:
+            return None
+        if len(value) != count:
+            raise ValueError(f"value must have {count} parts, got {len(value)}")
+        return [_mapped(x, change) if i == place else x for i, x in enumerate(value)]
+
+    return changed
+
+
+def _with_argument(right: Function, place: int, change: Change) -> Function:
+    """Return a function that uses one of its arguments changed."""
+    return lambda *given: right(*given[:place], change(given[place]), *given[place + 1 :])
+
+
+def _with_places(right: Function, places: dict[int, int]) -> Function:
+    """Return a function that uses some of its arguments in the place of others."""
+    return lambda *given: right(*(given[places.get(i, i)] for i in range(len(given))))

@@ -1,0 +1,162 @@
+"""All wrong models of a task: those its chapter lists, slips of a machine, and pairs of both."""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import sys
+from collections.abc import Iterator
+from functools import cache
+from itertools import islice
+from random import Random
+from typing import Any
+
+from lesson_code.course.grading.exercises import Exercise, exercises
+from lesson_code.course.grading.recognition.around import of_the_answer, slips_around
+from lesson_code.course.grading.recognition.in_source import (
+    HINTS,
+    SAYS,
+    RightAnswer,
+    model,
+    of_function,
+    pairs_in,
+    slips_in,
+)
+from lesson_code.course.grading.submission import read_submission
+from lesson_code.course.grading.task import Task, WrongModel
+from lesson_code.course.isolation.inside.answers import arguments_from, load
+from lesson_code.course.notebooks.root import home
+
+SECOND_SLIPS = ("gate", "sign", "factor", "other", "exchanged", "divisor", "precedence", "clamp")
+"""Kinds of slips that are looked for beside another mistake."""
+
+MOST_PAIRS = 600
+"""Pairs of mistakes that are tried for one task."""
+
+MOST_LINES = 400_000
+"""Lines of Python that all slips of a task may take for one call: about .3 s."""
+
+
+def listed(task: Task) -> tuple[WrongModel, ...]:
+    """Return the wrong models that the chapter lists."""
+    return task.wrong_models
+
+
+@cache
+def slips(task: Task) -> tuple[WrongModel, ...]:
+    """Return the slips in the right answers to a task of the course."""
+    return tuple(islice(_slips(task), most_models(task)))
+
+
+def _slips(task: Task) -> Iterator[WrongModel]:
+    """Yield slips around the first right answer, and in the source of all."""
+    found = right_answers(task.id, task.function)
+    for answer in found[:1]:
+        whole = answer.function(answer.compiled())
+        yield from slips_around(whole, task.id, answer.parameters)
+    for answer in found:
+        yield from slips_in(answer, task.id)
+
+
+@cache
+def pairs(task: Task) -> tuple[WrongModel, ...]:
+    """Return pairs of mistakes: a listed one or a missed condition, and a slip beside it."""
+    return tuple(islice(_pairs(task), min(MOST_PAIRS, most_models(task))))
+
+
+def _pairs(task: Task) -> Iterator[WrongModel]:
+    """Yield pairs of mistakes, the likelier first."""
+    for first in task.wrong_models:
+        yield from _with_a_slip(first)
+    for answer in right_answers(task.id, task.function)[:2]:
+        for gate, slip in pairs_in(answer, task.id, ["gate"], SECOND_SLIPS):
+            yield both(gate, slip)
+
+
+@cache
+def most_models(task: Task) -> int:
+    """Return how many slips may be tried: fewer where a right answer takes much work.
+
+    Work is counted in lines of Python, so that it is the same on every machine.
+    """
+    lines = 0
+
+    def count(_frame: Any, event: str, _argument: Any) -> Any:
+        nonlocal lines
+        lines += event == "line"
+        if lines > MOST_LINES:
+            raise TooMuchWorkError
+        return count
+
+    found = right_answers(task.id, task.function)
+    right = found[0].function(found[0].compiled()) if found else task.expected
+    before = sys.gettrace()
+    for criterion in task.criteria:
+        arguments = arguments_from(next(iter(criterion.cases(Random(0)))))  # noqa: S311
+        sys.settrace(count)
+        try:
+            right(*arguments)
+        except (TooMuchWorkError, ArithmeticError):
+            return 0
+        finally:
+            sys.settrace(before)
+    return len(task.criteria) * MOST_LINES // max(lines, 1)
+
+
+class TooMuchWorkError(Exception):
+    """Raised in a right answer that takes so much work that slips in it are not tried."""
+
+
+def _with_a_slip(first: WrongModel) -> Iterator[WrongModel]:
+    """Yield a listed wrong model with a slip in its source or its answer."""
+    with contextlib.suppress(OSError, TypeError, SyntaxError):  # practice checks have no source
+        for slip in slips_in(of_function(first.function), first.task, SECOND_SLIPS):
+            yield both(first, slip)
+    for slip in of_the_answer(first.function, first.task):
+        yield both(first, slip)
+
+
+def both(first: WrongModel, second: WrongModel) -> WrongModel:
+    """Return two mistakes in one, of which the second has the function."""
+
+    def function(*arguments: Any) -> Any:
+        return second.function(*arguments)
+
+    function.__name__ = f"{first.name} and {second.name}"
+    function.__doc__ = f"{first.misconception} {second.misconception}"
+    says = second.hint.removeprefix(SAYS)
+    return WrongModel(first.task, function, f"{first.hint} And besides, {says}")
+
+
+def right_answers(task_id: str, function: str) -> list[RightAnswer]:
+    """Return the right answers to a task whose source is known: the solution, and unusual ones."""
+    found = []
+    for exercise in exercises():
+        for task in exercise.tasks:
+            if (task.id, task.function) == (task_id, function):
+                found += _in_the_solution(exercise, function)
+                found += [of_function(known.function) for known in task.alternatives]
+    return found
+
+
+def _in_the_solution(exercise: Exercise, function: str) -> list[RightAnswer]:
+    """Return the solution's answer, where this copy of the workbook holds the solutions."""
+    path = exercise.solution(home())
+    if not path.is_file():
+        return []
+    units = read_submission(path).units
+    names: dict[str, Any] = {}
+    list(load([unit.as_request() for unit in units], names))
+    return [
+        RightAnswer(statement, names)
+        for unit in units
+        for statement in unit.statements
+        if isinstance(statement, ast.FunctionDef) and statement.name == function
+    ]
+
+
+def in_general(found: WrongModel) -> WrongModel:
+    """Return a slip without names; any other wrong model as it is."""
+    if found.name not in HINTS:
+        return found
+    return model(found.task, found.name, lambda *arguments: found.function(*arguments), {})

@@ -1,0 +1,230 @@
+"""The slips that may be made at one place of a syntax tree: what may stand there instead."""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from collections.abc import Iterator
+from itertools import combinations
+from typing import TypeAlias
+
+PAIRS = {"1": "2", "a": "b", "x": "y", "low": "high", "start": "end", "inner": "outer", "n": "t"}
+OPPOSITE = PAIRS | {other: one for one, other in PAIRS.items()}
+"""Parts of names that tell one of a pair from the other."""
+
+CALLS = {
+    "min": ("max", "minmax"), "argmin": ("argmax", "minmax"), "fmin": ("fmax", "minmax"),
+    "minimum": ("maximum", "minmax"), "sin": ("cos", "sine"), "cross": ("dot", "cross"),
+    "all": ("any", "and_or"), "floor": ("ceil", "count"),
+}  # fmt: skip
+EXCHANGED_CALLS = CALLS | {other: (one, kind) for one, (other, kind) in CALLS.items()}
+"""Functions that are taken for each other, and the kind of that slip."""
+
+LEFT_OUT = {
+    "sqrt": "root", "exp": "root", "log": "root", "log1p": "root", "hypot": "root",
+    "abs": "absolute", "absolute": "absolute", "radians": "degrees", "ceil": "rounding",
+}  # fmt: skip
+"""Functions whose argument may be taken as it is, and the kind of that slip."""
+
+ROOTS = ("hypot", "norm", "dist", "abs")
+"""Functions that take a root, which may be left out."""
+
+IN_RADIANS = ("sin", "cos", "tan")
+TURNED = {
+    ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+}  # fmt: skip
+
+Edit: TypeAlias = tuple[str, dict[str, str], ast.AST]
+"""The kind of a slip, the names that its hint holds, and what stands in a node's place."""
+
+
+def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
+    """Yield what may stand in the place of a node by a slip."""
+    match node:
+        case ast.BinOp():
+            yield from _arithmetic(node, parent)
+        case ast.UnaryOp(op=ast.USub()):
+            yield "sign", {}, node.operand
+        case ast.UnaryOp(op=ast.Not()):
+            yield "gate", {}, node.operand
+        case ast.Constant(value=bool() | str() | None):
+            pass
+        case ast.Constant(value=value) if value in (2, 0.5):
+            if not (isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Pow)):
+                yield "factor", {}, ast.Constant(1)
+                yield "factor", {}, ast.Constant(2 * value)
+        case ast.Constant(value=value) if value in (3, 6, 12, 24):
+            yield "factor", {}, ast.Constant(2 * value)
+            yield "factor", {}, ast.Constant(value / 2)
+        case ast.Name(ctx=ast.Load()):
+            for other in others_of(node.id, known):
+                yield "other", {"wrong": other, "right": node.id}, ast.Name(other, ast.Load())
+        case ast.Subscript(slice=ast.Constant(value=int(index))) if index in (0, 1):
+            yield "index", {}, ast.Subscript(node.value, ast.Constant(1 - index), node.ctx)
+        case ast.Call():
+            yield from _calls(node)
+        case ast.Compare(ops=[op], left=left, comparators=[right]):
+            if type(op) in TURNED:
+                yield "gate", {}, ast.Compare(left, [TURNED[type(op)]()], [right])
+            if isinstance(parent, ast.If | ast.IfExp | ast.comprehension | ast.BoolOp):
+                yield "gate", {}, ast.Constant(True)
+                yield "gate", {}, ast.Constant(False)
+        case ast.BoolOp(op=op, values=values):
+            other_op = ast.Or() if isinstance(op, ast.And) else ast.And()
+            yield "and_or", {}, ast.BoolOp(other_op, values)
+        case ast.Tuple(ctx=ast.Load(), elts=elements) if isinstance(parent, ast.Return):
+            for i, k in combinations(range(len(elements)), 2):
+                moved = list(elements)
+                moved[i], moved[k] = moved[k], moved[i]
+                yield "order", {}, ast.Tuple(moved, ast.Load())
+        case ast.Assign(targets=[ast.Name(id=name)]) if _uses(node.value, name):
+            yield "step", {}, ast.Pass()
+        case ast.AugAssign(op=ast.Add() | ast.Sub() as op):
+            yield "step", {}, ast.Pass()
+            turned = ast.Sub() if isinstance(op, ast.Add) else ast.Add()
+            yield "sign", {}, ast.AugAssign(node.target, turned, node.value)
+    if isinstance(node, ast.expr) and _is_a_value(node, parent):
+        yield "factor", {}, ast.BinOp(ast.Constant(2), ast.Mult(), node)
+        yield "factor", {}, ast.BinOp(node, ast.Div(), ast.Constant(2))
+        yield "sign", {}, ast.UnaryOp(ast.USub(), node)
+
+
+def _is_a_value(node: ast.expr, parent: ast.AST) -> bool:
+    """Return whether a node is all that gets a name or is returned, alone or in a tuple."""
+    if isinstance(node, ast.Constant | ast.Tuple | ast.List | ast.Compare | ast.BoolOp):
+        return False
+    if isinstance(parent, ast.Tuple):
+        return isinstance(parent.ctx, ast.Load)
+    return isinstance(parent, ast.Assign | ast.Return) and not isinstance(node, ast.Name)
+
+
+def _uses(node: ast.AST, name: str) -> bool:
+    """Return whether a name stands in an expression."""
+    return any(isinstance(part, ast.Name) and part.id == name for part in ast.walk(node))
+
+
+def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
+    """Yield the slips in a sum, product, quotient or power."""
+    left, right = node.left, node.right
+    in_range = isinstance(parent, ast.Call) and _called(parent) == "range"
+    match node.op:
+        case ast.Add() | ast.Sub():
+            turned = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
+            yield "sign", {}, ast.BinOp(left, turned, right)
+            yield "count" if in_range or _is_one(right) else "term", {}, left
+            yield "term", {}, right
+            if isinstance(node.op, ast.Sub):
+                yield "sign", {}, ast.BinOp(right, ast.Sub(), left)
+        case ast.Mult():
+            yield "quotient", {}, ast.BinOp(left, ast.Div(), right)
+            yield _factor(right), {"of": _name(right)}, left
+            yield _factor(left), {"of": _name(left)}, right
+            yield from _without_brackets(left, node.op, right)
+        case ast.Div():
+            yield "quotient", {}, ast.BinOp(left, ast.Mult(), right)
+            yield "upside_down", {}, ast.BinOp(right, ast.Div(), left)
+            yield "factor" if _is_two(right) else "divisor", {"by": _name(right)}, left
+            yield from _without_brackets(left, node.op, right)
+        case ast.Pow():
+            yield "power", {}, left
+            if _is_two(right):
+                yield "power", {}, ast.BinOp(left, ast.Mult(), right)
+
+
+def _without_brackets(left: ast.expr, op: ast.operator, right: ast.expr) -> Iterator[Edit]:
+    """Yield (a + b) / c as a + b / c, and the like."""
+    match left:
+        case ast.BinOp(left=a, op=ast.Add() | ast.Sub() as plus, right=b):
+            yield "precedence", {}, ast.BinOp(a, plus, ast.BinOp(b, op, right))
+    match right:
+        case ast.BinOp(left=a, op=ast.Add() | ast.Sub() as plus, right=b):
+            yield "precedence", {}, ast.BinOp(ast.BinOp(left, op, a), plus, b)
+        case ast.BinOp(left=a, op=ast.Mult() as times, right=b) if isinstance(op, ast.Div):
+            yield "precedence", {}, ast.BinOp(ast.BinOp(left, op, a), times, b)
+
+
+def _calls(node: ast.Call) -> Iterator[Edit]:
+    """Yield the slips in the call of a function."""
+    name = _called(node)
+    if name in EXCHANGED_CALLS:
+        other, kind = EXCHANGED_CALLS[name]
+        yield kind, {}, ast.Call(_renamed(node.func, other), node.args, node.keywords)
+    if name in ROOTS:
+        yield "root", {}, ast.BinOp(node, ast.Pow(), ast.Constant(2))
+    if name == "range":
+        *first, last = node.args[:2]
+        for step in (ast.Add(), ast.Sub()):
+            yield (
+                "count",
+                {},
+                ast.Call(node.func, [*first, ast.BinOp(last, step, ast.Constant(1))], []),
+            )
+    if name in LEFT_OUT and len(node.args) == 1:
+        yield LEFT_OUT[name], {}, node.args[0]
+    if name in ("min", "max", "clip"):
+        for argument in node.args:
+            yield "clamp", {}, argument
+    if name in IN_RADIANS:
+        degrees = ast.BinOp(node.args[0], ast.Mult(), ast.Constant(180 / math.pi))
+        yield "degrees", {}, ast.Call(node.func, [degrees], [])
+    if len(node.args) == 2 and name not in ("dot", "min", "max", "hypot"):
+        one, two = node.args
+        kind = "cross" if name == "cross" else "exchanged"
+        names = {"first": _name(one), "second": _name(two)}
+        yield kind, names, ast.Call(node.func, [two, one], node.keywords)
+    for index, argument in enumerate(node.args):
+        if isinstance(argument, ast.Starred | ast.Constant | ast.GeneratorExp):
+            continue
+        turned = [*node.args[:index], ast.UnaryOp(ast.USub(), argument), *node.args[index + 1 :]]
+        yield "sign", {}, ast.Call(node.func, turned, node.keywords)
+
+
+def _called(node: ast.Call) -> str:
+    """Return the name of the function that is called, without its module."""
+    return node.func.attr if isinstance(node.func, ast.Attribute) else _name(node.func)
+
+
+def _renamed(function: ast.expr, name: str) -> ast.expr:
+    """Return another function of the same module."""
+    if isinstance(function, ast.Attribute):
+        return ast.Attribute(function.value, name, ast.Load())
+    return ast.Name(name, ast.Load())
+
+
+def _name(node: ast.expr) -> str:
+    """Return a name that is an expression by itself, else nothing."""
+    return node.id if isinstance(node, ast.Name) else ""
+
+
+def _is_one(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value == 1
+
+
+def _is_two(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value in (2, 0.5)
+
+
+def _factor(node: ast.expr) -> str:
+    """Return what kind of slip it is to leave a factor out."""
+    return "factor" if _is_two(node) else "factor_missing"
+
+
+def others_of(name: str, known: set[str]) -> list[str]:
+    """Return the names that differ from one in which of a pair it is of.
+
+    >>> sorted(others_of("v1", {"v1", "v2", "m1", "v1_after"}))
+    ['v2']
+    """
+    parts, found = parts_of(name), []
+    for i, part in enumerate(parts):
+        other = "".join([*parts[:i], OPPOSITE.get(part, part), *parts[i + 1 :]])
+        if other != name and other in known:
+            found.append(other)
+    return found
+
+
+def parts_of(name: str) -> list[str]:
+    """Return the parts of a name: v1_after is v, 1, _, after."""
+    return re.findall(r"\d|[A-Za-z]+|\W|_", name)

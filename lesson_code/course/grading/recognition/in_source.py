@@ -1,0 +1,232 @@
+"""Slips: small mistakes that a machine makes in a right answer, to find one in a wrong answer.
+
+A sign, a factor of 2, another body's quantity, a missing bracket: nobody can list where each may
+happen in each task. Here they are made in every right answer that the course knows of a task (its
+solution and the unusual ones), one at a time, by rewriting its syntax tree; and in what goes into
+the right formula and comes out of it. Each becomes a wrong model like those that a chapter lists:
+its name is the kind of the slip, its docstring and its hint are made from the place.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, field
+from functools import partial
+from types import CodeType
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lesson_code.course.grading.recognition.edits import OPPOSITE, edits, parts_of
+from lesson_code.course.grading.task import Function, WrongModel
+
+HINTS = {
+    "sign": "a sign is turned round. What is added there, what taken away, and which way is plus?",
+    "minus": "everything has the opposite sign. Which way is plus, and who acts on whom?",
+    "factor": "a factor of 2 is missing or is one too many. Where does each 2 or 1/2 come from?",
+    "factor_missing": "one factor{of} is left out. Do the units on both sides still fit?",
+    "divisor": "a division{by} is left out. Do the units on both sides still fit?",
+    "quotient": "a product and a quotient are exchanged. Do the units on both sides still fit?",
+    "upside_down": "a quotient is upside down. What should happen as its parts grow?",
+    "term": "one term of a sum is left out. Which parts make up the whole?",
+    "precedence": "brackets are missing. What does the division or the product take in?",
+    "power": "a power is left out. Which quantities are squared, and where is a root taken?",
+    "root": "one function is left out: a root, an exponential, a logarithm. Which unit comes out?",
+    "absolute": "absolute values stand where signs count. Which way does each thing go?",
+    "other": "{wrong} stands where {right} belongs. Whose quantity is wanted there?",
+    "exchanged": "{first} and {second} are exchanged. Which belongs where?",
+    "ignored": "{name} does not count. What should change with it?",
+    "index": "a component is taken for another. Which of x and y belongs there?",
+    "order": "what is returned stands in another order. What was asked for first?",
+    "gate": "a condition is turned round or not asked. When should something happen at all?",
+    "minmax": "a largest and a smallest are exchanged. Which of the two is wanted?",
+    "sine": "a sine and a cosine are exchanged. What should come at angle 0?",
+    "cross": "a cross product is a dot product, or its order is turned. What does each measure?",
+    "and_or": "an `and` and an `or` are exchanged. Must all hold, or is one enough?",
+    "count": "a count is off by one. What is the first, and what the last?",
+    "step": "one step is left out. Is each name brought up to date where it should be?",
+    "degrees": "an angle is in degrees where radians belong, or the other way round. Which is it?",
+    "rounding": "the answer is rounded. Can you return the number as it was worked out?",
+    "clamp": "one side of a limit is left out. Can the number also be too small, or too large?",
+}
+"""By kind what a slip does, and a question. Before it stands SAYS."""
+
+UNNAMED = {
+    "of": "", "by": "", "wrong": "one quantity", "right": "another", "first": "one quantity",
+    "second": "another", "name": "an argument",
+}  # fmt: skip
+"""What stands in a hint for names that a reader does not know."""
+
+SAYS = "Your numbers are just those of a right answer in which "
+
+MOST_ROUNDS = 200
+"""Rounds of loops in one call of a slip: a slip may make a loop that never ends."""
+
+
+class TooManyRoundsError(ArithmeticError):
+    """Raised in a slip whose loops do not end."""
+
+
+@dataclass
+class RightAnswer:
+    """A right answer whose source may be rewritten, and the names that it uses."""
+
+    definition: ast.FunctionDef
+    names: dict[str, Any]
+    _rounds: int = field(default=0, init=False)
+
+    def __post_init__(self) -> None:
+        self.definition.decorator_list, self.definition.returns = [], None
+        self.definition.name = "slip"
+        self.names = {**self.names, "count_round": self._count_round}
+        for argument in self.definition.args.args:
+            argument.annotation = None
+        for node in ast.walk(self.definition):
+            if isinstance(node, ast.For | ast.While):
+                node.body.insert(0, ast.parse("count_round()").body[0])
+
+    @property
+    def parameters(self) -> list[str]:
+        """The names of the arguments."""
+        return [argument.arg for argument in self.definition.args.args]
+
+    def _count_round(self) -> None:
+        self._rounds += 1
+        if self._rounds > MOST_ROUNDS:
+            raise TooManyRoundsError("its loops do not end")
+
+    def compiled(self) -> CodeType:
+        """Return the code of the answer as it is rewritten now."""
+        tree = ast.fix_missing_locations(ast.Module([self.definition], type_ignores=[]))
+        return compile(tree, "<slip>", "exec")
+
+    def function(self, code: CodeType) -> Function:
+        """Return the function that some code defines."""
+        made: dict[str, Any] = {}
+        exec(code, self.names, made)  # noqa: S102 - the course's own source
+
+        def slip(*arguments: Any) -> Any:
+            self._rounds = 0
+            with np.errstate(invalid="raise", divide="raise"):  # LAPACK prints what it cannot use
+                return made["slip"](*arguments)
+
+        return slip
+
+
+def of_function(function: Function) -> RightAnswer:
+    """Return a function of the course as an answer whose source may be rewritten."""
+    definition = ast.parse(inspect.cleandoc(inspect.getsource(function))).body[0]
+    if not isinstance(definition, ast.FunctionDef):
+        raise TypeError(f"function must be defined by def, got {function.__name__}")
+    return RightAnswer(definition, function.__globals__)
+
+
+def slips_in(
+    answer: RightAnswer, task: str, kinds: Collection[str] = tuple(HINTS)
+) -> Iterator[WrongModel]:
+    """Yield a wrong model for each slip of some kinds in the source of an answer."""
+    for kind, names, put, take_back in _places(answer, kinds):
+        put()
+        try:
+            code = answer.compiled()
+        except (SyntaxError, ValueError, TypeError):
+            continue
+        finally:
+            take_back()
+        yield model(task, kind, answer.function(code), names)
+
+
+def pairs_in(
+    answer: RightAnswer, task: str, first: Collection[str], second: Collection[str]
+) -> Iterator[tuple[WrongModel, WrongModel]]:
+    """Yield pairs of slips, one of some kinds and one of others; the second holds both."""
+    for kind, names, put, take_back in list(_places(answer, first)):
+        put()
+        try:
+            one = model(task, kind, answer.function(answer.compiled()), names)
+            both = list(slips_in(answer, task, second))
+        except (SyntaxError, ValueError, TypeError):
+            continue
+        finally:
+            take_back()
+        yield from ((one, other) for other in both)
+
+
+def model(task: str, kind: str, function: Function, names: dict[str, str]) -> WrongModel:
+    """Return a slip as a wrong model."""
+    says = HINTS[kind].format_map({**UNNAMED, **names})
+    function.__name__, function.__doc__ = kind, f"{says.partition('. ')[0]}.".capitalize()
+    return WrongModel(task, function, SAYS + says)
+
+
+Place: TypeAlias = tuple[str, dict[str, str], Callable[[], None], Callable[[], None]]
+
+
+def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
+    """Yield each slip as what makes it in the tree and what takes it back.
+
+    A slip that may be made in several places of the same shape, such as the divisor in the lines
+    for both bodies, is made in each and in all of them.
+    """
+    used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
+    alike: dict[str, list[Place]] = {}
+    for parent in list(ast.walk(answer.definition)):
+        for node, put in _children(parent):
+            shape = _shape(node)
+            for number, edit in enumerate(edits(node, parent, used | {*answer.parameters})):
+                kind, names, other = edit
+                if kind in kinds:
+                    shown = _shown(names, answer)
+                    place = kind, shown, partial(put, other), partial(put, node)
+                    alike.setdefault(f"{kind} {number} {shape}", []).append(place)
+                    yield place
+    for places in alike.values():
+        if len(places) > 1:
+            yield _all_of(places)
+
+
+def _all_of(places: list[Place]) -> Place:
+    """Return some slips as one."""
+
+    def put() -> None:
+        for place in places:
+            place[2]()
+
+    def take_back() -> None:
+        for place in reversed(places):
+            place[3]()
+
+    return places[0][0], {}, put, take_back
+
+
+def _shape(node: ast.AST) -> str:
+    """Return a node as text that is the same for either of a pair of names."""
+    return re.sub(
+        r"id='\w+'", lambda found: "".join(map(_sideless, parts_of(found[0]))), ast.dump(node)
+    )
+
+
+def _sideless(part: str) -> str:
+    return "#" if part in OPPOSITE else part
+
+
+def _children(parent: ast.AST) -> Iterator[tuple[ast.AST, Callable[[ast.AST], None]]]:
+    """Yield the nodes right below a node, each with what puts another one in its place."""
+    for name, value in list(ast.iter_fields(parent)):
+        if isinstance(value, ast.AST):
+            yield value, partial(setattr, parent, name)
+        elif isinstance(value, list):
+            for index, item in enumerate(value):
+                if isinstance(item, ast.AST):
+                    yield item, partial(value.__setitem__, index)
+
+
+def _shown(names: dict[str, str], answer: RightAnswer) -> dict[str, str]:
+    """Return names as a hint shows them, if all are of arguments, which the reader knows."""
+    if not names or not set(names.values()) <= set(answer.parameters):
+        return {}
+    forms = {"of": " ({})", "by": " by {}"}
+    return {key: forms.get(key, "{}").format(name) for key, name in names.items()}
