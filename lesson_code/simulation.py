@@ -81,7 +81,9 @@ def simulate(
         ``run.plan``, such as "friction" and "rotation".
     compiled : bool, optional
         Whether our own stages run as machine code, which Numba makes of them; the results are the
-        same to the last bit. None: if the run is large enough to repay it, and can be compiled.
+        same to the last bit. True: a program that is not kept is compiled first, in some seconds.
+        None: what takes least time. Where no program is kept, a long run begins as plain Python,
+        and goes on as machine code when another process has compiled it; `run.plan` says so.
     impacts : str
         Where bodies that touch are struck together: "simultaneous", all bounce at once, or
         "sequential", one pair after the other. A choice that only "direct" offers.

@@ -1,12 +1,13 @@
-"""What tests measure at a contact, written out from its definition and not by the engine's code."""
+"""What tests measure and do at a contact, apart from the engine's own code for it."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lesson_code.engine.core.impulse_pair import MovingBody
+from lesson_code.engine.core.impulse_pair import MovingBody, exchange_and_turn
 from lesson_code.engine.core.rows import ContactRow
+from lesson_code.formulas.arithmetic import cross
 
 
 def velocity_along(c: ContactRow, a: MovingBody, b: MovingBody, u: ArrayLike) -> float:
@@ -18,6 +19,16 @@ def velocity_along(c: ContactRow, a: MovingBody, b: MovingBody, u: ArrayLike) ->
 def mass_along(c: ContactRow, a: MovingBody, b: MovingBody, u: ArrayLike) -> float:
     """Return the effective mass along u, kg: 1 N s over the velocity it adds."""
     return 1 / (_gain(a, (c.ax, c.ay), u) + _gain(b, (c.bx, c.by), u))
+
+
+def apply_impulse(
+    c: ContactRow, a: MovingBody, b: MovingBody, u: tuple[float, float], j: float
+) -> None:
+    """Give b an impulse j along u at its lever arm, N s, and a the opposite one at its own."""
+    jx, jy = j * u[0], j * u[1]
+    wa = -cross((c.ax, c.ay), (jx, jy)) * a.inv_i
+    wb = cross((c.bx, c.by), (jx, jy)) * b.inv_i
+    exchange_and_turn(a, b, jx, jy, wa, wb)
 
 
 def _point_velocity(body: MovingBody, arm: tuple[float, float]) -> NDArray[np.float64]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -56,6 +55,10 @@ def measure_cases(
         list[str] | None, typer.Option("--only", metavar="FAMILY", help="Only this family.")
     ] = None,
     draws: Annotated[int, typer.Option(min=1, help="Draws of each family.")] = 3,
+    peer_draws: Annotated[
+        int | None,
+        typer.Option(min=1, help="So many of them with the others; all by default."),
+    ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the first draw.")] = 0,
     replayed: Annotated[
         str | None,
@@ -63,7 +66,7 @@ def measure_cases(
     ] = None,
     engines: Annotated[
         list[str] | None,
-        typer.Option("--solver", help="ours, naive, pymunk or box2d; all by default."),
+        typer.Option("--solver", help="ours, sequential, naive, pymunk or box2d; all by default."),
     ] = None,
     workers: Workers = None,
     cluster: Cluster = None,
@@ -72,8 +75,7 @@ def measure_cases(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Families of scenes in which solvers go wrong: ours beside naive, pymunk and Box2D."""
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small systems: more threads are slower
+    """Families of scenes in which solvers go wrong: ours beside sweeps, naive, pymunk, Box2D."""
     from lesson_code.evidence import hard_cases
 
     with clear_errors():
@@ -85,6 +87,7 @@ def measure_cases(
         measured = hard_cases.measure_hard_cases(
             only,
             draws=draws,
+            peer_draws=peer_draws,
             seed=seed,
             engines=engines,
             workers=workers,
@@ -152,7 +155,7 @@ def measure_grading(
 def speed(
     only: Annotated[
         list[str] | None,
-        typer.Option(help="Only such scenes or parts: gas-100, gas, held-50, memory, ..."),
+        typer.Option(help="Only such parts: run, run-gas-100, gas-100, gas, held-50, ..."),
     ] = None,
     quick: Annotated[
         bool, typer.Option("--quick", help="Small scenes and few repeats: under a minute.")
@@ -164,9 +167,12 @@ def speed(
         str | None,
         typer.Option(metavar="SCENE", help="The time of each of our stages in a scene instead."),
     ] = None,
+    store: Annotated[
+        bool, typer.Option("--store", help="Put the whole runs where notebook 10 finds them.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """How fast the engines are: ours, pymunk, and Box2D where it is installed."""
+    """How fast the engines are: ours, pymunk, and Box2D where it is installed; whole runs first."""
     from lesson_code.evidence.measurement import machine_line
     from lesson_code.evidence.speed import measure_speed
     from lesson_code.evidence.speed.profile import profile_scene
@@ -175,8 +181,14 @@ def speed(
         if profile is not None:
             _show(profile_scene(profile), as_json)
             return
+        if store and (quick or not set(only or ["run"]) <= {"run"}):
+            raise ValueError(
+                '--store needs all whole runs: leave out --quick, and --only but "run"'
+            )
         with share_bar() as told:
             measured = measure_speed(repeats=repeats, quick=quick, only=only or (), told=told)
+        if store and measured.whole_runs is not None:
+            measured.whole_runs.store()
     if not as_json:
         console.print(machine_line(), highlight=False)
     _show(measured, as_json)
@@ -205,7 +217,6 @@ def measure_accuracy(
     as_json: AsJson = False,
 ) -> None:
     """Measure what accuracy costs: error against time of all methods, where answers are known."""
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small systems: more threads are slower
     from lesson_code.evidence import work_precision
 
     with clear_errors():

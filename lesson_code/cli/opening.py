@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+import threading
 from pathlib import Path
 from typing import Annotated
 
@@ -53,6 +54,7 @@ def open_workbook(
     try:
         console.print("The workbook is served at", running.address, soft_wrap=True, highlight=False)
         console.print("Stop it with Ctrl-C.")
+        threading.Thread(target=_prepare, daemon=True).start()
         if browser and server.has_screen():
             webbrowser.open(running.address)
         running.process.wait()
@@ -60,6 +62,15 @@ def open_workbook(
         console.print("Stopped.")
     finally:
         running.stop()
+
+
+def _prepare() -> None:
+    """Have the programs of large runs compiled, as long as the workbook is open."""
+    from lesson_code.evidence.common_programs import compile_in_background, programs_to_compile
+
+    if programs := programs_to_compile():
+        console.print("Programs of large runs are compiled in the background, once:", len(programs))
+        compile_in_background(programs)
 
 
 def _root() -> Path:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.compiled import Program
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.mixing import MixingRule
@@ -24,7 +25,7 @@ from lesson_code.engine.effects.callbacks import TouchListener, touches_in
 from lesson_code.engine.effects.choice import choose_effects, names_used
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.question import Question
-from lesson_code.engine.stepper import EngineStepper, source_of
+from lesson_code.engine.stepper import EngineStepper
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
 TIME_STEP = 1 / 60
@@ -245,15 +246,18 @@ class LiveWorld:
             self._listener.tell(touches, self.time, self.numbers)
 
     def compile(self) -> None:
-        """Go on in machine code, with the same results to the last bit; it takes a while."""
+        """Go on in machine code, with the same results to the last bit.
+
+        It takes seconds where its program is not kept.
+        """
         self._write_back()
         self.compiled = True
         self._engine.advance(0)
 
     @cached_property
-    def source(self) -> str:
+    def program(self) -> Program:
         """The program that is compiled."""
-        return source_of(self._engine_for((), has_grid=True).pipeline)
+        return self._engine_for((), has_grid=True).program()
 
     def plan(self) -> Plan:
         """Return what the bodies call for as they are now, and what the world reckons with.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from contextlib import closing, nullcontext
 from dataclasses import replace
 from functools import partial
 from operator import attrgetter
@@ -14,24 +15,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import (
-    Choice,
+    Code,
+    Entry,
+    Program,
     as_arrays,
     as_numbers,
-    choose,
-    compiled_function,
+    as_rows,
+    column,
     copy_of,
+    full_rows,
     link,
+    program_of,
 )
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.mixing import MixingRule
+from lesson_code.engine.core.one_thread import one_thread
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, record
+from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.core.step import advance
-from lesson_code.engine.core.tables import BROAD_PHASES, world_of
+from lesson_code.engine.core.tables import BROAD_PHASES, arrays_of
 from lesson_code.engine.effects.callbacks import TouchListener
 from lesson_code.engine.effects.choice import (
     choose_effects,
@@ -73,26 +80,29 @@ def source_of(pipeline: Pipeline) -> str:
 
 NO_OPTIONS: Mapping[str, str] = MappingProxyType({})
 
-BODY_SECONDS, VISIT_SECONDS = 8e-6, 4e-6
-"""s, of plain Python: for a body in a step, and for a visit to a contact."""
+BODY_SECONDS, CONTACT_SECONDS, VISIT_SECONDS = 3e-6, 8e-6, 2e-6
+"""s, of plain Python: for a body in a step, for a contact in it, and for each visit to that; on
+the machine whose speed :mod:`lesson_code.engine.compiled.choice` compares with."""
 
-CONTACTS_PER_BODY = 2
+CONTACTS_OF_A_DISC, CONTACTS_OF_A_POLYGON = 1.5, 3.0
 """In a pile, about; without gravity there are few."""
 
 
-def choose_code(
-    scene: Scene,
-    solver: Solver,
-    steps: float,
-    iterations: int,
-    asked: bool | None,
-    program: Callable[[], str],
-) -> Choice:
-    """Return whether to compile a run, from what has been asked for or from the work there is."""
-    visits = CONTACTS_PER_BODY * iterations if any(scene.gravity) else 0
-    seconds = steps * len(scene.bodies) * (BODY_SECONDS + visits * VISIT_SECONDS)
-    never = "callbacks are Python functions" if scene.callbacks.wanted else ""
-    return choose(asked, seconds, program, solver.never_compiled or never)
+def why_never(scene: Scene, solver: Solver) -> str:
+    """Return why a run cannot be compiled, in words; "" when it can."""
+    callbacks = "callbacks are Python functions" if scene.callbacks.wanted else ""
+    return solver.never_compiled or callbacks
+
+
+def plain_seconds(scene: Scene, steps: float, iterations: int) -> float:
+    """Return about how long plain Python takes for a run, s; see :mod:`compiled.choice`."""
+    contacts = 0.0
+    if any(scene.gravity):
+        polygons = int(scene.columns.has_corners.sum())
+        discs = len(scene.bodies) - polygons
+        contacts = CONTACTS_OF_A_DISC * discs + CONTACTS_OF_A_POLYGON * polygons
+    in_contact = CONTACT_SECONDS + iterations * VISIT_SECONDS
+    return steps * (len(scene.bodies) * BODY_SECONDS + contacts * in_contact)
 
 
 def run_in_steps(asked: Request, solver: Solver) -> Run:
@@ -110,7 +120,8 @@ def run_in_steps(asked: Request, solver: Solver) -> Run:
         duration=asked.duration,
         options=asked.options,
     )
-    return record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
+    with closing(stepper):
+        return record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
 
 
 class EngineStepper:
@@ -135,8 +146,8 @@ class EngineStepper:
     keep_impulses : bool
         Whether every impulse is written down.
     compiled : bool or None
-        Whether the stages run as compiled code. They do the same to the last bit. None: if the run
-        is large enough to repay it.
+        Whether the stages run as compiled code. They do the same to the last bit. None: where that
+        saves time, perhaps from some step on; then :meth:`close` it when it is no longer needed.
     effects : mapping, optional
         Effects to force on or to leave out, by name; see :mod:`lesson_code.engine.effects.choice`.
     duration : float
@@ -153,8 +164,6 @@ class EngineStepper:
         The stages.
     effects : tuple of EffectChoice
         What they reckon with, and why.
-    choice : Choice
-        Whether they are compiled, and why.
 
     Raises
     ------
@@ -191,7 +200,7 @@ class EngineStepper:
         self.effects = choose_effects(self._question, self._asked)
         stages = pipeline_for(scene, self._solver, self.effects, self._options)
         self.pipeline = stages._replace(splits_steps=splits_steps)
-        self.world = world_of(
+        self.world = arrays_of(
             scene, dt / self._steps_a_step, iterations, combine, self._solver.skin
         )
         self.world.state.substeps = substeps
@@ -199,12 +208,9 @@ class EngineStepper:
         self._steps_planned = duration / dt
         self._steps_made = 0
         self._events: list[NDArray[np.float64]] = []
-        steps = 0.0 if math.isinf(duration) else self._steps_a_step * duration / dt
-        program = partial(source_of, self.pipeline)
-        self.choice = choose_code(scene, self._solver, steps, iterations, compiled, program)
-        self._compiled = self.choice.compiled
-        if self._compiled:
-            self._compile()
+        self._entry: Entry | None = None
+        self._code = Code(compiled, why_never(scene, self._solver))
+        self._choose_code()
 
     def plan(self, reason: str) -> Plan:
         """Return how the scene is run so far, with the reason for the choice of this solver."""
@@ -212,12 +218,15 @@ class EngineStepper:
         return Plan(
             self._question.solver,
             reason,
-            self.choice.code,
-            self.choice.reason,
+            *self._code.choice,
             self.effects,
             tuple(self._changes),
             partial(source_of, pipeline),
         )
+
+    def program(self) -> Program:
+        """Return the program that the stages make."""
+        return program_of(source_of(self.pipeline), "advance", World)
 
     def advance(self, steps: int) -> None:
         """Advance by `steps` steps of dt.
@@ -232,13 +241,19 @@ class EngineStepper:
         """
         self._refuse_beyond_the_end(steps)
         listener = self.pipeline.listener
-        if not isinstance(listener, TouchListener):
-            self._advance(steps)
-            return
-        for _ in range(steps):
-            self._advance(1)
-            if (gravity := listener.new_gravity()) is not None:
+        caller = listener if isinstance(listener, TouchListener) else None
+        while steps > 0:
+            at_once = 1 if caller or self._may_change_code() else steps
+            self._advance(at_once)
+            self._steps_made += at_once
+            steps -= at_once
+            if caller and (gravity := caller.new_gravity()) is not None:
                 self.set_gravity(gravity)
+            self._look_at_code()
+
+    def close(self) -> None:
+        """End the run: a process that still compiles for it ends too, unless it is nearly done."""
+        self._code.close()
 
     def _refuse_beyond_the_end(self, steps: int) -> None:
         """Raise a ValueError if so many more steps are not in the run; the last may be a part."""
@@ -248,7 +263,6 @@ class EngineStepper:
                 f"steps must end within the run, which was planned for {self._steps_planned:g} "
                 f"steps, got {made} in all"
             )
-        self._steps_made = made
 
     def set_gravity(self, gravity: tuple[float, float]) -> None:
         """Let another gravity act from now on, m/s^2, and plan anew what the scene calls for."""
@@ -263,8 +277,7 @@ class EngineStepper:
             listener=self.pipeline.listener,
             splits_steps=self.pipeline.splits_steps,
         )
-        if self._compiled:
-            self._compile()
+        self._choose_code()
         after = names_used(self.effects)
         self._changes.append(_change(state.time, gravity, after - before, before - after))
 
@@ -286,12 +299,12 @@ class EngineStepper:
         """Return the states that a shorter step leads to, shape (N, 6); nothing else changes."""
         if duration <= 0.0:
             return self.states()
-        world, pipeline, events = self.world, self.pipeline, list(self._events)
-        self.world, self.pipeline = copy_of(world), pipeline._replace(listener=None)
+        before = self.world, self._rows, self.pipeline, self._entry, list(self._events)
+        self.world, self.pipeline = copy_of(self.world), self.pipeline._replace(listener=None)
         self.world.state.whole = duration / self._steps_a_step
         self._advance(1)
         states = self.states()
-        self.world, self.pipeline, self._events = world, pipeline, events
+        self.world, self._rows, self.pipeline, self._entry, self._events = before
         return states
 
     def row(self, number: int) -> Any:
@@ -304,7 +317,7 @@ class EngineStepper:
         bodies: Any = self.world.bodies
         if self._compiled and name in bodies.dtype.names:
             return bodies[name]
-        return [getattr(body, name) for body in self._rows.bodies]
+        return column(self._rows.bodies, name)
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""
@@ -319,9 +332,10 @@ class EngineStepper:
 
     def _run(self) -> bool:
         """Make the steps that are left; return whether all are made."""
-        if self._compiled:
-            return bool(self._program(self.world))
-        return advance(self.world, self.pipeline)
+        if self._entry is not None:
+            return bool(self._entry(self.world))
+        with one_thread() if self._solver.has_matrices else nullcontext():
+            return advance(self.world, self.pipeline)
 
     def _clear_the_way(self) -> None:
         """Remove the obstacle that has stopped a run."""
@@ -331,20 +345,53 @@ class EngineStepper:
         if state.has_fast:
             state.has_fast = False
             self.pipeline = self.pipeline._replace(splits_steps=True)
-            if self._compiled:
-                self._compile()
+            self._choose_code()
         self._take_impulses()
         self.world = add_capacity(self.world)
 
-    def _compile(self) -> None:
-        """Compile the stages.
+    @property
+    def _compiled(self) -> bool:
+        """Whether the tables are arrays of records, for machine code."""
+        return self._entry is not None
+
+    def _choose_code(self) -> None:
+        """Choose what the stages, as they are now, are run in.
 
         Those that split a step at an impact are half of all the source, and few scenes need them:
-        they are added when the first fast body is met.
+        they are added when the first fast body is met, and make another program.
         """
-        source = source_of(self.pipeline)
-        self._program = compiled_function(source, "advance")
-        self.world = as_arrays(self.world, source, self._rows)
+        steps = self._steps_planned - self._steps_made
+        steps = 0.0 if math.isinf(steps) else self._steps_a_step * steps
+        state, scene = self.world.state, self._question.scene
+        seconds = plain_seconds(scene, steps, state.iterations)
+        self._change_to(self._code.begin(self.program, seconds, self._now()))
+
+    def _now(self) -> str:
+        """Return which step comes next, in words; "" before the first."""
+        return f"step {self._steps_made + 1}" if self._steps_made else ""
+
+    def _may_change_code(self) -> bool:
+        """Whether plain Python runs, and machine code may take over on the way."""
+        return self._entry is None and self._code.may_change
+
+    def _look_at_code(self) -> None:
+        """Go on in machine code if that is there now."""
+        if self._may_change_code():
+            ahead = (self._steps_planned - self._steps_made) / self._steps_made
+            if (entry := self._code.look(self.program, ahead, self._now())) is not None:
+                self._change_to(entry)
+
+    def _change_to(self, entry: Entry | None) -> None:
+        """Go on with machine code for the stages as they are, or without."""
+        if entry is not None:
+            if self._entry is None:
+                self._rows = self.world
+            self.world = as_arrays(self.world, entry.program.source, self._rows)
+        else:
+            if self._entry is not None:
+                self.world = as_rows(self.world, full_rows(self._rows))
+            self.world = self._rows = full_rows(self.world)
+        self._entry = entry
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""

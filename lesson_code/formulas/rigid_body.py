@@ -179,7 +179,7 @@ def polygon_inertia(mass: Number, vertices: Vector) -> Any:
     r = polygon_vertices("vertices", vertices)
     local = r - r[0]
     p = (local - _centroid(local)).T
-    q = np.roll(p, -1, axis=1)
+    q = _next(p.T).T
     weights = cross(p, q)
     mean_square = np.sum((dot(p, p) + dot(p, q) + dot(q, q)) * weights) / (6 * weights.sum())
     return m * float(mean_square)
@@ -216,13 +216,18 @@ def disc_inertia(mass: Number, radius: Number) -> Number:
     return mass * radius * radius / 2
 
 
+def _next(r: Any) -> Any:
+    """Return for every corner of a polygon, shape (N, 2), the one after it."""
+    return np.concatenate([r[1:], r[:1]])
+
+
 def _twice_areas(r: Any) -> Any:
     """Return p x q for every edge of a polygon, seen from the origin: twice a triangle each."""
-    return cross(r.T, np.roll(r, -1, axis=0).T)
+    return cross(r.T, _next(r).T)
 
 
 def _centroid(r: Any) -> Any:
     """Return the centroid of a polygon, shape (N, 2), with a corner at the origin."""
     weights = _twice_areas(r)
-    middles = (r + np.roll(r, -1, axis=0)) / 3
+    middles = (r + _next(r)) / 3
     return weights @ middles / weights.sum()

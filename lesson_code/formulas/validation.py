@@ -42,7 +42,7 @@ far above what rounding makes of a line (1e-16), far below any plate."""
 
 def finite(name: str, value: Any) -> Any:
     """Return `value`, a real number or an array of them, none of them nan or infinite."""
-    return _require(name, value, np.isfinite, "finite")
+    return _require(name, value, lambda x: abs(x) < math.inf, "finite")
 
 
 def mass(name: str, value: Any) -> Any:
@@ -57,12 +57,12 @@ def moment_of_inertia(name: str, value: Any) -> Any:
 
 def positive(name: str, value: Any) -> Any:
     """Return `value`: greater than zero and finite."""
-    return _require(name, value, lambda x: (x > 0) & np.isfinite(x), "> 0 and finite")
+    return _require(name, value, lambda x: (x > 0) & (x < math.inf), "> 0 and finite")
 
 
 def non_negative(name: str, value: Any) -> Any:
     """Return `value`: zero or greater, and finite."""
-    return _require(name, value, lambda x: (x >= 0) & np.isfinite(x), ">= 0 and finite")
+    return _require(name, value, lambda x: (x >= 0) & (x < math.inf), ">= 0 and finite")
 
 
 def unit_interval(name: str, value: Any) -> Any:
@@ -97,6 +97,8 @@ def one_number(name: str, value: Any, rule: Rule = finite) -> float:
     2.0
     """
     checked = rule(name, value)
+    if type(checked) is float:
+        return checked
     if np.ndim(checked):
         raise ValueError(f"{name} must be one number, got shape {np.shape(checked)}")
     return float(checked)
@@ -127,7 +129,7 @@ def polygon_vertices(name: str, value: Any) -> Any:
         raise ValueError(f"{name} must have shape (N, 2), N >= 3, got shape {array.shape}")
     x, y = (array - array[0]).T
     area = abs(np.dot(x[:-1], y[1:]) - np.dot(y[:-1], x[1:])) / 2
-    square = max(np.ptp(x), np.ptp(y)) ** 2
+    square = max(x.max() - x.min(), y.max() - y.min()) ** 2
     if not area > FLATNESS * square:
         raise ValueError(f"{name} must have an area > 0 m^2, not lie on a line, got {area:g}")
     return array
@@ -212,7 +214,13 @@ def _common_shape(values: dict[str, Any], vectors: set[str]) -> tuple[int, ...]:
 def _require(
     name: str, value: Any, holds: Callable[[Any], Any], rule: str, *, got: str = ""
 ) -> Any:
-    """Return `value` if `holds` is true of every number in it, else raise a ValueError."""
+    """Return `value` if `holds` is true of every number in it, else raise a ValueError.
+
+    No rule holds for nan. A float, which most values are, is looked at first: a scene of 10,000
+    bodies asks 80,000 times.
+    """
+    if type(value) is float and holds(value):
+        return value
     if isinstance(value, np.generic):
         value = value.item()  # it would keep its width: np.uint8(1) - np.uint8(3) is 254
     if isinstance(value, numbers.Real):

@@ -29,13 +29,15 @@ from lesson_code.formulas.rigid_body import (
     polygon_centroid,
     polygon_inertia,
 )
-from lesson_code.formulas.validation import Vector, non_negative, one_number, positive
+from lesson_code.formulas.validation import Vector, equation, non_negative, one_number, positive
 from lesson_code.geometry.closest_point import segment_ends
 from lesson_code.geometry.edges import outward_normal
 from lesson_code.geometry.outline import Point, convex_outline
 
 CENTRED = 1e-14
 """Of the largest coordinate: a centroid this near the origin is the origin, but for rounding."""
+
+_disc_inertia = equation(disc_inertia)
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ class Circle:
     @property
     def inertia_per_mass(self) -> float:
         """Moment of inertia of 1 kg about the centre, m^2: r^2 / 2."""
-        return float(disc_inertia(1.0, self.radius))
+        return float(_disc_inertia(1.0, self.radius))
 
     @property
     def min_width(self) -> float:
@@ -101,7 +103,8 @@ class Polygon:
     vertices : array_like, shape (N, 2)
         Corners in order, either way round, m; N >= 3. Their origin does not matter. They are
         kept as a tuple of (x, y), seen from the centroid and counter-clockwise, beginning with
-        the first; a vertex on the straight line between its neighbours is left out.
+        the first; a vertex that is nearer than 1e-4 of the width to the straight line between its
+        neighbours is left out.
 
     Raises
     ------

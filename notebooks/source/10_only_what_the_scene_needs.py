@@ -506,7 +506,28 @@ for limit in costs.limits:
 # of each contact all the same, and finds 0.
 
 # %% [markdown]
-# ## 13 Quiz
+# ## 13 What you wait for
+#
+# Steps are not everything. A user waits for Python, for the import, for the plan, perhaps
+# for a compiler, and only then for the steps. `workbook measure speed` takes the time of whole
+# processes, each written as a user of that engine would write it. This too is a stored result.
+# "Ours" finds machine code that an earlier run has kept, and "nothing kept" does not. The gases are
+# elastic discs in a box; the piles are rough ones that fall into it. **Predict:** from how many
+# discs on does it matter what a step costs?
+
+# %%
+from lesson_code.evidence.speed.whole_runs import WholeRuns
+
+print(WholeRuns.stored().as_text(100))
+
+# %% [markdown]
+# **Read it with care.** With ten discs nearly all of the time is the start: the smaller program
+# wins, and that is pymunk. A second call in the same process, as in a notebook, no longer pays for
+# that. The more bodies, the more it is the steps that count, and then it pays to have left out what
+# the scene does not need. Where a row of the last table says NO, the target is not reached.
+
+# %% [markdown]
+# ## 14 Quiz
 
 # %%
 show_quiz("10")

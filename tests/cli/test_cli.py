@@ -521,7 +521,7 @@ def test_measure_speed_prints_one_json_object() -> None:
     result = workbook("measure", "speed", *options)
     assert result.exit_code == ALL_IS_WELL
     report = json.loads(result.stdout)
-    assert (report["version"], report["command"], report["repeats"]) == (2, "measure speed", 1)
+    assert (report["version"], report["command"], report["repeats"]) == (3, "measure speed", 1)
     assert [scene["key"] for scene in report["scenes"]] == ["gas-10"]
     assert {"sequential", "pymunk, tree"} <= {e["engine"] for e in report["scenes"][0]["engines"]}
 
@@ -540,7 +540,9 @@ def test_measure_speed_prints_a_table() -> None:
     ("options", "words"),
     [
         (["--repeats", "0"], "Invalid value for '--repeats'"),
-        (["--only", "gold"], "only must name some of gas-10"),
+        (["--only", "gold"], "only must name some of run-gas-10"),
+        (["--store", "--quick"], "--store needs all whole runs"),
+        (["--store", "--only", "gas-10"], "--store needs all whole runs"),
         (["--profile", "gold-10"], "scene must be one of gas"),
     ],
 )

@@ -21,7 +21,7 @@ from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine import stepper
-from lesson_code.engine.compiled import compiled_function, link
+from lesson_code.engine.compiled import link
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
@@ -361,16 +361,9 @@ def at_work(scene: Scene, **settings: Any) -> EngineStepper:
 def one_program_for_all(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every compiled run use one program, which has every effect: it takes 10 s to compile.
 
-    Sleep is left as it is: there are two programs then. They are loaded once.
+    Sleep is left as it is: there are two programs then.
     """
     monkeypatch.setattr(stepper, "link", link_all)
-    monkeypatch.setattr(stepper, "compiled_function", loaded)
-
-
-@functools.cache
-def loaded(source: str, entry: str) -> Any:
-    """Return a compiled function, the same again for the same source."""
-    return compiled_function(source, entry)
 
 
 def link_all(function: Any, pipeline: Pipeline) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from contacts import mass_along, velocity_along
+from contacts import apply_impulse, mass_along, velocity_along
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -21,7 +21,6 @@ from lesson_code.engine.core.contact_frame import (
     velocity_at,
 )
 from lesson_code.engine.core.contact_motion import (
-    apply_impulse,
     normal_of,
     tangent_of,
 )

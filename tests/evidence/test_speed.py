@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,13 +16,12 @@ import pytest
 from lesson_code import Body, Circle, Scene, simulate
 from lesson_code.evidence.measurement import Limit, at_least, at_most, chosen
 from lesson_code.evidence.scenes import speed as speed_scenes
+from lesson_code.evidence.scenes.rigid_bodies import GRAVITY
 from lesson_code.evidence.scenes.speed import BUILDERS, SIZES
-from lesson_code.evidence.speed import few_bodies, measure, measure_speed, processes, quality
+from lesson_code.evidence.speed import measure, measure_speed, quality, user_program, whole_runs
 from lesson_code.evidence.speed.engines import engines_for, start
-from lesson_code.evidence.speed.few_bodies import FewBodies
 from lesson_code.evidence.speed.measure import fits, parts
 from lesson_code.evidence.speed.piles import PILES, Held, Pile, PileRace, race_with_pile
-from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.profile import profile_scene, stage_calls
 from lesson_code.evidence.speed.quality import Quality, worse_in
 from lesson_code.evidence.speed.race import (
@@ -33,12 +35,25 @@ from lesson_code.evidence.speed.race import (
     warm_up_of,
 )
 from lesson_code.evidence.speed.report import Speed
-from lesson_code.evidence.speed.targets import TARGETS, target_of
+from lesson_code.evidence.speed.targets import TARGETS, WHOLE_RUNS, target_of
+from lesson_code.evidence.speed.whole_runs import (
+    BOX2D,
+    FRESH,
+    KEPT,
+    PYMUNK,
+    RunTime,
+    WholeRuns,
+    measure_whole_run,
+    numbers_of,
+)
 
 pytest.importorskip("numba", reason="there is nothing to compare without compiled code")
 
 ROUNDING = 1e-12
 """Of fits through a handful of points, and of places of some metres."""
+
+SINGLE = 1e-6
+"""m: of single precision, after 60 sub-steps at places of some metres."""
 
 WIDTH = 100
 """Columns that tables have to fit into."""
@@ -48,7 +63,8 @@ GOOD = Quality(overlap=0.01, energy_error=1e-4, energy_kind="drift")
 
 def timing(engine: str, seconds: float, quality: Quality = GOOD) -> Timing:
     """Return what an engine might have done."""
-    return Timing(engine, seconds, seconds, quality, 2.0, None, 0.1)
+    size = 400.0 if engine == "sequential" else None
+    return Timing(engine, seconds, seconds, quality, 2.0, size, 0.1)
 
 
 def race(key: str = "gas-100", bodies: int = 100, **seconds: float) -> Race:
@@ -142,7 +158,7 @@ def test_growth_leaves_out_what_is_small() -> None:
         race(f"gas-{n}", n, sequential=time, tree=2 * time)
         for n, time in ((10, 1.0), (1_000, 1.0), (10_000, 10.0), (100_000, 100.0))
     )
-    growth = Speed({}, 7, races).growth_exponents
+    growth = Speed({}, 7, scenes=races).growth_exponents
     assert growth["gas"] == pytest.approx({"sequential": 1.0, "pymunk": 1.0}, abs=ROUNDING)
 
 
@@ -253,7 +269,7 @@ def test_exact_gas_keeps_its_energy_and_overlaps_by_nothing() -> None:
     assert exact.quality.overlap < ROUNDING
 
 
-# The stack, few bodies, processes
+# Piles
 
 
 def test_stack_stands_until_a_box_has_left_its_place() -> None:
@@ -298,54 +314,94 @@ def test_pile_that_no_setting_holds_is_said_not_to_hold() -> None:
     assert raced.ratio("pymunk") is None
 
 
-@pytest.mark.full
-def test_few_bodies_are_off_by_rounding_in_the_exact_solver_alone() -> None:
-    """Pymunk's error is more than a million times as large at 60 steps a second."""
-    for few in few_bodies.measure_few_bodies(1, rates=(60, 600)):
-        assert few.exact_error < 1e-10
-        assert few.pymunk_errors[0] > 1e6 * few.exact_error
-        assert few.ratio_measured == few.pymunk_seconds[1] / few.exact_seconds
+# Whole runs
+
+SECONDS = 0.25
+"""s: until then no two of four discs have met, nor one a wall."""
 
 
-def test_ratio_at_equal_error_is_extrapolated_along_the_errors() -> None:
-    """First order: an error 1,000 times smaller wants steps 1,000 times as fine."""
-    few = FewBodies("", 1.0, 9, 1e-5, 1e-6, (10, 100, 1_000), (0.1, 1.0, 10.0), (0.1, 1e-2, 1e-3))
-    assert few.ratio_measured == pytest.approx(1e6)
-    assert few.ratio_extrapolated == pytest.approx(1e9, rel=1e3 * ROUNDING)
+def whole() -> WholeRuns:
+    """Return made-up times: ours is in time for the first call, and late for the second."""
+    scene = ("run-gas-100", "gas of 100 for 10 s", 100)
+    times = (
+        RunTime(*scene, PYMUNK, 0.1, 0.1, 0.05, 0.05),
+        RunTime(*scene, BOX2D, 0.2, 0.2, 0.01, 0.01),
+        RunTime(*scene, KEPT, 0.25, 0.3, 0.1, 0.1),
+        RunTime(*scene, FRESH, 12.0, 9.0, math.nan, math.nan),
+    )
+    return WholeRuns({"python": "3"}, times)
 
 
-@pytest.mark.parametrize(
-    ("errors", "expected"),
-    [
-        ((0.1, 0.1, 0.1), None),  # does not fall
-        ((1.0, 0.9, 0.8), None),  # hardly falls
-        ((1e-3, 1e-2, 1e-1), None),  # grows
-        ((1e-2, 1e-4, 1e-6), 1e7),  # second order: steps ten times as fine than the finest
-    ],
-    ids=["flat", "hardly falls", "grows", "second order"],
-)
-def test_ratio_at_equal_error_is_told_only_where_errors_fall(
-    errors: tuple[float, ...], expected: float | None
+def test_numbers_of_a_whole_run_are_those_of_its_scene() -> None:
+    """Rough discs in loose rows over an open box of three walls, and a gas in a closed one."""
+    pile, gas = numbers_of("pile", 30, 1.0), numbers_of("gas", 10, 1.0)
+    assert (len(pile["places"]), len(pile["walls"])) == (30, 3)
+    assert (len(gas["places"]), len(gas["walls"])) == (10, 4)
+    assert (gas["gravity"], gas["restitution"], gas["friction"]) == ((0.0, 0.0), 1.0, 0.0)
+    assert (pile["restitution"], pile["friction"]) == (0.0, speed_scenes.FRICTION)
+    json.dumps([pile, gas], allow_nan=False)
+
+
+@pytest.mark.parametrize("engine", ["ours", "compiled", "pymunk", "box2d"])
+@pytest.mark.parametrize(("kind", "gravity"), [("gas", 0.0), ("pile", -GRAVITY)])
+def test_program_of_every_engine_runs_the_same_scene(
+    engine: str, kind: str, gravity: float
 ) -> None:
-    """An error of 1e-8 m; pymunk takes a million times as long with its finest step."""
-    few = FewBodies("", 1.0, 9, 1e-5, 1e-8, (10, 100, 1_000), (0.1, 1.0, 10.0), errors)
-    assert few.ratio_extrapolated == (expected and pytest.approx(expected, rel=1e3 * ROUNDING))
+    """The middle of the discs moves as momentum and gravity say; Box2D has single precision.
+
+    A fall in steps of h is off by g t h / 2.
+    """
+    if engine == "box2d":
+        pytest.importorskip("pyb2d3")
+    given = numbers_of(kind, 4, SECONDS) | {"walls": []}
+    places = np.array(user_program.ENGINES[engine](given))
+    moved = (places - np.array(given["places"])).mean(axis=0)
+    fall, lag = gravity * SECONDS**2 / 2, abs(gravity) * SECONDS / 60 / 2
+    assert moved[0] == pytest.approx(0.0, abs=SINGLE)
+    assert moved[1] == pytest.approx(fall, abs=lag + SINGLE)
+
+
+@pytest.mark.full
+def test_whole_run_is_measured_in_fresh_processes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each engine twice; where nothing is kept there is no second call."""
+    monkeypatch.setitem(whole_runs.SCENES, "run-gas-10", ("gas", 4, 0.1))
+    rows = {row.who: row for row in measure_whole_run("run-gas-10", repeats=2)}
+    assert {PYMUNK, KEPT, FRESH} <= set(rows)
+    for row in rows.values():
+        assert row.cpu > 0.0
+        assert row.wall > 0.0
+        assert math.isnan(row.second_cpu) == (row.who == FRESH)
+
+
+def test_every_whole_run_has_a_target() -> None:
+    """By the names on the command line."""
+    assert set(WHOLE_RUNS) == set(whole_runs.SCENES)
+    assert set(measure.QUICK_RUNS) <= set(whole_runs.SCENES)
+
+
+def test_what_is_wanted_of_a_whole_run_is_a_share_of_pymunks_time() -> None:
+    """As much as pymunk and .3 s more for 100 discs; a second call at most as much."""
+    first, second = whole().limits
+    assert (first.value, first.wanted, first.reached) == (0.25, "at most 0.4", True)
+    assert (second.value, second.wanted, second.reached) == (0.1, "at most 0.05", False)
+    assert WholeRuns({}, whole().times[:1]).limits == []
+
+
+def test_whole_runs_are_stored_and_read_again(tmp_path: Path) -> None:
+    """The notebook shows what was stored."""
+    whole().store(tmp_path / "stored.json")
+    read = WholeRuns.stored(tmp_path / "stored.json")
+    assert read.as_text() == whole().as_text()
+    assert read.of("run-gas-100", KEPT) == whole().of("run-gas-100", KEPT)
 
 
 def test_import_loads_nothing_heavy() -> None:
     """Numba, matplotlib, pygame and pymunk wait until they are used."""
-    start = processes.measure_start(1, cold=False)
-    assert start.loaded == ()
-    assert start.importing > 0
-    assert (start.cold, start.kept) == (None, None)
-
-
-@pytest.mark.full
-def test_memory_of_pymunk_is_measured_in_a_process_of_its_own() -> None:
-    """Or not at all where the system does not tell."""
-    memory = processes.measure_memory(2_000)
-    assert 3 * 64 < memory.ours < 1_000
-    assert memory.pymunk is None or memory.pymunk > 0
+    code = "import sys, lesson_code.simulation; print(*sys.modules)"
+    loaded = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert not {"numba", "matplotlib", "pygame", "pymunk"} & set(loaded.stdout.split())
 
 
 # The profile
@@ -394,7 +450,8 @@ def test_profile_of_no_scene_is_refused(name: str) -> None:
     ("only", "expected"),
     [
         (["stack-10"], ["stack-10"]),
-        (["stack", "memory"], ["stack-10", "stack-20", "memory"]),
+        (["stack", "standing"], ["stack-10", "stack-20", "standing"]),
+        (["run-pile"], ["run-pile-30", "run-pile-300", "run-pile-3000"]),
         (["gas-10"], ["gas-10"]),
     ],
 )
@@ -404,15 +461,18 @@ def test_parts_are_chosen_by_name_or_by_its_beginning(only: list[str], expected:
 
 
 def test_all_parts_are_measured_unless_some_are_named() -> None:
-    """Every scene in every size, and six more."""
-    assert len(parts(7)) == sum(map(len, SIZES.values())) + 6
-    quick = [*measure.QUICK, "standing", "few_bodies", "memory", "start"]
+    """The whole runs first, then every scene in every size, and three piles."""
+    assert len(parts(7)) == len(whole_runs.SCENES) + sum(map(len, SIZES.values())) + 3
+    quick = [*measure.QUICK_RUNS, *measure.QUICK, "standing"]
     assert list(parts(7, quick=True)) == quick
 
 
 @pytest.mark.parametrize(
     ("options", "words"),
-    [({"only": ["gas-7"]}, "only must name some of gas-10"), ({"repeats": 0}, "repeats must be")],
+    [
+        ({"only": ["gas-7"]}, "only must name some of run-gas-10"),
+        ({"repeats": 0}, "repeats must be"),
+    ],
 )
 def test_measurement_that_is_none_is_refused(options: Any, words: str) -> None:
     """Before anything is measured."""
@@ -451,40 +511,37 @@ def everything() -> Speed:
     return Speed(
         {"python": "3"},
         7,
+        whole(),
         (with_quality(races[0], "sequential", bad), *races[1:]),
         (piles(),),
-        (FewBodies("three", 1.0, 9, 1e-5, 0.0, (60, 600), (0.1, 1.0), (0.1, 0.1)),),
-        Memory(1_000, 400.0, None),
-        Start(0.2, ("numba",), 9.0, 0.9),
     )
 
 
 def test_json_holds_every_part_without_infinity() -> None:
     """One object with a version, the facts of the machine, and whether targets are reached."""
     report = json.loads(json.dumps(everything().as_dict(), allow_nan=False))
-    assert (report["version"], report["command"]) == (2, "measure speed")
+    assert (report["version"], report["command"]) == (3, "measure speed")
     first = report["scenes"][0]
     assert {"key", "name", "bodies", "steps", "batches", "engines", "ratios"} == set(first)
     ratio = first["ratios"][0]
     assert (ratio["ours"], ratio["peer"], ratio["ratio"]) == ("sequential", "pymunk", 4.0)
     assert (ratio["wanted"], ratio["worse"], ratio["reached"]) == (4, ["overlap", "energy"], False)
     assert report["growth_exponents"]["gas"]["sequential"] == pytest.approx(1.0)
-    assert report["few_bodies"][0]["ratio_extrapolated"] is None
-    assert report["memory"]["pymunk"] is None
-    assert report["start"]["kept"] == 0.9
+    assert report["whole_runs"]["times"][-1]["second_cpu"] is None
+    assert [limit["reached"] for limit in report["whole_runs"]["limits"]] == [True, False]
     reached = {limit["what"]: limit["reached"] for limit in report["limits"]}
     assert reached["exponent of the time over the bodies, gas, sequential"] is True
     assert reached["exponent of the time over the bodies, gas, pymunk"] is None
-    assert reached["first compiled run, programs kept, s"] is True
+    assert reached["a gas of 100,000, all our tables, bytes a body"] is True
 
 
 def test_tables_fit_into_their_columns_and_say_what_is_reached() -> None:
     """Every ratio with what is wanted; what is worse is named."""
     text = everything().as_text(WIDTH)
     assert max(map(len, text.splitlines())) <= WIDTH
-    for words in ("4 of 4", "worse overlap", "worse energy", "1.6 of 1.5 ok", "no order"):
+    for words in ("4 of 4", "worse overlap", "worse energy", "1.6 of 1.5 ok", "nothing kept"):
         assert words in text
-    for words in ("exponent", "loads numba", "at most 1,000", "stack of 20"):
+    for words in ("exponent", "at most 1,000", "stack of 20", "second call, CPU s"):
         assert words in text
     assert "…" not in text
 

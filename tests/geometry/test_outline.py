@@ -6,10 +6,11 @@ import math
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from lesson_code.geometry.outline import convex_outline
+from lesson_code.formulas.arithmetic import cross
+from lesson_code.geometry.outline import STRAIGHT, convex_outline
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 PENTAGRAM = [(math.cos(0.8 * math.pi * k), math.sin(0.8 * math.pi * k)) for k in range(5)]
@@ -65,9 +66,30 @@ def test_outline_vertex_on_an_edge_but_for_rounding_is_left_out(
     assert convex_outline("vertices", moved) == moved[:4]
 
 
-def test_outline_corner_that_is_hardly_one_is_kept() -> None:
-    """A millionth of a millimetre above its edge is far more than rounding: a corner."""
-    assert len(convex_outline("vertices", [*SQUARE, (-1e-9, 1.0)])) == 5
+@given(st.floats(-3, 3), st.floats(0.1, 1.9))
+def test_outline_corner_that_stands_out_by_less_than_a_ten_thousandth_is_none(
+    power: float, at: float
+) -> None:
+    """Inwards it is no dent, outwards no corner; by more than that it is one or the other."""
+    off = STRAIGHT * 10.0**power * 2.0
+    corners = [*SQUARE, (-off, at)]
+    assume(abs(power) > 0.1)
+    assert len(convex_outline("vertices", corners)) == (4 if power < 0 else 5)
+
+
+@settings(deadline=None)
+@given(st.integers(3, 3000), st.floats(0.01, 100))
+def test_outline_of_many_corners_stays_where_it_is(sides: int, radius: float) -> None:
+    """However many vertices are left out, the polygon still reaches as far as the circle."""
+    circle = [
+        (radius * math.cos(2 * math.pi * k / sides), radius * math.sin(2 * math.pi * k / sides))
+        for k in range(sides)
+    ]
+    corners = convex_outline("vertices", circle)
+    ends = corners[1:] + corners[:1]
+    within = min(abs(cross(a, b)) / math.dist(a, b) for a, b in zip(corners, ends, strict=True))
+    deepest = radius * math.cos(math.pi / sides)
+    assert within >= deepest - 2.1 * STRAIGHT * radius
 
 
 def test_outline_tiny_triangle_far_away_keeps_its_three_corners() -> None:
@@ -81,7 +103,7 @@ def test_outline_tiny_triangle_far_away_keeps_its_three_corners() -> None:
     ("vertices", "message"),
     [
         ([(0, 0), (4, 0), (1, 1), (0, 4)], r"must be convex: .* got \(1.0, 1.0\) at index 2"),
-        ([*SQUARE, (1e-9, 1.0)], r"must be convex: .* got \(1e-09, 1.0\) at index 4"),
+        ([*SQUARE, (1e-3, 1.0)], r"must be convex: .* got \(0.001, 1.0\) at index 4"),
         (PENTAGRAM, "must go round once and not cross itself, got 2 times"),
         ([(0, 0), (4, 0), (0, 2), (5, 5)], "must be convex"),
         ([(0, 0), (4, 0), (2, 0), (2, 3)], "must be convex"),
@@ -95,7 +117,7 @@ def test_outline_tiny_triangle_far_away_keeps_its_three_corners() -> None:
     ],
     ids=[
         "dent",
-        "dent of a nanometre",
+        "dent of a millimetre",
         "pentagram",
         "bow tie",
         "spike",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import closing
 from typing import Any
 
 import numpy as np
@@ -54,9 +55,14 @@ MORE_DIGITS = {10**12: 3141592, 10**14: 31415926}
 
 def collisions(scene: Scene, until: float) -> int:
     """Return how many collisions there are until a time, s, or until nothing happens any more."""
-    solver = ExactSolver(scene, combine=mixing_rule("workbook"), keep_impulses=False, compiled=None)
-    solver.advance(until)
-    return solver.collisions
+    settings: dict[str, Any] = {
+        "combine": mixing_rule("workbook"),
+        "keep_impulses": False,
+        "compiled": None,
+    }
+    with closing(ExactSolver(scene, **settings)) as solver:
+        solver.advance(until)
+        return solver.collisions
 
 
 # Digits of pi

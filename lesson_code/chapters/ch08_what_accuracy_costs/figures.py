@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from lesson_code.evidence.hard_cases import SWEEPS, Comparison, by_theme, family_by_name
 from lesson_code.evidence.work_precision import (
     Fit,
     Point,
@@ -29,7 +30,7 @@ from lesson_code.evidence.work_precision import (
 from lesson_code.evidence.work_precision.methods import COMPILED, PLAIN
 from lesson_code.evidence.work_precision.result import FLOOR
 from lesson_code.view.matplotlib import style
-from lesson_code.view.matplotlib.measured import marks
+from lesson_code.view.matplotlib.measured import marks, rows
 
 LOOKS: dict[str, tuple[str, Any]] = {
     "naive": (style.GREY, "v"),
@@ -60,9 +61,9 @@ def all_scenes(result: WorkPrecision) -> Figure:
     """Return a figure with a panel for each scene of a result, and one legend."""
     names = result.scenes
     columns = min(COLUMNS, len(names) + 1)
-    rows = math.ceil((len(names) + 1) / columns)
-    drawn = Figure(figsize=(3.5 * columns, 3.3 * rows), layout="constrained", dpi=100)
-    axes = drawn.subplots(rows, columns, squeeze=False).flatten().tolist()
+    lines = math.ceil((len(names) + 1) / columns)
+    drawn = Figure(figsize=(3.5 * columns, 3.3 * lines), layout="constrained", dpi=100)
+    axes = drawn.subplots(lines, columns, squeeze=False).flatten().tolist()
     for ax, name in zip(axes, names, strict=False):
         work_precision(style.plain(ax), result, name)
     for ax in axes[len(names) :]:
@@ -109,6 +110,36 @@ def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = 
         0.98, 0.03, _orders_in_words(result, scene), fontsize=8, ha="right", transform=ax.transAxes
     )
     ax.set_title(scene, fontsize=11)
+    return ax
+
+
+def prices_of_laws(ax: Axes, comparison: Comparison) -> Axes:
+    """Draw what the default call takes over the time of sweeps, a row for each theme.
+
+    A full mark is a family that sweeps hold as well; at a hollow one they break the law.
+
+    Parameters
+    ----------
+    ax : Axes
+        Where to draw.
+    comparison : Comparison
+        The families of hard cases, with our default call and sweeps.
+    """
+    themes = by_theme(map(family_by_name, comparison.names))
+    looks = {True: ("sweeps hold it too", style.BLUE), False: ("sweeps break it", "white")}
+    for holds, (label, face) in looks.items():
+        points = [
+            (comparison.price(family.name), row)
+            for row, families in enumerate(themes.values())
+            for family in families
+            if comparison.result(family.name, SWEEPS).holds is holds
+        ]
+        look = {"markeredgecolor": style.BLUE, "markerfacecolor": face, "markersize": 6}
+        marks(ax, points, marker="o", label=label, **look)
+    ax.axvline(1.0, color=style.GREY, linewidth=1.2)
+    rows(ax, list(themes), fontsize=9)
+    ax.set(xscale="log", xlabel="time of the default call over that of sweeps")
+    ax.legend(frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=9)
     return ax
 
 

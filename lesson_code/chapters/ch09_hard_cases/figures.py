@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 
 from lesson_code.evidence.hard_cases import Comparison, by_theme, family_by_name
 from lesson_code.view.matplotlib.measured import marks, rows
-from lesson_code.view.matplotlib.style import BLUE, GREEN, GREY, ORANGE, VERMILION
+from lesson_code.view.matplotlib.style import BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION
 
 LEFT, RIGHT = -8.0, 14.0
 """Powers of ten over the bound: what is further off, or infinitely so, is drawn at the edge."""
@@ -17,6 +17,7 @@ MARKS = {
     "naive": ("x", ORANGE, "naive"),
     "box2d": ("s", GREEN, "Box2D"),
     "pymunk": ("^", VERMILION, "pymunk"),
+    "sequential": ("D", PURPLE, "sweeps"),
     "ours": ("o", BLUE, "ours"),
 }
 """Marker, colour and name of each engine; ours is drawn last, on top."""
@@ -38,10 +39,8 @@ def shares_held(ax: Axes, comparison: Comparison) -> Axes:
         `ax`.
     """
     for engine in _engines(comparison):
-        marker, color, label = MARKS[engine]
         shares = [comparison.result(name, engine).share for name in comparison.names]
-        points = [(100 * share + _shift(engine), n) for n, share in enumerate(shares)]
-        marks(ax, points, marker=marker, color=color, label=label, zorder=3, **SIZE)
+        _mark(ax, engine, [(100 * share + _shift(engine), n) for n, share in enumerate(shares)])
     _family_rows(ax, comparison)
     ax.set_xlim(-8, 108)
     ax.set_xlabel("draws in which the bound was held, %")
@@ -69,9 +68,7 @@ def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
         worst = [comparison.result(name, engine).worst for name in comparison.names]
         bounds = [family_by_name(name).bound for name in comparison.names]
         seen = [(n, w, b) for n, (w, b) in enumerate(zip(worst, bounds, strict=True))]
-        points = [(powers_of_ten(w, b), n) for n, w, b in seen if not math.isnan(w)]
-        marker, color, label = MARKS[engine]
-        marks(ax, points, marker=marker, color=color, label=label, zorder=3, **SIZE)
+        _mark(ax, engine, [(powers_of_ten(w, b), n) for n, w, b in seen if not math.isnan(w)])
     ax.axvline(0.0, color=GREY, linewidth=1.5)
     _family_rows(ax, comparison)
     ax.set_xlim(LEFT - 0.7, RIGHT + 0.7)
@@ -86,9 +83,15 @@ def _engines(comparison: Comparison) -> list[str]:
     return [engine for engine in MARKS if engine in comparison.engines]
 
 
+def _mark(ax: Axes, engine: str, points: list[tuple[float, int]]) -> None:
+    """Draw an engine's mark at each of some points."""
+    marker, color, label = MARKS[engine]
+    marks(ax, points, marker=marker, color=color, label=label, zorder=3, **SIZE)
+
+
 def _shift(engine: str) -> float:
     """Return a small shift that keeps equal shares apart, %."""
-    return 1.2 * (list(MARKS).index(engine) - 1.5)
+    return 1.2 * (list(MARKS).index(engine) - (len(MARKS) - 1) / 2)
 
 
 def _family_rows(ax: Axes, comparison: Comparison) -> None:
@@ -106,7 +109,7 @@ def _family_rows(ax: Axes, comparison: Comparison) -> None:
             annotation_clip=False,
         )
         first += len(families)
-    ax.legend(frameon=False, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    ax.legend(frameon=False, ncols=len(MARKS), loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
 def powers_of_ten(value: float, bound: float) -> float:

@@ -1,23 +1,51 @@
-"""One source, run in two ways: as plain Python on rows, or compiled by Numba on arrays of records.
+"""One source, run in two ways: as plain Python on rows, or as machine code on arrays of records.
 
-=============  ==================================================================
-module         what it does
-=============  ==================================================================
-``linker``     puts the functions that a run needs into one module, as source
-``known``      works out what is decided before the run
-``arrays``     turns tables of rows into arrays of records
-``inlining``   decides which functions are compiled in place of their calls, and which are merged
-``library``    compiles a module, and keeps the machine code for the next time
-``choice``     decides whether a run is worth compiling
-=============  ==================================================================
+================  ===============================================================
+module            what it does
+================  ===============================================================
+``linker``        puts the functions that a run needs into one module, as source
+``known``         works out what is decided before the run
+``arrays``        turns tables of rows into arrays of records
+``program``       what is compiled: a source, its entry, how its tables lie in memory
+``inlining``      decides which functions are compiled in place of their calls, and which are merged
+``machine_code``  compiles a program by Numba, into an object file
+``compiler``      does so in a process of its own
+``library``       keeps object files for the next time
+``loader``        loads an object file and calls it, without Numba
+``choice``        decides what a run is made in, and changes over on the way
+================  ===============================================================
 
 Both ways give the same bits: no operation is reordered or left out. Nothing here is needed to
 understand the engine, and without Numba everything runs, only more slowly.
 """
 
-from lesson_code.engine.compiled.arrays import as_arrays, as_numbers, copy_of
-from lesson_code.engine.compiled.choice import Choice, choose
-from lesson_code.engine.compiled.library import compiled_function
+from lesson_code.engine.compiled.arrays import (
+    as_arrays,
+    as_numbers,
+    as_rows,
+    column,
+    copy_of,
+    full_rows,
+    new_table,
+)
+from lesson_code.engine.compiled.choice import Code
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.compiled.linker import link
+from lesson_code.engine.compiled.loader import Entry
+from lesson_code.engine.compiled.program import Program, program_of
 
-__all__ = ["Choice", "as_arrays", "as_numbers", "choose", "compiled_function", "copy_of", "link"]
+__all__ = [
+    "Code",
+    "Entry",
+    "Program",
+    "as_arrays",
+    "as_numbers",
+    "as_rows",
+    "column",
+    "compiled",
+    "copy_of",
+    "full_rows",
+    "link",
+    "new_table",
+    "program_of",
+]

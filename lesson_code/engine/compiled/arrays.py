@@ -37,8 +37,8 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
     source : str
         The program.
     rows : named tuple, optional
-        The tables as lists, where `tables` are arrays for an earlier program: that program has not
-        changed the fields that it did not name, and they are taken from here.
+        The tables with all fields, where `tables` are arrays for an earlier program: that program
+        has not changed the fields that it did not name, and they are taken from here.
 
     Examples
     --------
@@ -59,6 +59,64 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
             )
         ]
     )
+
+
+def new_table(kind: type, rows: int, **columns: Any) -> Any:
+    """Return a table of a kind of row as an array with all fields, some of them given.
+
+    It stands for a list of such rows, and is typed as little as the arrays of :func:`as_arrays`.
+
+    >>> from lesson_code.engine.core.rows import PairRow
+    >>> new_table(PairRow, 2, b=[3, 4]).tolist()
+    [(0, 3), (0, 4)]
+    """
+    array = _zeros(rows, dtype_of(kind))
+    for field in dataclasses.fields(kind):
+        if field.name in columns or field.default:  # the others are 0 already
+            array[field.name] = columns.get(field.name, field.default)
+    return array
+
+
+def full_rows(tables: Tables) -> Tables:
+    """Return a named tuple of tables, each array with all fields as a list of rows.
+
+    What is a list or a row already stays as it is.
+    """
+    kinds = row_kinds(type(tables)).values()
+    return type(tables)(
+        *[
+            [kind(*values) for values in table.tolist()] if isinstance(table, np.ndarray) else table
+            for table, kind in zip(tables, kinds, strict=True)
+        ]
+    )
+
+
+def as_rows(tables: Tables, rows: Tables) -> Tables:
+    """Return a named tuple of arrays and records as lists of rows and rows again.
+
+    Parameters
+    ----------
+    tables : named tuple
+        What :func:`as_arrays` has returned.
+    rows : named tuple
+        The lists of rows that it was given: fields that the program did not name are taken from
+        here, unless the table has grown since.
+    """
+    return type(tables)(
+        *[
+            _rows(table, kind, first)
+            if isinstance(table, np.ndarray)
+            else _rows(np.array([table]), kind, [first])[0]
+            for table, kind, first in zip(
+                tables, row_kinds(type(tables)).values(), rows, strict=True
+            )
+        ]
+    )
+
+
+def column(table: Any, name: str) -> Any:
+    """Return a field of all rows of a table, which is a list or an array."""
+    return table[name] if isinstance(table, np.ndarray) else [getattr(row, name) for row in table]
 
 
 def as_numbers(table: Any) -> NDArray[np.float64]:
@@ -136,13 +194,26 @@ def _array(rows: Any, kind: Any, used: frozenset[str] | None, first: Any = ()) -
     """
     array = _zeros(len(rows), dtype_of(kind, used))
     for name in array.dtype.names or ():
-        if not isinstance(rows, np.ndarray):
-            array[name] = [getattr(row, name) for row in rows]
-        elif name in (rows.dtype.names or ()):
-            array[name] = rows[name]
-        elif isinstance(first, list) and len(first) == len(rows):
-            array[name] = [getattr(row, name) for row in first]
+        if _has_field(rows, name):
+            array[name] = column(rows, name)
+        elif len(first) == len(rows) and _has_field(first, name):
+            array[name] = column(first, name)
     return array
+
+
+def _has_field(table: Any, name: str) -> bool:
+    """Return whether the rows of a table, a list or an array, have a field."""
+    return not isinstance(table, np.ndarray) or name in (table.dtype.names or ())
+
+
+def _rows(array: NDArray[Any], kind: Any, first: Any) -> list[Any]:
+    """Return the records of an array as rows."""
+    is_same = len(first) == len(array)
+    rows = [copy.copy(row) for row in first] if is_same else [kind() for _ in array]
+    for name in array.dtype.names or ():
+        for row, value in zip(rows, array[name].tolist(), strict=True):
+            setattr(row, name, value)
+    return rows
 
 
 def _record(row: Any, kind: Any) -> Any:

@@ -1,71 +1,219 @@
-"""Whether a run is worth compiling: its work in plain Python against the time of a compiler."""
+"""The code that a run is made in: plain Python, machine code, or first the one and then the other.
+
+Seconds decide. Machine code that is kept is used where plain Python would take longer than loading
+it. Where none is kept, a run that is long enough begins in plain Python while another process
+compiles, and goes on in machine code when that is there. Both give the same bits.
+"""
 
 from __future__ import annotations
 
+import sys
+import time
+import timeit
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
-from lesson_code.engine.compiled.library import is_kept, why_no_compiler
+from lesson_code.engine.compiled.compiler import Compiling, compiled
+from lesson_code.engine.compiled.library import load, why_no_compiler
+from lesson_code.engine.compiled.loader import Entry
+from lesson_code.engine.compiled.program import Program
 
-WORTH_LOADING = 2.0
-"""s of work in plain Python above which it pays to load a stored program, which takes half a
-second. With less work the gain would go unnoticed."""
+# All seconds are those of the machine on which the workbook was made; see `slowness`.
 
-WORTH_COMPILING = 30.0
-"""s of work in plain Python above which it pays to compile a program, which takes about 10 s."""
+LOAD_SECONDS, IMPORT_SECONDS = 0.1, 0.02
+"""s, to link a program, load its machine code and turn the tables into arrays; and to import LLVM
+before, once a process. It is the linking that takes most of them."""
+
+COMPILE_SECONDS = 1.9e-4
+"""s, to compile a program, for each character of its source."""
+
+PART = 0.5
+"""Of that: a run must be as long for another process to begin, and one that has come as far when
+the run ends may finish. So what has been begun is rarely given up."""
+
+LOOK_SECONDS = 0.25
+"""s of work, after which a run in plain Python has another look at what lies ahead; then after
+twice as many, and so on, for it has to link its program. While that is compiled, it looks so often.
+"""
+
+REFERENCE_SECONDS = 2.5e-5
+"""s, that the loop of `slowness` takes there."""
 
 
 class Choice(NamedTuple):
-    """Whether a run is compiled, and why."""
+    """What a run is made in, in words, and why."""
 
-    compiled: bool
+    code: str
     reason: str
 
-    @property
-    def code(self) -> str:
-        """What runs, in words."""
-        return "compiled" if self.compiled else "plain Python"
+
+PLAIN, COMPILED = "plain Python", "compiled"
 
 
-def choose(
-    asked: bool | None, seconds: float, program: Callable[[], str], never: str = ""
-) -> Choice:
-    """Return whether to compile a program.
+class Code:
+    """The choice of one run, which may change on the way.
 
     Parameters
     ----------
     asked : bool or None
         What the user has asked for; None lets the amount of work decide.
-    seconds : float
-        About how long plain Python would work.
-    program : callable
-        Returns the source; called only where the decision depends on it.
     never : str
         Why this run cannot be compiled, in words; "" when it can.
+
+    Attributes
+    ----------
+    choice : Choice
+        What it is now.
 
     Raises
     ------
     ValueError
-        It was asked for, and cannot be done.
-
-    Examples
-    --------
-    >>> choose(None, 0.1, lambda: "")
-    Choice(compiled=False, reason='a small run')
+        Machine code was asked for, and cannot be had.
     """
-    if asked is None:
-        return _by_work(seconds, program, never)
-    if asked and (reason := never or why_no_compiler()):
-        raise ValueError(f"compiled must be False or None here: {reason}")
-    return Choice(asked, "asked for")
+
+    def __init__(self, asked: bool | None, never: str = "") -> None:
+        if asked and never:
+            raise ValueError(f"compiled must be False or None here: {never}")
+        self._asked, self._never = asked, never
+        self._began = self._looked = time.process_time()
+        self._pause = LOOK_SECONDS
+        self._compiling: Compiling | None = None
+        self.choice = Choice(PLAIN, "a small run" if asked is None else "asked for")
+
+    def begin(self, program: Callable[[], Program], seconds: float, now: str = "") -> Entry | None:
+        """Return machine code for a program, or None if plain Python is to run it.
+
+        It is called again where a run needs another program.
+
+        Parameters
+        ----------
+        program : callable
+            Returns the program; called only where the decision depends on it.
+        seconds : float
+            About how long plain Python would work on the machine of the constants above.
+        now : str
+            How far the run has come, in words; "" at its start.
+        """
+        if self._asked is None:
+            return self._by_work(program, seconds * slowness(), now)
+        if not self._asked:
+            return None
+        made = program()
+        if (entry := load(made)) is None and (reason := why_no_compiler()):
+            raise ValueError(f"compiled must be False or None here: {reason}")
+        self.choice = Choice(COMPILED, "asked for")
+        return entry or compiled(made)
+
+    @property
+    def may_change(self) -> bool:
+        """Whether a run in plain Python is to be looked at on the way."""
+        return self._asked is None and not self._never
+
+    def look(self, program: Callable[[], Program], ahead: float, now: str) -> Entry | None:
+        """Return machine code to go on with, or None if plain Python is to go on.
+
+        Parameters
+        ----------
+        program : callable
+            Returns the program.
+        ahead : float
+            How much is left, over what is done.
+        now : str
+            How far the run has come, in words.
+        """
+        time_now = time.process_time()  # what else the machine does changes nothing
+        if not self.may_change or time_now < self._looked + self._pause:
+            return None
+        self._looked = time_now
+        if self._compiling is None:
+            self._pause *= 2
+            return self._by_work(program, (time_now - self._began) * ahead, now)
+        if not self._compiling.is_over():
+            return None
+        entry = load(self._compiling.program)
+        self.close()
+        if entry is None:
+            self._never = "its program could not be compiled"
+            self.choice = Choice(PLAIN, self._never)
+            return None
+        return self._take(entry, now, "it was compiled meanwhile")
+
+    def close(self) -> None:
+        """End the run: a process that compiles for it ends too, unless it is nearly done."""
+        if self._compiling is not None:
+            is_far = self._compiling.seconds > PART * compile_seconds(self._compiling.program)
+            self._compiling.leave(to_finish=is_far)
+            self._compiling = None
+
+    def _by_work(self, program: Callable[[], Program], seconds: float, now: str) -> Entry | None:
+        """Return machine code if it is kept and pays; let it be made if that pays."""
+        if seconds < load_seconds():
+            return None
+        reason = self._never
+        if not reason:
+            made = program()
+            if (entry := load(made)) is not None:
+                return self._take(entry, now, "its machine code was kept")
+            reason = self._compile_if_long(made, seconds)
+        self.choice = Choice(PLAIN, reason)
+        return None
+
+    def _compile_if_long(self, program: Program, seconds: float) -> str:
+        """Let another process compile a program if that pays; return why it is not used yet."""
+        self.close()
+        if reason := why_no_compiler():
+            self._never = reason
+        elif seconds < PART * compile_seconds(program):
+            return "a run too small to wait for a compiler"
+        else:
+            self._pause = LOOK_SECONDS
+            try:
+                self._compiling = Compiling(program, in_background=True)
+            except OSError:
+                self._never = "no process can be started to compile it"
+            else:
+                return "its machine code is still being made"
+        return self._never
+
+    def _take(self, entry: Entry, now: str, reason: str) -> Entry:
+        """Note that machine code is used, from now on."""
+        if self.choice.code == PLAIN:
+            code = f"{PLAIN}, compiled from {now} on" if now else COMPILED
+            self.choice = Choice(code, reason)
+        return entry
 
 
-def _by_work(seconds: float, program: Callable[[], str], never: str) -> Choice:
-    """Return the choice that the work suggests."""
-    if seconds < WORTH_LOADING:
-        return Choice(False, "a small run")
-    if reason := never or why_no_compiler():
-        return Choice(False, reason)
-    if seconds >= WORTH_COMPILING or is_kept(program()):
-        return Choice(True, "a large run")
-    return Choice(False, "a run too small to wait for a compiler")
+def load_seconds() -> float:
+    """Return about how long it takes to find and to load machine code that is kept, s."""
+    is_imported = "llvmlite.binding" in sys.modules
+    return slowness() * (LOAD_SECONDS + (0.0 if is_imported else IMPORT_SECONDS))
+
+
+def compile_seconds(program: Program) -> float:
+    """Return about how long it takes to compile a program, s."""
+    return slowness() * COMPILE_SECONDS * len(program.source)
+
+
+@cache
+def slowness() -> float:
+    """Return how much slower plain Python is here than where the constants were measured.
+
+    It takes a tenth of a millisecond, once a process.
+    """
+    return min(timeit.repeat(_reference_loop, number=1, repeat=5)) / REFERENCE_SECONDS
+
+
+@dataclass(slots=True)
+class _Row:
+    x: float = 0.0
+    vx: float = 1.0
+
+
+def _reference_loop() -> None:
+    """Do what the engine does most: read fields of rows, reckon, and write them."""
+    rows = [_Row() for _ in range(10)]
+    for _ in range(100):
+        for row in rows:
+            row.x = row.x + 0.1 * row.vx

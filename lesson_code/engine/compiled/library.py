@@ -1,29 +1,32 @@
-"""Compiling a program, and keeping its machine code.
+"""The library of machine code: what is kept in a folder of the user, and found again there.
 
-A program is one module that holds all it needs, constants too. It is written into a folder of the
-user, with lists of the inlined and merged functions, under a name made from its text, and Numba
-stores the machine code beside it. So a change of any function or constant makes another program,
-and the machine code of the old one is never used again. (Numba alone would look only at the file
-of the called function, and would miss a change in another file or a constant.)
-
-Compiled programs cannot allocate memory and do not count references: they work on the tables that
-they are given.
+A program's file is named after all that its machine code depends on: the source, constants too,
+the tables, how it is compiled, and the processor. So a change of any function or constant makes
+another file, and the old one is never used again. The first line of the file says what made it,
+with a sum over the rest: what is broken, cut off or from another version is made anew, never run.
 """
 
 from __future__ import annotations
 
+import atexit
 import hashlib
+import importlib.metadata
 import importlib.util
+import json
 import os
-import sys
+import platform
+import shutil
 import tempfile
-import types
-from collections.abc import Callable
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import NamedTuple
 
-from lesson_code.engine.compiled.inlining import inlined, merged
+import numpy as np
+
+from lesson_code.engine.compiled.loader import Entry, MachineCode
+from lesson_code.engine.compiled.program import Program
 
 PROGRAMS_KEPT = 64
 """Programs in the folder. The oldest are deleted, so that it does not grow."""
@@ -31,12 +34,24 @@ PROGRAMS_KEPT = 64
 FOLDER_VARIABLE = "WORKBOOK_CACHE"
 """Environment variable that names another folder for compiled programs."""
 
+COMPILER = ("inlining.py", "loader.py", "machine_code.py")
+"""The files beside this one that say how a program is compiled and called."""
+
+
+class ObjectFile(NamedTuple):
+    """Machine code, and the functions of the system's libraries that it calls."""
+
+    code: bytes
+    needs: tuple[str, ...]
+
+
+_loaded: dict[str, MachineCode] = {}
+"""What this process has loaded, by its file's name: every run of a scene shares it."""
+
 
 def why_no_compiler() -> str:
     """Return why nothing can be compiled here, in words; "" when it can."""
-    if importlib.util.find_spec("numba") is None:
-        return "Numba is not installed"
-    return ""
+    return "" if _is_there("numba") else "Numba is not installed"
 
 
 def folder() -> Path:
@@ -47,87 +62,154 @@ def folder() -> Path:
     return Path(named) if named else platformdirs.user_cache_path("collision-workbook")
 
 
-def is_kept(source: str) -> bool:
-    """Return whether a program has been compiled before and only needs to be loaded."""
-    return any((folder() / "__pycache__").glob(f"{_name_of(_program_of(source))}.*.nbc"))
+def is_kept(program: Program) -> bool:
+    """Return whether a program's machine code only needs to be loaded."""
+    return _is_there("llvmlite") and (name_of(program) in _loaded or _kept(program) is not None)
+
+
+def load(program: Program) -> Entry | None:
+    """Return a program that is kept, ready to be called; None: it has to be compiled first."""
+    if not _is_there("llvmlite"):
+        return None
+    name = name_of(program)
+    if name not in _loaded:
+        kept = _kept(program)
+        if kept is None:
+            return None
+        try:
+            _loaded[name] = MachineCode(*kept)
+        except LookupError:  # it comes from another system
+            return None
+    return Entry(_loaded[name], program)
+
+
+def forget_loaded() -> None:
+    """Forget what this process has loaded."""
+    _loaded.clear()
+
+
+def keep(place: Path, program: Program, made: ObjectFile) -> None:
+    """Write a program's machine code into a folder, whole or not at all."""
+    _forget_oldest(place)
+    about = {"made by": _makers(), "needs": made.needs, "sum": _sum(made.code)}
+    text = json.dumps(about).encode() + b"\n" + made.code
+    prefix = name_of(program)
+    with tempfile.NamedTemporaryFile(dir=place, prefix=prefix, suffix=".tmp", delete=False) as file:
+        file.write(text)
+    Path(file.name).replace(place / prefix)
+
+
+def place_to_write() -> Path:
+    """Return a folder for programs that can be written to: that of this process, if need be."""
+    place = folder()
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=place):
+            return place
+    except OSError:  # the home folder is read-only
+        return own_folder()
 
 
 @cache
-def compiled_function(source: str, entry: str) -> Callable[..., Any]:
-    """Return the entry function of a program, compiled on its first call or loaded if it is kept.
+def own_folder() -> Path:
+    """Return a folder that lasts as long as this process."""
+    place = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, place, ignore_errors=True)
+    return Path(place)
 
-    Parameters
-    ----------
-    source : str
-        A module, from :func:`lesson_code.engine.compiled.linker.link`.
-    entry : str
-        The name of the function in it that is called.
 
-    Raises
-    ------
-    ModuleNotFoundError
-        Numba is not installed.
+@contextmanager
+def claimed(place: Path, program: Program) -> Iterator[None]:
+    """Wait until no other process compiles a program, and let none begin meanwhile.
+
+    The system takes the claim back if this process is killed. Where it has no such locks, two may
+    compile the same, and the later one replaces the file of the other.
     """
-    from numba import njit
-
-    module, keeps = _load(source)
-    functions = {n: f for n, f in vars(module).items() if isinstance(f, types.FunctionType)}
-    options: dict[str, Any] = {"error_model": "numpy", "_nrt": False}
-    inner = {**options, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    for name, function in functions.items():
-        if name != entry:
-            inner["forceinline"] = name in module.IN_PLACE
-            inner["inline"] = "always" if name in module.MERGED else "never"
-            setattr(module, name, njit(**inner)(function))
-    start: Callable[..., Any] = njit(**options, cache=keeps)(functions[entry])
-    return start
-
-
-def _load(source: str) -> tuple[types.ModuleType, bool]:
-    """Return a program as a module, and whether its machine code can be kept."""
-    program = _program_of(source)
-    name = _name_of(program)
     try:
-        path = _written(folder(), name, program)
-        keeps = os.access(path.parent, os.W_OK)  # else Numba cannot store the machine code
-    except OSError:  # the home folder is read-only
-        path, keeps = _written(Path(tempfile.mkdtemp()), name, program), False
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:  # pragma: no cover - the name ends in .py
-        raise ImportError(f"{path} must be a module")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    spec.loader.exec_module(module)
-    return module, keeps
+        import fcntl
+    except ImportError:  # pragma: no cover - Windows
+        yield
+        return
+    path = place / f"{name_of(program)}.lock"
+    with path.open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+        path.unlink(missing_ok=True)
 
 
-def _name_of(program: str) -> str:
-    """Return a name for a program: different texts have different names."""
-    return "program_" + hashlib.sha256(program.encode()).hexdigest()[:20]
+@cache
+def name_of(program: Program) -> str:
+    """Return the name of a program's file: what makes other machine code has another name."""
+    import llvmlite.binding as llvm
+
+    processor = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+    told = (program.source, program.entry, program.layout, processor, _compiler())
+    return "program_" + hashlib.sha256(repr(told).encode()).hexdigest()[:20]
 
 
-def _program_of(source: str) -> str:
-    """Return all that machine code depends on: the source, and which functions are inlined."""
-    in_place, merge = sorted(inlined(source)), sorted(merged(source))
-    return f"{source}\n\nIN_PLACE = {in_place}\nMERGED = {merge}\n"
+@cache
+def _compiler() -> bytes:
+    """Return the lines that say how a program is compiled."""
+    return b"".join((Path(__file__).parent / name).read_bytes() for name in COMPILER)
 
 
-def _written(place: Path, name: str, source: str) -> Path:
-    """Return the path of a program's file; several processes may write it at once."""
-    path = place / f"{name}.py"
-    if path.exists() and path.read_text() == source:
-        return path
-    place.mkdir(parents=True, exist_ok=True)
-    _forget_oldest(place)
-    with tempfile.NamedTemporaryFile("w", dir=place, suffix=".tmp", delete=False) as file:
-        file.write(source)
-    Path(file.name).replace(path)
-    return path
+def _makers() -> dict[str, str | None]:
+    """Return the versions of all that makes machine code; None for what is not installed."""
+    names = {"numba": _version("numba"), "llvmlite": _version("llvmlite")}
+    return {"Python": platform.python_version(), "numpy": np.__version__, **names}
+
+
+@cache
+def _version(package: str) -> str | None:
+    """Return the version of a package; None if it is not installed."""
+    return importlib.metadata.version(package) if _is_there(package) else None
+
+
+def _is_there(package: str) -> bool:
+    """Return whether a package can be imported."""
+    return importlib.util.find_spec(package) is not None
+
+
+def _kept(program: Program) -> ObjectFile | None:
+    """Return the machine code of a program if it is kept, whole, and was made by what is here."""
+    has_own = own_folder.cache_info().currsize
+    for place in (folder(), own_folder()) if has_own else (folder(),):
+        with suppress(OSError):
+            about, _, code = (place / name_of(program)).read_bytes().partition(b"\n")
+            if (kept := _sound(about, code)) is not None:
+                return kept
+    return None
+
+
+def _sound(about: bytes, code: bytes) -> ObjectFile | None:
+    """Return machine code if it is as it was written, and made by what is here.
+
+    Numba need not be there; but where it is, another version makes its own.
+    """
+    with suppress(ValueError, KeyError, TypeError):  # there is nothing like our first line
+        said = json.loads(about)
+        alike = all(
+            said["made by"][name] == is_here for name, is_here in _makers().items() if is_here
+        )
+        if alike and said["sum"] == _sum(code):
+            return ObjectFile(code, tuple(said["needs"]))
+    return None
+
+
+def _sum(code: bytes) -> str:
+    """Return a sum over machine code, in which any change shows."""
+    return hashlib.sha256(code).hexdigest()
 
 
 def _forget_oldest(place: Path) -> None:
-    """Delete the programs that were made longest ago."""
-    programs = sorted(place.glob("program_*.py"), key=lambda path: path.stat().st_mtime)
+    """Delete the programs that were made longest ago, and what a killed process has left."""
+    programs = sorted(place.glob("program_*"), key=_made_at)
     for path in programs[: max(len(programs) - PROGRAMS_KEPT + 1, 0)]:
-        for kept in (path, *(place / "__pycache__").glob(f"{path.stem}.*")):
-            kept.unlink(missing_ok=True)
+        path.unlink(missing_ok=True)
+
+
+def _made_at(path: Path) -> float:
+    """Return when a file was made, s; long ago if another process has just deleted it."""
+    with suppress(FileNotFoundError):
+        return path.stat().st_mtime
+    return 0.0

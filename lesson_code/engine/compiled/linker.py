@@ -19,15 +19,22 @@ import ast
 import functools
 import inspect
 import math
+import re
 import sys
 import types
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, TypeAlias
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple, TypeAlias
 
 from lesson_code.engine.compiled.known import is_stage, known_value
 
 PROJECT = "lesson_code."
 """Functions are taken into a program if their module's name begins like this."""
+
+PROGRAMS_REMEMBERED = 64
+"""Programs that a process holds as text, some 50 kB each."""
+
+FUNCTION = re.compile(r"^def (\w+)\(.*?(?=^[^\s)]|\Z)", re.MULTILINE | re.DOTALL)
+"""A function of a module: it ends where the next line begins at the margin."""
 
 Names: TypeAlias = Mapping[str, Any]
 Key: TypeAlias = tuple[Any, ...]
@@ -66,15 +73,38 @@ def link(entry: Callable[..., Any], **bound: Any) -> str:
         return (disc.vx + disc.ax * t, disc.vy + disc.ay * t)
     <BLANKLINE>
     """
+    key = entry, tuple(sorted(bound.items()))
+    if not _linked(*key).is_current():
+        _linked.cache_clear()
+    return _linked(*key).text
+
+
+class _Linked(NamedTuple):
+    """A program, and what it was made of: the values that its functions' global names had."""
+
+    text: str
+    read: list[tuple[Names, dict[str, Any]]]
+
+    def is_current(self) -> bool:
+        """Return whether all those names still stand for the same."""
+        return all(
+            now.get(name) is value for now, names in self.read for name, value in names.items()
+        )
+
+
+@functools.lru_cache(maxsize=PROGRAMS_REMEMBERED)
+def _linked(entry: Callable[..., Any], bound: tuple[tuple[str, Any], ...]) -> _Linked:
+    """Return a program, which is made once."""
     program = _Program()
-    program.add(entry, bound | _stages_by_default(entry, set(bound)))
-    return program.source()
+    program.add(entry, dict(bound) | _stages_by_default(entry, set(dict(bound))))
+    return _Linked(program.source(), program.read)
 
 
 class _Program:
     """A module under construction: its imports, constants and functions, each once."""
 
     def __init__(self) -> None:
+        self.read: list[tuple[Names, dict[str, Any]]] = []
         self._imports: set[str] = set()
         self._constants: dict[str, Any] = {}
         self._functions: dict[str, str] = {}
@@ -97,11 +127,15 @@ class _Program:
         if key not in self._names:
             name = self._free_name(function)
             self._names[key] = name
-            text, before = _functions_of(function.__module__)[function.__name__]
+            known = function.__globals__
+            names = function.__code__.co_names
+            self.read.append((known, {n: known[n] for n in names if n in known}))
+            text = _functions_of(function.__module__)[function.__name__]
             tree = _definition(text)
             tree.name = name
             _Specialised(self, function, bound, tree).rewrite()
-            self._functions[name] = text if _are_alike(tree, before) else ast.unparse(tree)
+            is_same = _are_alike(tree, _original(text))
+            self._functions[name] = text if is_same else ast.unparse(tree)
         return self._names[key]
 
     def use(self, name: str, value: Any, user: str) -> None:
@@ -122,6 +156,16 @@ class _Program:
         self._imports.add(f"from {module} import {name} as {own}")
         return own
 
+    def hold(self, name: str, value: Any) -> str:
+        """Take in what a stage outside the program is given, and return its name.
+
+        A function is imported; a list that the stages of a run share begins empty.
+        """
+        if not isinstance(value, list):
+            return self.take_in(value)
+        self._constants[name] = []
+        return name
+
     def _free_name(self, function: Any) -> str:
         """Return a function's name; if it is taken, with that of its module in front."""
         name: str = function.__name__
@@ -137,7 +181,7 @@ class _Specialised(ast.NodeTransformer):
         self, program: _Program, function: Any, bound: Names, tree: ast.FunctionDef
     ) -> None:
         self._program, self._function, self._tree = program, function, tree
-        local = set(_names_set_in(tree)) | {arg.arg for arg in tree.args.args}
+        local = _local_names(function.__code__)
         self._global = {n: v for n, v in function.__globals__.items() if n not in local}
         self._known = self._global | dict(bound)
         self._bound = bound
@@ -257,7 +301,7 @@ class _Specialised(ast.NodeTransformer):
         node.func = ast.Name(self._program.take_in(function), ast.Load())
         node.args = [self.visit(arg) for arg in node.args if not self._is_stage(arg)]
         node.keywords = [
-            ast.keyword(name, ast.Name(self._program.take_in(value), ast.Load()))
+            ast.keyword(name, ast.Name(self._program.hold(name, value), ast.Load()))
             for name, value in given.items()
         ]
         return node
@@ -298,29 +342,23 @@ def _is_ours(function: Any) -> bool:
     return str(function.__module__).startswith(PROJECT)
 
 
-def _names_set_in(tree: ast.AST) -> Iterator[str]:
-    """Yield the names that a function gives values to."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            yield node.id
+def _local_names(code: types.CodeType) -> set[str]:
+    """Return the names that a function gives values to, also within its comprehensions."""
+    inner = (part for part in code.co_consts if isinstance(part, types.CodeType))
+    return {*code.co_varnames, *code.co_cellvars}.union(*map(_local_names, inner))
 
 
 @functools.cache
-def _functions_of(module: str) -> dict[str, tuple[str, ast.FunctionDef]]:
-    """Return the source of each of a module's functions, without decorators, and its tree."""
+def _functions_of(module: str) -> dict[str, str]:
+    """Return the source of each of a module's functions, without decorators."""
     text = inspect.getsource(sys.modules[module])
-    lines = text.splitlines()
-    return {
-        node.name: ("\n".join(lines[node.lineno - 1 : node.end_lineno]), _bare(node))
-        for node in ast.parse(text).body
-        if isinstance(node, ast.FunctionDef)
-    }
+    return {found[1]: found[0].rstrip() for found in FUNCTION.finditer(text)}
 
 
-def _bare(definition: ast.FunctionDef) -> ast.FunctionDef:
-    """Take away a function's decorators."""
-    definition.decorator_list = []
-    return definition
+@functools.cache
+def _original(text: str) -> ast.FunctionDef:
+    """Return the tree of a function's source, which nobody changes."""
+    return _definition(text)
 
 
 def _definition(text: str) -> ast.FunctionDef:

@@ -1,15 +1,11 @@
-"""The directions of a contact, the point where it is, and an impulse j along a direction u there.
-
-The impulse is -j u on a at its lever arm r_a, and +j u on b at r_b.
-"""
+"""The directions of a contact, and the point where it is."""
 
 from __future__ import annotations
 
 from typing import TypeAlias
 
-from lesson_code.engine.core.impulse_pair import MovingBody, exchange_and_turn
+from lesson_code.engine.core.impulse_pair import MovingBody
 from lesson_code.engine.core.rows import ContactRow
-from lesson_code.formulas.arithmetic import cross
 
 XY: TypeAlias = tuple[float, float]
 
@@ -27,11 +23,3 @@ def tangent_of(c: ContactRow) -> XY:
 def contact_point(c: ContactRow, a: MovingBody, b: MovingBody) -> XY:
     """Return the point midway between the two surfaces, m."""
     return (a.x + c.ax + b.x + c.bx) / 2, (a.y + c.ay + b.y + c.by) / 2
-
-
-def apply_impulse(c: ContactRow, a: MovingBody, b: MovingBody, u: XY, j: float) -> None:
-    """Change the velocities of both bodies by an impulse j along u, N s."""
-    jx, jy = j * u[0], j * u[1]
-    wa = -cross((c.ax, c.ay), (jx, jy)) * a.inv_i
-    wb = cross((c.bx, c.by), (jx, jy)) * b.inv_i
-    exchange_and_turn(a, b, jx, jy, wa, wb)

@@ -63,8 +63,8 @@ def first_of_island(bodies: list[BodyRow], i: int) -> int:
     return i
 
 
-def islands_of(world: World) -> list[list[ContactRow]]:
-    """Return the contacts of each island, in the order of the contact table.
+def islands_of(world: World) -> list[Island]:
+    """Return the islands, each with its contacts in the order of the contact table.
 
     A contact between two bodies that nothing can push is in none.
     """
@@ -75,10 +75,10 @@ def islands_of(world: World) -> list[list[ContactRow]]:
         if bodies[c.a].inv_m > 0.0 or bodies[c.b].inv_m > 0.0:
             pushed = c.a if bodies[c.a].inv_m > 0.0 else c.b
             islands.setdefault(first_of_island(bodies, pushed), []).append(c)
-    return list(islands.values())
+    return [_island(world, contacts) for contacts in islands.values()]
 
 
-def island_of(world: World, contacts: list[ContactRow]) -> Island:
+def _island(world: World, contacts: list[ContactRow]) -> Island:
     """Return the matrices of an island."""
     numbers = sorted({number for c in contacts for number in (c.a, c.b)})
     place = {number: k for k, number in enumerate(numbers)}

@@ -59,14 +59,17 @@ def measure_overlaps(
     world: World, broad_phase: BroadPhase, effects: Effects, depth: Measure
 ) -> float:
     """Return the depth of the deepest overlap, 0 without one; -1 when a table was too small."""
-    for body in world.bodies:
-        turn_with_angle(world, body)
-    bound(world)
-    if not seek_pairs(world, broad_phase):
-        return -1.0
-    if not find_contacts(world, effects):
+    if not see_contacts(world, broad_phase, effects):
         return -1.0
     deepest = 0.0
     for k in range(world.state.contact_count):
         deepest = max(deepest, depth(world, world.contacts[k]))
     return deepest
+
+
+def see_contacts(world: World, broad_phase: BroadPhase, effects: Effects) -> bool:
+    """Find the contacts of the bodies as they stand; return whether the tables had room."""
+    for body in world.bodies:
+        turn_with_angle(world, body)
+    bound(world)
+    return seek_pairs(world, broad_phase) and find_contacts(world, effects)

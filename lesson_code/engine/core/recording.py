@@ -69,15 +69,14 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reas
     """
     _require_few_steps(duration, stepper.dt)
     moments = _moments(duration, stepper.dt, sample)
-    frames = np.zeros((len(moments), len(scene.bodies), STATE_NUMBERS))
+    frames = Frames([moment.time for moment in moments], len(scene.bodies))
     done = 0
     for frame, moment in sorted(enumerate(moments), key=lambda item: item[1].time):
         stepper.advance(max(moment.steps - done, 0))
         done = max(done, moment.steps)
-        frames[frame] = stepper.states_after(moment.rest)
+        frames.put(frame, stepper.states_after(moment.rest))
     stepper.advance(whole_parts(duration, stepper.dt) - done)
-    times = [moment.time for moment in moments]
-    return run_of(scene, times, frames, stepper.events(), stepper.plan(reason))
+    return run_of(scene, frames, stepper.events(), stepper.plan(reason))
 
 
 def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
@@ -87,23 +86,47 @@ def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64
     return later
 
 
-def run_of(scene: Scene, times: Sequence[float], frames: Any, events: Any, plan: Plan) -> Run:
-    """Return a run from the states of all bodies, shape (F, N, 6), at F times.
+class Frames:
+    """The states of N bodies at F times, in the arrays that a run will hold.
 
-    Raises
-    ------
-    FloatingPointError
-        A number is not finite: a body has left the range of floating point.
+    They are written once: 10,000 bodies in 300 frames are 144 MB, which take longer to be copied
+    than a gas of as many takes to be simulated.
     """
-    table = np.asarray(frames, dtype=float).reshape(len(times), len(scene.bodies), STATE_NUMBERS)
-    _require_finite(table, times)
+
+    def __init__(self, times: Sequence[float], bodies: int) -> None:
+        shape = (len(times), bodies)
+        self.times = np.array(times, dtype=float)
+        self.positions, self.velocities = np.empty((*shape, 2)), np.empty((*shape, 2))
+        self.angles, self.angular_velocities = np.empty(shape), np.empty(shape)
+
+    def put(self, frame: int, states: NDArray[np.float64]) -> None:
+        """Write down a frame: x, y, angle, vx, vy, w of every body, shape (N, 6).
+
+        Raises
+        ------
+        FloatingPointError
+            A number is not finite: a body has left the range of floating point.
+        """
+        if not np.isfinite(states).all():
+            body, _ = (int(index) for index in np.argwhere(~np.isfinite(states))[0])
+            raise FloatingPointError(
+                f"body {body} has left the range of floating point at {self.times[frame]} s"
+            )
+        self.positions[frame] = states[:, 0:2]
+        self.angles[frame] = states[:, 2]
+        self.velocities[frame] = states[:, 3:5]
+        self.angular_velocities[frame] = states[:, 5]
+
+
+def run_of(scene: Scene, frames: Frames, events: Any, plan: Plan) -> Run:
+    """Return a run from the states of all bodies and from their impulses, shape (K, 10)."""
     return Run(
         scene=scene,
-        times=_frozen(np.array(times)),
-        positions=_frozen(table[:, :, 0:2]),
-        velocities=_frozen(table[:, :, 3:5]),
-        angles=_frozen(table[:, :, 2]),
-        angular_velocities=_frozen(table[:, :, 5]),
+        times=_frozen(frames.times),
+        positions=_frozen(frames.positions),
+        velocities=_frozen(frames.velocities),
+        angles=_frozen(frames.angles),
+        angular_velocities=_frozen(frames.angular_velocities),
         contacts=_events(events),
         plan=plan,
     )
@@ -165,15 +188,6 @@ def given_times(duration: float, sample: Any) -> list[float]:
         raise ValueError(f"sample must be <= duration = {duration} s, got {times.max()}")
     given: list[float] = times.tolist()
     return given
-
-
-def _require_finite(frames: NDArray[np.float64], times: Sequence[float]) -> None:
-    """Refuse a run in which a body has left the range of floating point."""
-    if not np.isfinite(frames).all():
-        frame, body, _ = (int(index) for index in np.argwhere(~np.isfinite(frames))[0])
-        raise FloatingPointError(
-            f"body {body} has left the range of floating point at {times[frame]} s"
-        )
 
 
 def _events(events: Any) -> ImpulseEvents:

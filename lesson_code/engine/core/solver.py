@@ -76,12 +76,15 @@ class Solver:
         Of a body's width: how far from its surface contacts are seen already.
     iterations, substeps : int
         Sweeps and sub-steps in a step, unless they are given.
+    has_matrices : bool
+        Whether it solves systems of equations with NumPy.
     has_one_sweep : bool
         Whether it makes one sweep, however many are asked for.
     options : mapping from str to tuple of str
-        Choices that it offers, and their values; the first is what every solver does.
-    variants : mapping
-        The stages for the values of the options that are not the first ones.
+        Choices that it offers, and their values; the first is what it does unless it is told.
+    make_stages : callable, optional
+        Returns what it does in a step of the engine, given a value for each option by name, for a
+        solver that keeps something from stage to stage: each run has stages of its own then.
     never_compiled : str
         Why its stages are not compiled, in words; "" where they are.
     gives_up : str
@@ -100,9 +103,10 @@ class Solver:
     skin: float = 0.0
     iterations: int = 10
     substeps: int = 1
+    has_matrices: bool = False
     has_one_sweep: bool = False
     options: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    variants: Mapping[tuple[str, ...], SolverStages] = field(default_factory=dict)
+    make_stages: Callable[..., SolverStages] | None = None
     never_compiled: str = ""
     gives_up: str = ""
     lacks: Mapping[str, str] = field(default_factory=dict)
@@ -116,10 +120,12 @@ class Solver:
         ValueError
             It has none: it is not the engine that steps it.
         """
+        if self.make_stages is not None:
+            usual = {name: first for name, (first, *_) in self.options.items()}
+            return self.make_stages(**{**usual, **options})
         if self.stages is None:
             raise ValueError(f"solver must be one that the engine steps, got {self.name!r}")
-        values = tuple(options.get(name, first) for name, (first, *_) in self.options.items())
-        return self.variants.get(values, self.stages)
+        return self.stages
 
     def counts(self, asked: Request) -> tuple[int, int]:
         """Return how many sweeps and sub-steps it makes in a step."""

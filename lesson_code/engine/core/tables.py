@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import math
-import statistics
+from collections.abc import Iterable
+from dataclasses import astuple
+from typing import Any
 
+import numpy as np
+
+from lesson_code.engine.compiled import full_rows, new_table
 from lesson_code.engine.core.broad_phase import (
     all_pairs,
     row_stride_for,
@@ -12,20 +17,19 @@ from lesson_code.engine.core.broad_phase import (
     sweep_and_prune,
     uniform_grid,
 )
+from lesson_code.engine.core.columns import Columns, Floats
 from lesson_code.engine.core.constants import (
     CELL_MARGIN,
     FEWEST_FOR_GRID,
     LARGEST_IN_GRID,
     MOST_MARGIN,
 )
-from lesson_code.engine.core.mixing import RULES, UNSPECIFIED, MixingRule
-from lesson_code.engine.core.motion import turn_with_angle
+from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.pipeline import BroadPhase
 from lesson_code.engine.core.rows import BodyRow, BoxRow, IndexRow, PlaceRow, State, World
-from lesson_code.engine.core.scene import Body, Scene
-from lesson_code.engine.effects.sleeping import is_static_and_moves
+from lesson_code.engine.core.scene import Scene
+from lesson_code.geometry.outline import Point
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
-from lesson_code.geometry.shapes import Segment
 
 BROAD_PHASES: dict[str, BroadPhase] = {
     "all_pairs": all_pairs,
@@ -38,7 +42,7 @@ BROAD_PHASES: dict[str, BroadPhase] = {
 def world_of(
     scene: Scene, dt: float, iterations: int, combine: MixingRule, skin: float = 0.0
 ) -> World:
-    """Return the tables of a scene, its bodies where they begin.
+    """Return the tables of a scene as lists of rows, its bodies where they begin.
 
     Each body that can be pushed gets a skin of so many of its widths: contacts are seen before the
     bodies touch.
@@ -48,14 +52,17 @@ def world_of(
     FloatingPointError
         A mass is so small that its inverse is no number.
     """
-    corners: list[Corner] = []
-    bodies = [_row(body, corners, skin) for body in scene.bodies]
-    for number, row in enumerate(bodies):
-        if not math.isfinite(row.inv_m + row.inv_i):
-            raise FloatingPointError(f"body {number} has left the range of floating point")
-    slots = slots_for(len(bodies))
-    thinnest = min((_thickness(b) for b in scene.bodies if not b.is_static), default=math.inf)
-    narrowest = min((row.min_width for row in bodies), default=math.inf)
+    return full_rows(arrays_of(scene, dt, iterations, combine, skin))
+
+
+def arrays_of(
+    scene: Scene, dt: float, iterations: int, combine: MixingRule, skin: float = 0.0
+) -> World:
+    """Return the same tables as arrays with all fields."""
+    columns = scene.columns
+    bodies = _bodies(columns, skin)
+    count, slots = len(columns), slots_for(len(columns))
+    thinnest = _least(columns.thickness[columns.is_free])
     state = State(
         whole=dt,
         dt=dt,
@@ -65,26 +72,27 @@ def world_of(
         iterations=iterations,
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
-        cell_size=_cell_size(scene),
+        cell_size=_cell_size(columns),
         slot_count=slots,
         row_stride=row_stride_for(slots),
         thinnest=thinnest,
-        reach=skin * narrowest if skin > 0.0 else 0.5 * thinnest,
+        reach=skin * _least(bodies["min_width"]) if skin > 0.0 else 0.5 * thinnest,
         skin=skin,
-        free_count=sum(row.inv_m > 0.0 for row in bodies),
-        has_moving_static=any(is_static_and_moves(row) for row in bodies),
+        free_count=int(columns.is_free.sum()),
+        has_moving_static=columns.has_mover,
     )
-    world = World(
+    outlines = (body.shape.outline for body in scene.bodies) if columns.has_corners.any() else ()
+    return World(
         state=state,
         bodies=bodies,
-        corners=corners,
+        corners=_corners(outlines, bodies),
         pairs=[],
         sorted_pairs=[],
-        places=[PlaceRow() for _ in bodies],
-        order=[IndexRow(index) for index in range(len(bodies))],
-        boxes=[BoxRow() for _ in bodies],
-        slots=[IndexRow() for _ in range(slots + 1)],  # one more, for where the last one ends
-        fixed_slots=[IndexRow() for _ in range(slots)],
+        places=new_table(PlaceRow, count),
+        order=new_table(IndexRow, count, index=np.arange(count)),
+        boxes=new_table(BoxRow, count),
+        slots=new_table(IndexRow, slots + 1),  # one more, for where the last one ends
+        fixed_slots=new_table(IndexRow, slots),
         contacts=[],
         static_contacts=[],
         memory=[],
@@ -92,9 +100,6 @@ def world_of(
         impulses=[],
         manifold=ManifoldRow(),
     )
-    for body in bodies:
-        turn_with_angle(world, body)
-    return world
 
 
 def broad_phase_for(scene: Scene) -> str:
@@ -102,43 +107,71 @@ def broad_phase_for(scene: Scene) -> str:
     return "all_pairs" if len(scene.bodies) < FEWEST_FOR_GRID else "uniform_grid"
 
 
-def _row(body: Body, corners: list[Corner], skin: float) -> BodyRow:
-    """Return a body's row, and add its outline to the corners."""
-    thickness = 0.0 if body.is_static else skin * body.shape.min_width
-    first = len(corners)
-    corners += corner_rows(body.shape.outline)
-    material = body.material
-    return BodyRow(
-        x=body.position[0],
-        y=body.position[1],
-        radius=body.shape.rounding + thickness,
-        first_corner=first,
-        corner_count=len(body.shape.outline),
-        angle=body.angle,
-        vx=body.velocity[0],
-        vy=body.velocity[1],
-        w=body.angular_velocity,
-        inv_m=0.0 if body.mass is None else 1 / body.mass,
-        inv_i=0.0 if body.inertia is None else 1 / body.inertia,
-        restitution=UNSPECIFIED if material.restitution is None else material.restitution,
-        friction=UNSPECIFIED if material.friction is None else material.friction,
-        min_width=math.inf if body.is_static else body.shape.min_width,
-        bounding_radius=body.shape.bounding_radius + thickness,
+def _bodies(c: Columns, skin: float) -> Any:
+    """Return the table of bodies, turned to their angles."""
+    thickness = np.where(c.is_free, skin * c.min_width, 0.0)
+    with np.errstate(over="ignore"):
+        inv_m, inv_i = 1 / c.mass, 1 / c.inertia
+        is_number = np.isfinite(inv_m + inv_i)
+    if not is_number.all():
+        raise FloatingPointError(f"body {is_number.argmin()} has left the range of floating point")
+    angles = c.angle.tolist()
+    return new_table(
+        BodyRow,
+        len(c),
+        x=c.x,
+        y=c.y,
+        radius=c.rounding + thickness,
+        first_corner=np.cumsum(c.corner_count) - c.corner_count,
+        corner_count=c.corner_count,
+        angle=c.angle,
+        cos=[math.cos(angle) for angle in angles],  # NumPy's may differ in the last bit
+        sin=[math.sin(angle) for angle in angles],
+        vx=c.vx,
+        vy=c.vy,
+        w=c.w,
+        inv_m=inv_m,
+        inv_i=inv_i,
+        restitution=c.restitution,
+        friction=c.friction,
+        min_width=np.where(c.is_free, c.min_width, math.inf),
+        bounding_radius=c.bounding_radius + thickness,
     )
 
 
-def _thickness(body: Body) -> float:
-    """Return the smallest width of a body's matter, m; a line has none."""
-    return 2 * body.shape.radius if isinstance(body.shape, Segment) else body.shape.min_width
+def _corners(outlines: Iterable[tuple[Point, ...]], bodies: Any) -> Any:
+    """Return the corners of all outlines one after the other, each turned with its body."""
+    seen: dict[tuple[Point, ...], list[tuple[float, ...]]] = {}
+    local: list[tuple[float, ...]] = []
+    for outline in outlines:
+        if outline not in seen:
+            seen[outline] = [astuple(corner)[:4] for corner in corner_rows(outline)]
+        local += seen[outline]
+    x, y, nx, ny = np.array(local, dtype=float).reshape(-1, 4).T
+    cos, sin = (np.repeat(bodies[name], bodies["corner_count"]) for name in ("cos", "sin"))
+    return new_table(
+        Corner,
+        len(local),
+        local_x=x,
+        local_y=y,
+        local_nx=nx,
+        local_ny=ny,
+        x=cos * x - sin * y,
+        y=sin * x + cos * y,
+        nx=cos * nx - sin * ny,
+        ny=sin * nx + cos * ny,
+    )
 
 
-def _cell_size(scene: Scene) -> float:
+def _least(widths: Floats) -> float:
+    """Return the smallest of some widths, m; infinite where there are none."""
+    return float(widths.min(initial=math.inf))
+
+
+def _cell_size(c: Columns) -> float:
     """Return the width of a grid cell, m: the largest box's, the few much larger ones left out."""
-    sizes = [
-        2 * body.shape.bounding_radius + 2 * MOST_MARGIN * body.shape.min_width
-        for body in scene.bodies
-    ]
-    if not sizes:
+    if not len(c):
         return 1.0
-    limit = LARGEST_IN_GRID * statistics.median_low(sizes)
-    return CELL_MARGIN * max(size for size in sizes if size <= limit)
+    sizes = np.sort(2 * c.bounding_radius + 2 * MOST_MARGIN * c.min_width)
+    limit = LARGEST_IN_GRID * sizes[(len(c) - 1) // 2]  # the median, or the lower of two
+    return float(CELL_MARGIN * sizes[sizes <= limit][-1])

@@ -6,9 +6,13 @@ Without them there is nothing to find, to solve or to tell, and bodies fly freel
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from lesson_code.engine.core.scene import Body, Scene
+import numpy as np
+
+from lesson_code.engine.core.columns import Floats
+from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.question import Effect, Finding, Question
 
 
@@ -54,19 +58,19 @@ def can_meet(scene: Scene, duration: float, dt: float) -> bool:
 
     Examples
     --------
-    >>> from lesson_code import Circle
+    >>> from lesson_code import Body, Circle
     >>> ball = Body(Circle(1), mass=1.0, velocity=(1, 0))
     >>> wall = Body(Circle(1), position=(9, 0))
     >>> [can_meet(Scene([ball, wall]), duration, dt=0.01) for duration in (5.0, 8.0)]
     [False, True]
     """
-    if all(body.is_static for body in scene.bodies) or len(scene.bodies) < 2:
+    if not scene.columns.is_free.any() or len(scene.bodies) < 2:
         return False
     if math.isinf(duration):
         return True
     free: list[Box] = []
     static: list[Box] = []
-    for box in sorted(_box_of_way(body, scene, duration + dt) for body in scene.bodies):
+    for box in _boxes_of_ways(scene, duration + dt):
         free = [other for other in free if other.max_x >= box.min_x]
         if any(_share_y(box, other) for other in free):
             return True
@@ -80,29 +84,31 @@ def can_meet(scene: Scene, duration: float, dt: float) -> bool:
     return False
 
 
-def _box_of_way(body: Body, scene: Scene, time: float) -> Box:
-    """Return a box around a body's flight, m."""
-    gravity = (0.0, 0.0) if body.is_static else scene.gravity
-    x, y = (
-        _span(*along, time, scene.damping > 0.0)
-        for along in zip(body.position, body.velocity, gravity, strict=True)
-    )
-    reach = body.shape.bounding_radius
-    return Box(x[0] - reach, x[1] + reach, y[0] - reach, y[1] + reach, body.is_static)
+def _boxes_of_ways(scene: Scene, time: float) -> Iterator[Box]:
+    """Yield a box around each body's flight, m, from left to right."""
+    c = scene.columns
+    is_damped = scene.damping > 0.0
+    gx, gy = (np.where(c.is_free, along, 0.0) for along in scene.gravity)
+    with np.errstate(over="ignore", invalid="ignore"):
+        left, right = _span(c.x, c.vx, gx, time, is_damped)
+        low, high = _span(c.y, c.vy, gy, time, is_damped)
+        reach = c.bounding_radius
+        sides = [left - reach, right + reach, low - reach, high + reach, ~c.is_free]
+    order = np.argsort(sides[0], kind="stable")
+    return map(Box._make, zip(*(side[order].tolist() for side in sides), strict=True))
 
 
 def _span(
-    start: float, speed: float, gain: float, time: float, is_damped: bool
-) -> tuple[float, float]:
+    start: Floats, speed: Floats, gain: Floats, time: float, is_damped: bool
+) -> tuple[Floats, Floats]:
     """Return the least and the largest of start + speed t + gain t^2 / 2, m; wider if damped."""
     if is_damped:
         way = abs(speed) * time + 0.5 * abs(gain) * time * time
         return start - way, start + way
-    times = [0.0, time]
-    if gain != 0.0 and 0.0 < -speed / gain < time:
-        times.append(-speed / gain)
-    places = [start + speed * t + 0.5 * gain * t * t for t in times]
-    return min(places), max(places)
+    turning = np.divide(-speed, gain, out=np.zeros_like(speed), where=gain != 0.0)
+    middle = np.where((turning > 0.0) & (turning < time), turning, 0.0)
+    places = [start + speed * t + 0.5 * gain * t * t for t in (0.0, time, middle)]
+    return np.minimum.reduce(places), np.maximum.reduce(places)
 
 
 def _share_y(a: Box, b: Box) -> bool:

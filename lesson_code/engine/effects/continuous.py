@@ -17,8 +17,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from lesson_code.engine.core.broad_phase import bound
 from lesson_code.engine.core.candidate_pairs import seek_pairs
+from lesson_code.engine.core.columns import Columns
 from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
     LEAST_PART,
@@ -29,15 +32,13 @@ from lesson_code.engine.core.constants import (
 from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
-from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.skin import next_corner_time, skin_of, touching_gap
 from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.outlines import cornered
 from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.rows import ManifoldRow
-from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
 
 
@@ -52,9 +53,9 @@ def rule(question: Question) -> Finding:
         return Finding(True, "gravity makes bodies faster, nobody knows how fast")
     if scene.callbacks.may_change_impulses:
         return Finding(True, "a callback may set how bodies bounce")
-    if any(map(is_mover, scene.bodies)):
+    if scene.columns.has_mover:
         return Finding(True, "a body that nothing can push moves, and may hit others fast")
-    corners_rub = friction.rule(question).called_for and cornered(scene)
+    corners_rub = friction.rule(question).called_for and scene.columns.has_corners.any()
     if corners_rub and restitution.rule(question).called_for:
         return Finding(True, "bounces at corners that rub may gain speed")
     way, room = fastest_way(scene, question.dt, question.skin)
@@ -64,11 +65,6 @@ def rule(question: Question) -> Finding:
 
 
 EFFECT = Effect(rule=rule, place=60, functions=("has_fast_body",))
-
-
-def is_mover(body: Body) -> bool:
-    """Return whether a body moves that nothing can push."""
-    return body.is_static and (any(body.velocity) or body.angular_velocity != 0.0)
 
 
 def fastest_way(scene: Scene, dt: float, skin: float = 0.0) -> tuple[float, float]:
@@ -83,36 +79,28 @@ def fastest_way(scene: Scene, dt: float, skin: float = 0.0) -> tuple[float, floa
     --------
     Two discs of 1 kg and 1 m/s: one of them may come to have the energy of both.
 
+    >>> from lesson_code import Body, Circle
     >>> discs = [Body(Circle(1), mass=1.0, velocity=(1, 0), position=(0, 3 * k)) for k in (0, 1)]
     >>> way, room = fastest_way(Scene(discs), dt=0.1)
     >>> round(way, 6), room
     (0.141421, 1.0)
     """
-    free = [body for body in scene.bodies if not body.is_static]
-    twice_energy = sum(_twice_energy(body) for body in free)
-    speed = max((_fastest_point(body, twice_energy) for body in free), default=0.0)
-    if skin > 0.0:
-        return speed * dt, skin * min((b.shape.min_width for b in free), default=math.inf)
-    return speed * dt, min((_half_width(body) for body in free), default=math.inf)
+    c = scene.columns
+    free = c.is_free
+    widths, share = (c.min_width, skin) if skin > 0.0 else (c.thickness, 0.5)
+    room = share * float(widths[free].min(initial=math.inf))
+    return _fastest_point(c) * dt, room
 
 
-def _half_width(body: Body) -> float:
-    """Return half of the smallest width of a body's matter, m."""
-    return body.shape.radius if isinstance(body.shape, Segment) else 0.5 * body.shape.min_width
-
-
-def _twice_energy(body: Body) -> float:
-    """Return m v^2 + I w^2, J."""
-    vx, vy = body.velocity
-    mass, inertia, w = body.mass or 0.0, body.inertia or 0.0, body.angular_velocity
-    return mass * (vx * vx + vy * vy) + (inertia * w * w if w != 0.0 else 0.0)
-
-
-def _fastest_point(body: Body, twice_energy: float) -> float:
+@np.errstate(over="ignore", invalid="ignore")  # what no float can hold is infinitely fast
+def _fastest_point(c: Columns) -> float:
     """Return how fast a point of a body can be that has all the energy, m/s."""
-    mass, inertia = body.mass or math.inf, body.inertia or math.inf
-    arm = 0.0 if isinstance(body.shape, Circle) else body.shape.bounding_radius
-    return math.sqrt(twice_energy * (1 / mass + arm * arm / inertia))
+    free, turns = c.is_free, c.is_free & (c.w != 0.0)
+    mass, inertia, w = c.mass[free], c.inertia[free], c.w[turns]
+    vx, vy = c.vx[free], c.vy[free]
+    twice_energy = (mass * (vx * vx + vy * vy)).sum() + (c.inertia[turns] * w * w).sum()
+    arm = np.where(c.has_corners, c.bounding_radius, 0.0)[free]
+    return math.sqrt((twice_energy * (1 / mass + arm * arm / inertia)).max(initial=0.0))
 
 
 # The stage
@@ -134,10 +122,11 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
         state.dt = time_to_impact(world, pipeline, longest)
         if state.pairs_wanted > 0:
             return False
-        state.impacts += 1
-        if state.dt < state.left and state.impacts > MOST_IMPACTS:
-            state.dt = state.left
-            let_fast_wait(world)
+        if state.dt < longest:
+            state.impacts += 1
+            if state.impacts > MOST_IMPACTS:
+                state.dt = state.left
+                let_fast_wait(world)
     state.time = (state.steps_done + 1) * state.whole - (state.left - state.dt)
     return True
 
@@ -173,6 +162,13 @@ def way_of(body: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> f
     return (speed + rim_speed(body, effects)) * duration
 
 
+def way_between(a: BodyRow, b: BodyRow, duration: float, effects: Effects = EVERY_EFFECT) -> float:
+    """Return how far a point of a body may move at the most, seen from another body, m."""
+    vx, vy = b.vx - a.vx, b.vy - a.vy
+    turning = rim_speed(a, effects) + rim_speed(b, effects)
+    return (math.sqrt(vx * vx + vy * vy) + turning) * duration
+
+
 def rim_speed(body: BodyRow, effects: Effects) -> float:
     """Return how fast a body's farthest corner turns about its centre, m/s; a circle has none."""
     if not (effects.outlines and effects.rotation) or body.corner_count == 0:
@@ -193,7 +189,9 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
     earliest = duration
     for k in range(world.state.pair_count):
         a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
-        if a.is_fast or b.is_fast:
+        if (a.is_fast or b.is_fast) and is_far(
+            world, way_between(a, b, duration, pipeline.effects)
+        ):
             after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
                 earliest = min(earliest, after + time_into(world, a, b, pipeline.effects))
@@ -236,9 +234,8 @@ def time_into_skin(
     The contacts that there are the solver holds. There may be more as the bodies turn.
     """
     if world.manifold.count > 0:
-        may_turn = effects.outlines and effects.rotation and (is_turning(a) or is_turning(b))
         speed, depth = rim_speed(a, effects) + rim_speed(b, effects), depth_into(world, a, b)
-        return next_corner_time(world, a, b, duration, speed, depth) if may_turn else math.inf
+        return next_corner_time(world, a, b, duration, speed, depth) if speed > 0.0 else math.inf
     near = 0.5 * touching_gap(a, b)
     body = a if a.inv_m > 0.0 else b
     radius = body.radius
@@ -279,9 +276,7 @@ def time_into(world: World, a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFF
     """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
     if world.state.skin > 0.0:
         return LEAST_PART * world.state.whole  # they are as deep already
-    vx, vy = b.vx - a.vx, b.vy - a.vy
-    turning = rim_speed(a, effects) + rim_speed(b, effects)
-    return depth_into(world, a, b) / (math.sqrt(vx * vx + vy * vy) + turning)
+    return depth_into(world, a, b) / way_between(a, b, 1.0, effects)
 
 
 def let_fast_wait(world: World) -> None:

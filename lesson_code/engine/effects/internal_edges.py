@@ -31,7 +31,7 @@ ALONG = 1.0 - 1e-9
 
 def rule(question: Question) -> Finding:
     """Ask whether there are two static bodies that may stand side by side."""
-    count = sum(body.is_static for body in question.scene.bodies)
+    count = int((~question.scene.columns.is_free).sum())
     if count > 1:
         return Finding(True, f"{count} static bodies may make one floor")
     return Finding(False, "there is at most one static body")

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.effects.outlines import cornered
 from lesson_code.engine.effects.question import Effect, Finding, Question
 
 
 def rule(question: Question) -> Finding:
     """Ask whether two bodies with corners can meet."""
-    bodies = cornered(question.scene)
-    if len(bodies) > 1 and any(not body.is_static for body in bodies):
+    columns = question.scene.columns
+    cornered = columns.has_corners
+    if cornered.sum() > 1 and (cornered & columns.is_free).any():
         return Finding(True, "two bodies with corners can touch at two points")
     return Finding(False, "bodies touch at one point: one of the two is a circle")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
@@ -12,7 +11,6 @@ from typing import NamedTuple, TypeAlias
 from lesson_code.engine.core.mixing import (
     MIXING_RULES,
     RULES,
-    UNSPECIFIED,
     MixingRule,
     mixed,
 )
@@ -60,18 +58,13 @@ class Question:
         compared, so that this takes no longer for many of them.
         """
         rule = RULES[getattr(self.combine, name)]
-        sorts = Counter(
-            (
-                UNSPECIFIED if (value := getattr(body.material, name)) is None else value,
-                body.is_static,
-            )
-            for body in self.scene.bodies
-        )
+        columns = self.scene.columns
+        sorts = columns.friction_sorts if name == "friction" else columns.restitution_sorts
         return [
             mixed(rule, a, b)
-            for (a, a_static), (b, b_static) in combinations_with_replacement(sorts, 2)
-            if not (a_static and b_static)
-            if (a, a_static) != (b, b_static) or sorts[a, a_static] > 1
+            for (a, a_free), (b, b_free) in combinations_with_replacement(sorts, 2)
+            if a_free or b_free
+            if (a, a_free) != (b, b_free) or sorts[a, a_free] > 1
         ]
 
 

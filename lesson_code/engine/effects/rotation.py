@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import math
+import numpy as np
 
 from lesson_code.engine.effects import friction
 from lesson_code.engine.effects.question import Effect, Finding, Question
-from lesson_code.geometry.shapes import Circle
 
 
 def rule(question: Question) -> Finding:
     """Ask whether any body turns, or an impulse can turn it."""
-    bodies = question.scene.bodies
-    if any(body.angular_velocity != 0.0 for body in bodies):
+    columns = question.scene.columns
+    if (columns.w != 0.0).any():
         return Finding(True, "a body turns from the start")
-    free = [body for body in bodies if body.inertia is not None and math.isfinite(body.inertia)]
-    if any(not isinstance(body.shape, Circle) for body in free):
+    can_be_turned = np.isfinite(columns.inertia)
+    if (can_be_turned & columns.has_corners).any():
         return Finding(True, "a body with corners can be turned by an impulse off its centre")
-    if free and friction.rule(question).called_for:
+    if can_be_turned.any() and friction.rule(question).called_for:
         return Finding(True, "friction turns discs")
     return Finding(False, "nothing turns: impulses without friction go through a disc's centre")
 

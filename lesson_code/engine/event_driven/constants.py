@@ -87,8 +87,9 @@ EVENTS_A_CALL = 10_000
 """Then the loop comes back to its driver. So a run can be compiled that turns out to be long, or be
 interrupted from the keyboard, and what is counted in whole numbers of 32 bits stays small."""
 
-EVENT_SECONDS = 3e-5
-"""s, of plain Python for an event; 2e-5 to 4.5e-5 were measured."""
+EVENT_SECONDS = 2e-5
+"""s, of plain Python for an event; 0.7e-5 (thin gas) to 3e-5 (dense) were measured on the machine
+whose speed `engine.compiled.choice` compares with."""
 
 MOST_AHEAD = 10.0
 """Times the work that is done: the most that is expected of what is left."""
@@ -100,5 +101,5 @@ TIE_TIME = 1e-12
 """Of the time: two collisions that are this close together come at once, but for rounding. At 0 a
 rack that a cue ball hits in the middle breaks askew; 1e-12 s is far less than any two by chance."""
 
-LONG_AGO = 1e6
+LONG_AGO = 1e8
 """Times that: a disc that has not collided for so long is in no series of ever faster hits."""

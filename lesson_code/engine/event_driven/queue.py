@@ -10,18 +10,24 @@ million discs these are 20.
 
 from __future__ import annotations
 
+from typing import Any
+
+import numpy as np
+
+from lesson_code.engine.compiled import new_table
 from lesson_code.engine.event_driven.rows import EventRow
 
 
-def queue_for(discs: int) -> list[EventRow]:
-    """Return a queue for `discs` discs, without any event yet."""
+def queue_for(discs: int) -> Any:
+    """Return a queue for `discs` discs, without any event yet, as an array of records."""
     entries = 1 << max(discs - 1, 0).bit_length()
-    queue = [EventRow() for _ in range(2 * entries)]
-    for i in range(discs):
-        queue[entries + i].disc = i
-    for k in range(entries - 1, 0, -1):
-        queue[k].disc = queue[2 * k].disc
-    return queue
+    winners = np.zeros(2 * entries, dtype=np.int64)
+    winners[entries : entries + discs] = np.arange(discs)
+    round_of = entries
+    while round_of > 1:
+        winners[round_of // 2 : round_of] = winners[round_of : 2 * round_of : 2]
+        round_of //= 2
+    return new_table(EventRow, 2 * entries, disc=winners)
 
 
 def enter_event(queue: list[EventRow], i: int, time: float) -> None:

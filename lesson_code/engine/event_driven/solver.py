@@ -15,19 +15,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import (
-    Choice,
+    Code,
+    Entry,
+    Program,
     as_arrays,
     as_numbers,
-    choose,
-    compiled_function,
+    full_rows,
     link,
+    program_of,
 )
 from lesson_code.engine.core.capacity import longer
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
 from lesson_code.engine.core.rows import ImpulseRow
-from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
 from lesson_code.engine.effects.flags import Effects
 from lesson_code.engine.effects.question import Question
@@ -48,12 +50,13 @@ from lesson_code.engine.event_driven.loop import (
     note_impulse,
 )
 from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
-from lesson_code.engine.event_driven.tables import tables_of
-from lesson_code.geometry.shapes import Circle
+from lesson_code.engine.event_driven.rows import Tables
+from lesson_code.engine.event_driven.tables import exact_arrays_of
+from lesson_code.engine.event_driven.work import events_expected
 
 
 @cache
-def program(effects: Effects, record: Recorder | None) -> str:
+def source_of(effects: Effects, record: Recorder | None) -> str:
     """Return the source of the program that the loop is compiled as."""
     return link(advance_until, effects=effects, record=record)
 
@@ -74,8 +77,8 @@ class ExactSolver:
     keep_impulses : bool
         Whether every impulse is written down.
     compiled : bool or None
-        Whether the stages run as compiled code. They do the same to the last bit. None: they begin
-        as plain Python, and are compiled if the work ahead repays it.
+        Whether the stages run as compiled code. They do the same to the last bit. None: where that
+        saves time, perhaps from some event on; then :meth:`close` it when it is no longer needed.
     duration : float
         s, how long the run will be, for that decision; ``math.inf``: until nothing happens.
     effects : mapping, optional
@@ -89,8 +92,6 @@ class ExactSolver:
     ----------
     tables : Tables
         Lists of rows or, when compiled, arrays of records.
-    choice : Choice
-        Whether they are compiled, and why.
     effects : tuple of EffectChoice
         What it reckons with, and why.
     collisions : int
@@ -126,25 +127,37 @@ class ExactSolver:
         used = names_used(self.effects)
         self._flags = flags_of(self.effects)
         record = note_impulse if "impulse_record" in used else None
-        self.tables = tables_of(scene, combine, "broad_phase" in used)
+        self.tables = exact_arrays_of(scene, combine, "broad_phase" in used)
         self.tables.state.stops_at_tie = stops_at_tie
+        c = scene.columns
+        self._start = np.column_stack([c.x, c.y, c.angle, c.vx, c.vy, np.zeros(len(c))])
+        self._free = np.flatnonzero(c.is_free)
+        self._movers = np.flatnonzero(c.is_moving & ~c.is_free)
         self.collisions = 0
         self._events: list[NDArray[np.float64]] = []
-        self._program = partial(program, self._flags, record)
-        self._advance: Callable[[Any], int] = partial(
+        self._source = partial(source_of, self._flags, record)
+        self._advance: Callable[[Any], float] = partial(
             advance_until, effects=self._flags, record=record
         )
-        self._asked, self._duration = compiled, duration
-        self._events_done = 0
-        self.choice = Choice(False, "a small run")
-        self._choose(len(self.tables.discs) * MOST_AHEAD)
+        self._duration = duration
+        self._code = Code(compiled)
+        events = 0.0
+        if self._flags.collisions:
+            events = events_expected(scene, duration, has_grid=self._flags.broad_phase)
+        self._change_to(self._code.begin(self.program, events * EVENT_SECONDS))
         self.advance(-1.0)  # no event yet, but all are predicted
 
     def plan(self, reason: str) -> Plan:
         """Return how the scene is run so far, with the reason for the choice of this solver."""
-        choice = self.choice
-        program = self._program
-        return Plan("exact", reason, choice.code, choice.reason, self.effects, program=program)
+        return Plan("exact", reason, *self._code.choice, self.effects, program=self._source)
+
+    def program(self) -> Program:
+        """Return the program of the loop, as it is compiled."""
+        return program_of(self._source(), "advance_until", Tables, self._reading())
+
+    def close(self) -> None:
+        """End the run: a process that still compiles for it ends too, unless it is nearly done."""
+        self._code.close()
 
     def next_collision(self, until: float) -> float | None:
         """Go on to the next collision, and return its time, s; None: there is none until then."""
@@ -168,11 +181,10 @@ class ExactSolver:
 
         The shape is (N, 6).
         """
-        bodies = self.scene.bodies
-        states = np.array([_state_unpushed(body, time) for body in bodies], dtype=float)
-        states = states.reshape(-1, STATE_NUMBERS)
-        free = [n for n, body in enumerate(bodies) if not body.is_static]
-        states[free] = self._disc_states(states[free, ANGLE], time)
+        states = self._start.copy()
+        if self._movers.size:
+            states[self._movers, 0:2] += states[self._movers, 3:5] * time
+        states[self._free] = self._disc_states(self._start[self._free, ANGLE], time)
         return states
 
     def events(self) -> NDArray[np.float64]:
@@ -188,7 +200,8 @@ class ExactSolver:
         """
         discs: Any = self.tables.discs
         if isinstance(discs, np.ndarray):
-            columns = self._disc_state(discs.view(np.recarray), angles, time)
+            with np.errstate(over="ignore", invalid="ignore"):  # refused by the recording
+                columns = self._disc_state(discs.view(np.recarray), angles, time)
             return np.column_stack(np.broadcast_arrays(*columns))
         rows = [self._disc_state(*disc, time) for disc in zip(discs, angles, strict=True)]
         return np.array(rows).reshape(-1, STATE_NUMBERS)
@@ -211,7 +224,7 @@ class ExactSolver:
         state.until = min(until, sys.float_info.max)  # not to the events that never happen
         state.stops_at_collision = stops_at_collision
         while True:
-            stopped_by = self._advance(self.tables)
+            stopped_by = int(self._advance(self.tables))
             self.collisions += int(state.collisions)
             state.collisions = 0
             if stopped_by == NO_END:
@@ -233,27 +246,26 @@ class ExactSolver:
                 return stopped_by
 
     def _look_ahead(self) -> None:
-        """Estimate the work that is left, and choose again whether to compile it.
+        """Go on in machine code if it is there now, and the work that is left repays it.
 
-        It is as much as in the time so far, but no more than :data:`MOST_AHEAD` times what is done:
-        many a run comes to rest.
+        That is as much as in the time so far, but no more than :data:`MOST_AHEAD` times what is
+        done: many a run comes to rest.
         """
         state = self.tables.state
-        self._events_done += EVENTS_A_CALL
         state.events_left = EVENTS_A_CALL
-        left = max(self._duration - state.now, 0.0)
-        ahead = min(left / state.now, MOST_AHEAD) if state.now > 0.0 else MOST_AHEAD
-        self._choose(self._events_done * ahead)
+        if isinstance(self.tables.discs, list):
+            left = max(self._duration - state.now, 0.0)
+            ahead = min(left / state.now, MOST_AHEAD) if state.now > 0.0 else MOST_AHEAD
+            now = f"t = {state.now:.3g} s"
+            self._change_to(self._code.look(self.program, ahead, now))
 
-    def _choose(self, events: float) -> None:
-        """Compile what is still plain Python if so many events repay it, or if it was asked for."""
-        if self.choice.compiled or self._asked is False:
+    def _change_to(self, entry: Entry | None) -> None:
+        """Go on with machine code, if there is any, and else with rows."""
+        if entry is None:
+            self.tables = full_rows(self.tables)
             return
-        self.choice = choose(self._asked, events * EVENT_SECONDS, self._program)
-        if self.choice.compiled:
-            source = self._program()
-            self.tables = as_arrays(self.tables, source + self._reading())
-            self._advance = compiled_function(source, "advance_until")
+        self.tables = as_arrays(self.tables, self._source() + self._reading())
+        self._advance = entry
 
     def _reading(self) -> str:
         """Return the source of what the states are read by: its fields are kept, too."""
@@ -274,15 +286,10 @@ class ExactSolver:
         self.tables = self.tables._replace(impulses=longer(table, rows, ImpulseRow))
 
 
-def _state_unpushed(body: Body, time: float) -> tuple[float, ...]:
-    """Return the state of a body that nothing pushes."""
-    (x, y), (vx, vy) = body.position, body.velocity
-    return x + vx * time, y + vy * time, body.angle, vx, vy, 0.0
-
-
 def why_not(scene: Scene) -> str:
     """Return what keeps the exact solver from a scene, in words; "" when nothing does.
 
+    >>> from lesson_code import Body, Circle
     >>> why_not(Scene([Body(Circle(1), mass=1.0)], damping=0.1))
     'damping has no closed form here'
     """
@@ -290,9 +297,9 @@ def why_not(scene: Scene) -> str:
         return "damping has no closed form here"
     if scene.callbacks.wanted:
         return "it calls no callbacks"
-    for n, body in enumerate(scene.bodies):
-        if not body.is_static and not isinstance(body.shape, Circle):
-            return f"body {n} can be pushed and is no circle"
-        if body.is_static and body.angular_velocity != 0.0:
-            return f"body {n} is static and turns"
-    return ""
+    free = scene.columns.is_free
+    wrong = np.where(free, scene.columns.has_corners, scene.columns.w != 0.0)
+    if not wrong.any():
+        return ""
+    n = int(wrong.argmax())
+    return f"body {n} " + ("can be pushed and is no circle" if free[n] else "is static and turns")

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import math
+from itertools import product
+from typing import Any
 
+import numpy as np
+
+from lesson_code.engine.compiled import full_rows, new_table
 from lesson_code.engine.core.broad_phase import row_stride_for, slot_of, slots_for
+from lesson_code.engine.core.columns import Floats
+from lesson_code.engine.core.constants import LAST_CELL
 from lesson_code.engine.core.mixing import RULES, MixingRule
-from lesson_code.engine.core.rows import BodyRow, ContactRow, IndexRow
+from lesson_code.engine.core.neighbours import HIGH, LEFT, LOW, RIGHT, sides_of
+from lesson_code.engine.core.rows import ContactRow, IndexRow
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.tables import world_of
-from lesson_code.engine.event_driven.cells import enter_cell
+from lesson_code.engine.core.tables import arrays_of
 from lesson_code.engine.event_driven.constants import (
     CELL_MARGIN,
     GRIPS,
@@ -22,64 +29,86 @@ from lesson_code.engine.event_driven.constants import (
 )
 from lesson_code.engine.event_driven.queue import queue_for
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, NearRow, SlotRow, Tables
-from lesson_code.engine.event_driven.support import let_go
+
+OF_A_BODY = (
+    *("inv_m", "inv_i", "radius", "restitution", "friction"),
+    *("x", "y", "angle", "vx", "vy", "w"),
+)
+"""The fields that the row of a disc has in common with that of a body."""
 
 
 def tables_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -> Tables:
-    """Return the tables of a scene, its discs where they begin; without a grid in one cell."""
-    free = [n for n, body in enumerate(scene.bodies) if not body.is_static]
-    fixed = [n for n, body in enumerate(scene.bodies) if body.is_static]
-    world = world_of(scene, dt=1.0, iterations=0, combine=combine)  # its bodies, as rows
-    discs = [_disc(n, world.bodies[n]) for n in free]
-    slots = slots_for(len(discs))
-    tables = Tables(
-        state=_state(scene, combine, slots, has_grid),
-        discs=discs,
-        obstacles=[world.bodies[n] for n in fixed],
-        obstacle_bodies=[IndexRow(n) for n in fixed],
+    """Return the tables of a scene as lists of rows, its discs where they begin.
+
+    Without a grid they are all in one cell.
+    """
+    return full_rows(exact_arrays_of(scene, combine, has_grid))
+
+
+def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -> Tables:
+    """Return the same tables, the long ones as arrays with all fields."""
+    world: Any = arrays_of(scene, dt=1.0, iterations=0, combine=combine)
+    is_free = scene.columns.is_free
+    free, fixed = np.flatnonzero(is_free), np.flatnonzero(~is_free)
+    state = _state(scene, combine, has_grid)
+    discs, obstacles = world.bodies[free], world.bodies[fixed]
+    boxes = sides_of(world)[:, fixed]
+    _bound_grid(state, np.hstack([boxes, [discs["x"], discs["y"]] * 2]))
+    slots = new_table(SlotRow, state.slot_count)
+    near, everywhere = _obstacles_near(state, boxes, scene.columns.is_moving[fixed], slots)
+    return Tables(
+        state=state,
+        discs=_discs(state, discs, free, slots),
+        obstacles=obstacles,
+        obstacle_bodies=new_table(IndexRow, len(fixed), index=fixed),
         corners=world.corners,
-        queue=queue_for(len(discs)),
-        slots=[SlotRow() for _ in range(slots)],
-        near=[],
-        everywhere=[],
+        queue=queue_for(len(free)),
+        slots=slots,
+        near=near,
+        everywhere=everywhere,
         contact=ContactRow(),
         impulses=[],
     )
-    _bound_grid(tables)
-    for i in range(len(discs)):
-        let_go(tables.state, discs[i])
-        enter_cell(tables, i)
-    for k in range(len(fixed)):
-        _note_obstacle(tables, k)
-    return tables
 
 
-def _disc(number: int, row: BodyRow) -> DiscRow:
-    """Return the row of a disc from its row as a body."""
-    return DiscRow(
-        body=number,
-        inv_m=row.inv_m,
-        inv_i=row.inv_i,
-        radius=row.radius,
-        restitution=row.restitution,
-        friction=row.friction,
-        x=row.x,
-        y=row.y,
-        angle=row.angle,
-        vx=row.vx,
-        vy=row.vy,
-        w=row.w,
+def _discs(state: ExactState, bodies: Any, numbers: Any, slots: Any) -> Any:
+    """Return the table of the discs, which fall freely, each noted in the slot of its cell.
+
+    In a slot each comes before those with a smaller number.
+    """
+    size = state.cell_size
+    cell_x = np.clip(np.floor(bodies["x"] / size), state.first_x, state.last_x).astype(np.int64)
+    cell_y = np.clip(np.floor(bodies["y"] / size), state.first_y, state.last_y).astype(np.int64)
+    slot: Any = slot_of(state, cell_x, cell_y)
+    order = np.argsort(slot, kind="stable")
+    is_same = slot[order[1:]] == slot[order[:-1]]
+    behind = np.full(len(slot), -1)
+    behind[order[1:][is_same]] = order[:-1][is_same]
+    is_last = np.append(~is_same, True)[: len(slot)]
+    slots["first_disc"][slot[order[is_last]]] = order[is_last]
+    return new_table(
+        DiscRow,
+        len(numbers),
+        body=numbers,
+        ax=state.gravity_x,
+        ay=state.gravity_y,
+        cell_x=cell_x,
+        cell_y=cell_y,
+        next_in_slot=behind,
+        **{name: bodies[name] for name in OF_A_BODY},
     )
 
 
-def _state(scene: Scene, combine: MixingRule, slots: int, has_grid: bool) -> ExactState:
+def _state(scene: Scene, combine: MixingRule, has_grid: bool) -> ExactState:
     """Return the settings, the small speeds in proportion to those of the scene."""
-    radii = [body.shape.bounding_radius for body in scene.bodies if not body.is_static]
-    largest = max(radii, default=1.0)
+    c = scene.columns
+    radii = c.bounding_radius[c.is_free]
+    largest = float(radii.max()) if radii.size else 1.0
+    slots = slots_for(len(radii))
     gravity = math.hypot(*scene.gravity)
     falling = math.sqrt(gravity * largest)
     hop_time = 2 * HOP * falling / (gravity or 1.0)
-    speed = max([falling, *(math.hypot(*body.velocity) for body in scene.bodies)])
+    speed = max([falling, *map(math.hypot, c.vx.tolist(), c.vy.tolist())])
     return ExactState(
         gravity_x=scene.gravity[0],
         gravity_y=scene.gravity[1],
@@ -98,49 +127,43 @@ def _state(scene: Scene, combine: MixingRule, slots: int, has_grid: bool) -> Exa
     )
 
 
-def _bound_grid(tables: Tables) -> None:
-    """Let the grid end one cell beyond all that is there at the start."""
-    state, size = tables.state, tables.state.cell_size
-    boxes = [_box(tables, obstacle) for obstacle in tables.obstacles]
-    boxes += [(disc.x, disc.x, disc.y, disc.y) for disc in tables.discs]
-    if math.isinf(size) or not boxes:
+def _bound_grid(state: ExactState, sides: Floats) -> None:
+    """Let the grid end one cell beyond all that is there at the start, shape (4, N), m."""
+    if math.isinf(state.cell_size) or sides.size == 0:
         return
-    left, right, low, high = zip(*boxes, strict=True)
-    state.first_x, state.last_x = (
-        math.floor(min(left) / size) - 1,
-        math.floor(max(right) / size) + 1,
-    )
-    state.first_y, state.last_y = math.floor(min(low) / size) - 1, math.floor(max(high) / size) + 1
+    state.first_x = _cell(state, float(sides[LEFT].min())) - 1
+    state.last_x = _cell(state, float(sides[RIGHT].max())) + 1
+    state.first_y = _cell(state, float(sides[LOW].min())) - 1
+    state.last_y = _cell(state, float(sides[HIGH].max())) + 1
 
 
-def _note_obstacle(tables: Tables, k: int) -> None:
-    """Note an obstacle in all cells from which a disc could touch it, or as near everywhere."""
-    obstacle, size = tables.obstacles[k], tables.state.cell_size
-    if math.isinf(size):
-        tables.everywhere.append(IndexRow(k))
-        return
-    left, right, low, high = _box(tables, obstacle)
-    columns = range(math.floor(left / size) - 1, math.floor(right / size) + 2)
-    lines = range(math.floor(low / size) - 1, math.floor(high / size) + 2)
-    moves = obstacle.vx != 0.0 or obstacle.vy != 0.0
-    if moves or len(columns) * len(lines) > MOST_CELLS:
-        tables.everywhere.append(IndexRow(k))
-        return
-    for cell_x in columns:
-        for cell_y in lines:
-            slot = tables.slots[slot_of(tables.state, cell_x, cell_y)]
-            tables.near.append(NearRow(k, cell_x, cell_y, slot.first_near))
-            slot.first_near = len(tables.near) - 1
+def _cell(state: ExactState, place: float) -> int:
+    """Return the number of the cell of a coordinate, m; the last one goes on for ever."""
+    return math.floor(min(max(place / state.cell_size, -LAST_CELL), LAST_CELL))
 
 
-def _box(tables: Tables, obstacle: BodyRow) -> tuple[float, float, float, float]:
-    """Return the sides of the box around an obstacle: left, right, low, high, m."""
-    first = obstacle.first_corner
-    corners = tables.corners[first : first + obstacle.corner_count]
-    xs, ys = [c.x for c in corners] or [0.0], [c.y for c in corners] or [0.0]
-    return (
-        obstacle.x + min(xs) - obstacle.radius,
-        obstacle.x + max(xs) + obstacle.radius,
-        obstacle.y + min(ys) - obstacle.radius,
-        obstacle.y + max(ys) + obstacle.radius,
-    )
+def _obstacles_near(
+    state: ExactState, sides: Floats, is_moving: Any, slots: Any
+) -> tuple[list[NearRow], list[IndexRow]]:
+    """Return the obstacles noted in each cell from which a disc could touch them, and the others.
+
+    Those are near everywhere: they move, or would be noted in too many cells.
+    """
+    near: list[NearRow] = []
+    everywhere: list[IndexRow] = []
+    first: dict[int, int] = {}
+    for k, (left, low, right, high) in enumerate(sides.T.tolist()):
+        if math.isinf(state.cell_size) or is_moving[k]:
+            everywhere.append(IndexRow(k))
+            continue
+        columns = range(_cell(state, left) - 1, _cell(state, right) + 2)
+        lines = range(_cell(state, low) - 1, _cell(state, high) + 2)
+        if len(columns) * len(lines) > MOST_CELLS:
+            everywhere.append(IndexRow(k))
+            continue
+        for cell_x, cell_y in product(columns, lines):
+            slot = slot_of(state, cell_x, cell_y)
+            near.append(NearRow(k, cell_x, cell_y, first.get(slot, -1)))
+            first[slot] = len(near) - 1
+    slots["first_near"][list(first)] = list(first.values())
+    return near, everywhere

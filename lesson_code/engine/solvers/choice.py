@@ -5,36 +5,35 @@
 3. Discs in free flight, one collision at a time: the exact solver. Where two collisions of a disc
    come at once it gives up, and the next one runs.
 4. Few bodies, or some more that stand from the start: the direct solver. All contacts are solved at
-   once, and no law depends on the step. Sweeps take less of time, and break laws.
+   once, and no law depends on the step. Sweeps take less time, and break laws.
 5. Many bodies, heavy ones on light ones: the solver with sub-steps.
 6. Other scenes of many bodies: the sequential solver.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from lesson_code.engine.core.broad_phase import all_pairs, bound
-from lesson_code.engine.core.candidate_pairs import seek_pairs
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.constants import (
+    FEWEST_FOR_GRID,
     HEAVY_ON_LIGHT,
+    MOST_FALLING,
     MOST_FOR_DIRECT,
     MOST_STANDING,
     SKIN,
     TOUCHING,
 )
 from lesson_code.engine.core.mixing import MixingRule
-from lesson_code.engine.core.narrow_phase import find_contacts
-from lesson_code.engine.core.penetration import deepest_overlaps
-from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.tables import world_of
+from lesson_code.engine.core.neighbours import has_neighbour
+from lesson_code.engine.core.penetration import EVERY_OVERLAP, deepest_overlaps, see_contacts
+from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.choice import capabilities, checked_wishes
-from lesson_code.engine.effects.continuous import is_mover
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.effects.restitution import smallest_restitution
 from lesson_code.engine.event_driven import why_not
@@ -88,11 +87,12 @@ def solvers_for(
         return
     if _has_all("exact", wishes) and flies_freely(question):
         yield SolverChoice("exact", "discs that fly freely between their collisions")
-    free = sum(not body.is_static for body in scene.bodies)
+    free = int(scene.columns.is_free.sum())
     if _has_all("direct", wishes) and compiled is not True:
-        if free <= MOST_FOR_DIRECT:
+        falls = falling(scene) if MOST_FALLING < free <= MOST_STANDING else 0
+        if free <= MOST_FOR_DIRECT and falls <= MOST_FALLING:
             yield SolverChoice("direct", "few bodies: all contacts are solved at once")
-        elif free <= MOST_STANDING and stands(scene):
+        elif free <= MOST_STANDING and any(scene.gravity) and falls == 0:
             yield SolverChoice("direct", "all bodies stand: their contacts are solved at once")
     ratio = mass_ratio(scene)
     if _has_all("substep", wishes) and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
@@ -117,10 +117,10 @@ def flies_freely(question: Question) -> bool:
     bounces more and more often.
     """
     scene = question.scene
-    free = [body for body in scene.bodies if not body.is_static]
-    if why_not(scene) or not free or any(map(is_mover, scene.bodies)):
+    free = int(scene.columns.is_free.sum())
+    if why_not(scene) or free == 0 or scene.columns.has_mover:
         return False
-    if any(scene.gravity) and (len(free) > 1 or len(scene.bodies) > 2):
+    if any(scene.gravity) and (free > 1 or len(scene.bodies) > 2):
         return False
     if not any(scene.gravity) and smallest_restitution(question) <= 0.0:
         return False
@@ -129,32 +129,34 @@ def flies_freely(question: Question) -> bool:
 
 def is_apart(scene: Scene) -> bool:
     """Return whether no two bodies touch, one of which is a disc that can be pushed."""
+    near: Sequence[Body] = scene.bodies
+    if len(near) >= FEWEST_FOR_GRID:
+        near = [scene.bodies[n] for n in np.flatnonzero(has_neighbour(scene))]
     larger = [
         replace(body, shape=Circle(body.shape.radius * (1 + TOUCHING)))
         if isinstance(body.shape, Circle) and not body.is_static
         else body
-        for body in scene.bodies
+        for body in near
     ]
-    positions = np.array([[body.position for body in scene.bodies]])
-    angles = np.array([[body.angle for body in scene.bodies]])
-    overlaps = deepest_overlaps(Scene(larger), positions, angles)
-    return bool(overlaps[0] == 0.0)
+    positions = np.array([[body.position for body in near]])
+    angles = np.array([[body.angle for body in near]])
+    return bool(deepest_overlaps(Scene(larger), positions, angles)[0] == 0.0)
 
 
-def stands(scene: Scene) -> bool:
-    """Return whether gravity acts, and every body that can be pushed touches another one."""
+def falling(scene: Scene) -> int:
+    """Return how many bodies fall: gravity acts, and they touch no other one."""
+    free = int(scene.columns.is_free.sum())
     if not any(scene.gravity):
-        return False
+        return 0
     world = world_of(scene, dt=1.0, iterations=0, combine=MixingRule(), skin=SKIN)
-    bound(world)
-    while not (seek_pairs(world, all_pairs) and find_contacts(world)):
+    while not see_contacts(world, BROAD_PHASES[broad_phase_for(scene)], EVERY_OVERLAP):
         world = add_capacity(world)
     contacts = world.contacts[: world.state.contact_count]
     touching = {number for c in contacts for number in (c.a, c.b)}
-    return all(body.is_static or number in touching for number, body in enumerate(scene.bodies))
+    return free - sum(not scene.bodies[number].is_static for number in touching)
 
 
 def mass_ratio(scene: Scene) -> float:
     """Return the largest mass of a body that can be pushed over the smallest."""
-    masses = [body.mass for body in scene.bodies if body.mass is not None]
-    return max(masses) / min(masses) if masses else 1.0
+    masses = scene.columns.mass[scene.columns.is_free]
+    return float(masses.max() / masses.min()) if masses.size else 1.0

@@ -21,10 +21,14 @@ Cottle, Pang and Stone, The Linear Complementarity Problem (1992), chapters 3 an
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+
 import numpy as np
 
 from lesson_code.engine.solvers.contact_problem import (
     ENOUGH,
+    SPRINGS,
     Answer,
     Cases,
     Floats,
@@ -89,13 +93,21 @@ def _solve(problem: Problem, guess: Cases | None) -> Answer:
         single = _one_contact(problem)
         if single is not None:
             return Answer(single, complementarity_error(problem, single), "one")
-    best = by_pivoting(problem, first_guess(problem, guess))
-    if not _is_solved(problem, best) and m <= MOST_FOR_LEMKE:
-        best = min(best, by_lemke(problem), key=_error)
-    if _is_solved(problem, best):
-        return best
+    best = Answer(np.zeros(2 * m), math.inf, "")
+    for answer in _answers(problem, guess):
+        best = min(best, answer, key=_error)
+        if _is_solved(problem, best):
+            return best
     softened = _softened(problem)
     return best if best.error < MUCH_BETTER * softened.error else softened
+
+
+def _answers(problem: Problem, guess: Cases | None) -> Iterator[Answer]:
+    """Yield the answers of one method after the other, the quickest first."""
+    for spring in SPRINGS:
+        yield by_pivoting(problem._replace(spring=spring), first_guess(problem, guess))
+    if len(problem.friction) <= MOST_FOR_LEMKE:
+        yield by_lemke(problem)
 
 
 def _error(answer: Answer) -> float:
@@ -152,7 +164,7 @@ def _lemke_impulses(problem: Problem) -> Floats | None:
     Anitescu and Potra, Formulating dynamic multi-rigid-body contact problems with friction as
     solvable linear complementarity problems (1997).
     """
-    k, b, mu, _ = problem
+    k, b, mu = problem[:3]
     m = len(mu)
     rough = np.flatnonzero(mu > 0.0)
     r = len(rough)

@@ -33,9 +33,10 @@ BACKWARD, STICK, FORWARD, OPEN, UNKNOWN = -1, 0, 1, 2, 3
 """What a contact does; where it slides, the number is the sign of its friction impulse. Of a
 contact that is new nothing is known."""
 
-SPRING = 1e-8
+SPRINGS = 1e-8, 1e-12
 """Of the mean of K's diagonal: what is added to it to make the equations solvable. The error that
-it makes is taken out again; the smaller it is, the more shows rounding in how a load is shared."""
+it makes is taken out again; the smaller it is, the more shows rounding in how a load is shared.
+The second is for masses so far apart that K itself is softer than the first."""
 
 SOLVED = 1e-12
 """Of the largest velocity in b: the complementarity error that is as good as none."""
@@ -58,6 +59,7 @@ class Problem(NamedTuple):
     velocity: Floats  # b, shape (2m,), m/s
     friction: Floats  # mu, shape (m,)
     scale: Floats | None = None  # d, shape (m,), kg^1/2; None: 1 for all
+    spring: float = SPRINGS[0]  # of the mean of K's diagonal
 
     def part(self, points: Cases) -> Problem:
         """Return the problem of some of the contacts, given by their places, shape (p,)."""
@@ -118,7 +120,7 @@ def tolerance(problem: Problem, x: Floats) -> float:
 
 def spring_of(problem: Problem) -> float:
     """Return what is added to the diagonal of K, 1/kg."""
-    return SPRING * float(np.trace(problem.delassus)) / len(problem.delassus)
+    return problem.spring * float(np.trace(problem.delassus)) / len(problem.delassus)
 
 
 def legal(problem: Problem, x: Floats) -> Floats:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import closing
+
 from lesson_code.engine.core.constants import MOST_FOR_DIRECT
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.solver import Request, Solver
@@ -26,7 +28,8 @@ def run_scene(asked: Request) -> Run:
         effects=asked.effects,
         stops_at_tie=asked.may_give_up and len(asked.scene.bodies) <= MOST_FOR_DIRECT,
     )
-    return record_exact(solver, asked.duration, asked.sample, asked.reason)
+    with closing(solver):
+        return record_exact(solver, asked.duration, asked.sample, asked.reason)
 
 
 SOLVER = Solver(

@@ -41,7 +41,7 @@ import numpy as np
 
 from lesson_code.engine.core.rows import State
 from lesson_code.engine.solvers.complementarity import solve_contacts
-from lesson_code.engine.solvers.contact_problem import Floats, Problem
+from lesson_code.engine.solvers.contact_problem import Cases, Floats, Problem, cases_of
 from lesson_code.formulas.energetic import energetic_impulse
 from lesson_code.formulas.validation import equation
 
@@ -71,12 +71,12 @@ def gravity_of(state: State) -> float:
     return math.hypot(state.gravity_x, state.gravity_y)
 
 
-def newton(problem: Problem, restitution: Floats) -> Floats:
+def newton(problem: Problem, restitution: Floats, guess: Cases | None = None) -> Floats:
     """Return impulses after which un' >= -e un, and = where a contact pushes."""
     m = len(restitution)
     wanted = problem.velocity.copy()
     wanted[:m] *= 1.0 + restitution
-    return solve_contacts(problem._replace(velocity=wanted)).impulses
+    return solve_contacts(problem._replace(velocity=wanted), guess).impulses
 
 
 def energetic(problem: Problem, restitution: Floats) -> Floats:
@@ -98,28 +98,24 @@ def held_back(problem: Problem, restitution: Floats) -> Floats:
     the way from there to Newton's it is a parabola, open upwards.
     """
     stopped = solve_contacts(problem).impulses
-    bounce = newton(problem, restitution) - stopped
+    if not restitution.any():
+        return stopped
+    guess = cases_of(problem.friction, stopped)
+    bounce = newton(problem, restitution, guess) - stopped
     slope = float((problem.velocity + problem.delassus @ stopped) @ bounce)
     curve = float(bounce @ problem.delassus @ bounce)
-    lost = -energy_gain(problem, stopped)
+    lost = max(-energy_gain(problem, stopped), 0.0)
     if slope + curve / 2 <= lost:
         return stopped + bounce
     # The positive root of  curve / 2 s^2 + slope s = lost, in the form that does not cancel.
-    root = math.sqrt(slope * slope + 2 * curve * max(lost, 0.0))
-    share = 2 * max(lost, 0.0) / (root + slope) if slope > 0.0 else (root - slope) / curve
+    root = math.sqrt(slope * slope + 2 * curve * lost)
+    share = 2 * lost / (root + slope) if slope > 0.0 else (root - slope) / curve
     return stopped + min(share, 1.0) * bounce
 
 
 def energy_gain(problem: Problem, x: Floats) -> float:
     """Return the kinetic energy that impulses bring, J."""
     return float(problem.velocity @ x + x @ problem.delassus @ x / 2)
-
-
-def all_at_once(
-    problem: Problem, restitution: Floats, pairs: list[list[int]], quiet: float, *, law: Law
-) -> Floats:
-    """Return the impulses of all contacts striking at the same instant."""
-    return law(problem, restitution)
 
 
 def one_by_one(
@@ -137,7 +133,7 @@ def one_by_one(
             break
         points = np.array(pairs[fastest])
         both = np.concatenate((points, m + points))
-        strike = law(problem.part(points)._replace(velocity=u[both]), restitution[points])
+        strike = law(problem._replace(velocity=u).part(points), restitution[points])
         x[both] += strike
         u += problem.delassus[:, both] @ strike
     return x
@@ -145,7 +141,7 @@ def one_by_one(
 
 def _all_energetic(p: Problem, e: Floats, pairs: list[list[int]], quiet: float) -> Floats:
     """Return the impulses of all contacts at once by the energetic law."""
-    return all_at_once(p, e, pairs, quiet, law=energetic)
+    return energetic(p, e)
 
 
 def _newton_in_turn(p: Problem, e: Floats, pairs: list[list[int]], quiet: float) -> Floats:
@@ -160,7 +156,7 @@ def _energetic_in_turn(p: Problem, e: Floats, pairs: list[list[int]], quiet: flo
 
 def _all_newton(p: Problem, e: Floats, pairs: list[list[int]], quiet: float) -> Floats:
     """Return the impulses of all contacts at once by Newton's law."""
-    return all_at_once(p, e, pairs, quiet, law=newton)
+    return newton(p, e)
 
 
 STRIKE_RULES: dict[tuple[str, ...], StrikeRule] = {

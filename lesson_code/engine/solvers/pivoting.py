@@ -84,7 +84,7 @@ def _pivot(problem: Problem, cases: Cases, centre: Floats) -> tuple[Cases, bool]
     for _ in range(ROUNDS):
         x = _solve_cases(problem, cases, centre)
         fitting = _fitting_cases(problem, cases, x, centre)
-        misfits = np.flatnonzero(fitting != cases)
+        misfits = (fitting != cases).nonzero()[0]
         if len(misfits) == 0:
             return cases, True
         if len(misfits) < fewest:
@@ -104,14 +104,18 @@ def _solve_cases(problem: Problem, cases: Cases, centre: Floats, *, exact: bool 
 
     Unknown are jn of what is closed and jt of what sticks; jt = +-mu jn of what slides.
     """
-    k, b, mu, _ = problem
+    k, b, mu = problem[:3]
     m = len(mu)
-    closed, sticks = np.flatnonzero(cases != OPEN), np.flatnonzero(cases == STICK)
+    closed, sticks = (cases != OPEN).nonzero()[0], (cases == STICK).nonzero()[0]
     edge = cases[closed] * mu[closed]
     rows = np.concatenate((closed, m + sticks))
-    columns = np.hstack((k[:, closed] + k[:, m + closed] * edge, k[:, m + sticks]))
-    equations, start = columns[rows], np.concatenate((centre[closed], centre[m + sticks]))
-    sprung = equations + spring_of(problem) * np.eye(len(rows))
+    of_rows = k[rows]
+    equations = np.empty((len(rows), len(rows)))
+    equations[:, : len(closed)] = of_rows[:, closed] + of_rows[:, m + closed] * edge
+    equations[:, len(closed) :] = of_rows[:, m + sticks]
+    start = np.concatenate((centre[closed], centre[m + sticks]))
+    sprung = equations.copy()
+    sprung.flat[:: len(rows) + 1] += spring_of(problem)
     y = start - _solution(sprung, b[rows] + equations @ start)
     if exact:
         y = _without_springs(equations, sprung, b[rows], y)
@@ -158,7 +162,7 @@ def _solution(matrix: Floats, right: Floats) -> Floats:
 
 def _fitting_cases(problem: Problem, cases: Cases, x: Floats, centre: Floats) -> Cases:
     """Return the case that each contact should have had, to judge by impulses and velocities."""
-    k, b, mu, _ = problem
+    k, b, mu = problem[:3]
     m = len(mu)
     w = b + k @ x + spring_of(problem) * (x - centre)
     own = np.diag(k)

@@ -249,7 +249,7 @@ def blocks_and_wall(draw: Draw, trial: Trial) -> float:
 )
 def gas_there_and_back(draw: Draw, trial: Trial) -> float:
     """A gas of 2 to 36 discs, forwards for a second and back: how far it is from its start."""
-    count, covered = draw.integer("count", 2, 36), draw.uniform("covered", 0.1, 0.4)
+    count, covered = draw.integer("count", 2, 36), draw.uniform("covered", 0.1, 0.38)
     gas = disc_gas.gas_of(count, covered, seed=draw.integer("velocities", 0, 10**6))
     run = trial.run(gas, 1.0)
     return events.error_after_return(run, trial.run(events.turned_back(run), 1.0))
@@ -265,7 +265,7 @@ def gas_there_and_back(draw: Draw, trial: Trial) -> float:
 )
 def gas_energy(draw: Draw, trial: Trial) -> float:
     """A gas of 2 to 64 discs, 10 s: change of energy; infinite if a disc escapes."""
-    count, covered = draw.integer("count", 2, 64), draw.uniform("covered", 0.05, 0.5)
+    count, covered = draw.integer("count", 2, 64), draw.uniform("covered", 0.05, 0.38)
     gas = disc_gas.gas_of(count, covered, seed=draw.integer("velocities", 0, 10**6))
     run = trial.run(gas, 10.0)
     places = run.positions[-1, events.WALLS :]

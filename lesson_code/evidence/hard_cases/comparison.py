@@ -16,11 +16,19 @@ from rich.table import Table
 from lesson_code.evidence.engines import has_box2d
 from lesson_code.evidence.hard_cases.catalogue import FAMILIES, family_by_name
 from lesson_code.evidence.hard_cases.parameters import Value
-from lesson_code.evidence.hard_cases.trial import ENGINES, OURS, Family, Outcome, Trial, run_draw
+from lesson_code.evidence.hard_cases.trial import (
+    ENGINES,
+    OURS,
+    SWEEPS,
+    Family,
+    Outcome,
+    Trial,
+    run_draw,
+)
 from lesson_code.evidence.measurement import Measurement, four_digits, plain, rows_with, table
 from lesson_code.parallel import WorkerDiedError, iter_tasks, usable_cores
 
-HEADINGS = {"ours": "ours", "naive": "naive", "pymunk": "pymunk", "box2d": "Box2D"}
+HEADINGS = {OURS: "ours", SWEEPS: "sweeps", "naive": "naive", "pymunk": "pymunk", "box2d": "Box2D"}
 
 SAID = ("name", "theme", "title", "why", "law", "unit", "bound", "reason")
 """The fields of a family that are stored beside its results."""
@@ -149,6 +157,10 @@ class Comparison(Measurement):
         """Return the share of all draws in which an engine held the bound, 0 to 1."""
         mine = rows_with(self.results, engine=engine)
         return sum(result.held for result in mine) / sum(result.draws for result in mine)
+
+    def price(self, family: str) -> float:
+        """Return the time of a usual draw of a family with ours over that with sweeps."""
+        return self.result(family, OURS).seconds / self.result(family, SWEEPS).seconds
 
     def without_times(self) -> Comparison:
         """Return the comparison without the seconds, which differ from run to run."""
@@ -321,6 +333,7 @@ def measure_hard_cases(
     names: Sequence[str] | None = None,
     *,
     draws: int = DRAWS,
+    peer_draws: int | None = None,
     seed: int = 0,
     engines: Sequence[str] | None = None,
     workers: int | None = None,
@@ -337,6 +350,8 @@ def measure_hard_cases(
         The families; all by default.
     draws : int
         Of each family, >= 1.
+    peer_draws : int, optional
+        So many of them are made with the others, >= 1; all by default.
     seed : int
         Of the first draw, >= 0; the others follow it.
     engines : sequence of str, optional
@@ -352,13 +367,15 @@ def measure_hard_cases(
     """
     families = FAMILIES if not names else tuple(map(family_by_name, names))
     chosen = _engines(engines)
-    if draws < 1:
-        raise ValueError(f"draws must be >= 1, got {draws}")
+    for name, count in (("draws", draws), ("peer_draws", peer_draws)):
+        if count is not None and count < 1:
+            raise ValueError(f"{name} must be >= 1, got {count}")
     seeds = _seeds(seed, draws)
-    tasks = [(f.name, e, n) for f in families for e in chosen for n in seeds]
+    own = {e: seeds if e == OURS or peer_draws is None else seeds[:peer_draws] for e in chosen}
+    tasks = [(f.name, e, n) for f in families for e in chosen for n in own[e]]
     found = _outcomes(tasks, workers=workers, cluster=cluster, progress=progress)
     return Comparison(
-        tuple(summed_up([found[f.name, e, n] for n in seeds]) for f in families for e in chosen)
+        tuple(summed_up([found[f.name, e, n] for n in own[e]]) for f in families for e in chosen)
     )
 
 

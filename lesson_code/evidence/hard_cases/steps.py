@@ -58,7 +58,7 @@ def single_steps(scene: Scene, solver: str) -> tuple[Callable[[float], None], Ca
         return lambda dt: other.world.step(dt, SUBSTEPS), other.states
     if solver == OURS:
         choices = solvers_for(Question(scene, dt=DT), asked={})
-        solver = next(choice.solver for choice in choices if our_solvers()[choice.solver].stages)
+        solver = next(c.solver for c in choices if our_solvers()[c.solver].run_scene is None)
     ours = EngineStepper(scene, solver=solver, **settings)
 
     def step(dt: float) -> None:

@@ -19,7 +19,10 @@ from lesson_code.simulation import simulate
 OURS = "ours"
 """The name for ``simulate(scene, duration)``, whichever of our solvers that takes."""
 
-PEERS = ("naive", "pymunk", "box2d")
+SWEEPS = "sequential"
+"""Our solver that sweeps over the contacts: the cheaper one, whatever the scene."""
+
+PEERS = (SWEEPS, "naive", "pymunk", "box2d")
 """The solvers that ours is compared with."""
 
 ENGINES = (OURS, *PEERS)

@@ -7,10 +7,9 @@ import math
 import numpy as np
 
 from lesson_code.engine.core.run import Run
-from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.core.scene import Scene
 from lesson_code.evidence.scenes.events import ELASTIC, WALLS, box
 from lesson_code.formulas.validation import one_number, positive
-from lesson_code.geometry.shapes import Circle
 
 DIAMETER, MASS, ENERGY = 1.0, 1.0, 1.0
 """m, kg, J: of a disc; the energy is the mean one at the start, and so for ever."""
@@ -79,13 +78,14 @@ def gas_of(count: int, covered: float, *, seed: int) -> Scene:
     v = np.random.default_rng(seed).uniform(-1, 1, (count, 2))
     v -= v.mean(axis=0)
     v *= math.sqrt(2 * ENERGY / MASS * len(v) / (v * v).sum())
-    starts = zip([(x, y) for x in places for y in places][:count], v.tolist(), strict=True)
-    shape = Circle(DIAMETER / 2)
-    discs = [
-        Body(shape, mass=MASS, position=place, velocity=way, material=ELASTIC)
-        for place, way in starts
-    ]
-    return Scene([*box(length, length), *discs])
+    return Scene.of_discs(
+        [(x, y) for x in places for y in places][:count],
+        v,
+        radius=DIAMETER / 2,
+        mass=MASS,
+        material=ELASTIC,
+        obstacles=box(length, length),
+    )
 
 
 def hits_a_disc(run: Run) -> float:

@@ -59,6 +59,9 @@ discs are as well held up as those of a smaller one.
 SMALLEST, LARGEST = 0.6, 0.8
 """m: from the middle of a shape in a bin to its farthest point."""
 
+LOOSE = 1.1
+"""m, from disc to disc of those that are to fall."""
+
 PITCH = 2.1 * LARGEST
 """m, from place to place in a bin at the start: nothing touches there."""
 
@@ -179,6 +182,30 @@ def settled_discs(count: int) -> SpeedScene:
         Scene([*box, *discs], gravity=(0, -GRAVITY)),
         DT,
         STEPS_TO_SETTLE,
+    )
+
+
+def falling_discs(count: int) -> Scene:
+    """Return rough discs in loose rows that fall into an open box, and come to rest in a heap.
+
+    Parameters
+    ----------
+    count : int
+        Discs, >= 1; they start in about as many rows as columns.
+    """
+    across = math.ceil(math.sqrt(count))
+    columns, rows = np.arange(count) % across, np.arange(count) // across
+    x, y = LOOSE * (columns + 0.5 + rows % 2 / 4), LOOSE * (rows + 0.5)
+    right, top = LOOSE * (across + 0.5), LOOSE * (across + 1)
+    surface = Material(0.0, FRICTION)
+    corners = [(0.0, top), (0.0, 0.0), (right, 0.0), (right, top)]
+    return Scene.of_discs(
+        np.stack([x, y], axis=-1),
+        radius=0.5,
+        mass=1.0,
+        material=surface,
+        obstacles=[Body(Segment(*ends), material=surface) for ends in pairwise(corners)],
+        gravity=(0, -GRAVITY),
     )
 
 

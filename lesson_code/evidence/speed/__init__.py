@@ -3,12 +3,12 @@
 ==============  =======================================================================
 module          what it does
 ==============  =======================================================================
+``whole_runs``  what a user waits for: fresh processes, from the import to the result
+``user_program``  the program that these run, for each engine as its user writes it
 ``engines``     gives one scene to each engine
 ``quality``     measures how deep bodies overlap, and what energy does
 ``race``        runs the engines in turns, and times them
 ``piles``       looks for the least that lets a pile hold in each engine, and times that
-``few_bodies``  compares the exact solver with pymunk at equal error
-``processes``   measures in fresh processes: imports, first runs, memory
 ``targets``     the ratios and limits to reach
 ``report``      all results, as tables or as one JSON object
 ``measure``     chooses what to measure, and does it

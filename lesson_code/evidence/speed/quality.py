@@ -11,11 +11,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import as_arrays, compiled_function, link
+from lesson_code.engine.compiled import as_arrays, compiled, link, program_of
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.constants import SLOP
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.penetration import EVERY_OVERLAP, in_widths, measure_overlaps
+from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 
@@ -96,7 +97,7 @@ class Gauge:
             measure_overlaps, broad_phase=broad_phase, effects=EVERY_OVERLAP, depth=in_widths
         )
         self._world: Any = as_arrays(world_of(scene, 1.0, 0, MixingRule()), source)
-        self._measure = compiled_function(source, "measure_overlaps")
+        self._measure = compiled(program_of(source, "measure_overlaps", World))
 
     def read(self, states: Floats) -> Reading:
         """Return what is measured in a state, shape (N, 6)."""

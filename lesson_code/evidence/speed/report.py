@@ -20,17 +20,14 @@ from lesson_code.evidence.measurement import (
 )
 from lesson_code.evidence.orders import fit_order
 from lesson_code.evidence.speed.engines import OURS, PEERS
-from lesson_code.evidence.speed.few_bodies import FewBodies
 from lesson_code.evidence.speed.piles import Held, PileRace
-from lesson_code.evidence.speed.processes import Memory, Start
 from lesson_code.evidence.speed.race import Race, Ratio, Timing
 from lesson_code.evidence.speed.targets import (
-    FEW_BODIES_RATIO,
     MOST_BYTES,
     MOST_GROWTH,
-    MOST_SECONDS,
     PILE_RATIOS,
 )
+from lesson_code.evidence.speed.whole_runs import WholeRuns
 
 GROWTH_FROM = 1_000
 """Bodies: from here on the growth of the time is fitted."""
@@ -41,16 +38,14 @@ class Speed(Measurement):
     """What has been measured; parts that were not asked for are empty."""
 
     command = "measure speed"
-    version = 2
+    version = 3
     derived = ("growth_exponents", "limits")
 
     machine: dict[str, Any]
-    repeats: int  # batches of each engine in each scene
+    repeats: int  # of each process, and batches of each engine in each scene
+    whole_runs: WholeRuns | None = None  # from the start of Python to the result
     scenes: tuple[Race, ...] = ()
     piles: tuple[PileRace, ...] = ()  # each engine with the least work that lets them hold
-    few_bodies: tuple[FewBodies, ...] = ()  # the exact solver and pymunk at equal error
-    memory: Memory | None = None
-    start: Start | None = None  # imports and first runs
 
     @property
     def growth_exponents(self) -> dict[str, dict[str, float]]:
@@ -80,42 +75,22 @@ class Speed(Measurement):
             for peer, wanted in PILE_RATIOS[pile.key].items():
                 if (ratio := pile.ratio(peer)) is not None:
                     yield at_least(f"{pile.key}, {peer}'s time over ours", ratio, wanted)
-        for few in self.few_bodies:
-            what = f"{few.name}, pymunk's time over the exact one's"
-            yield at_least(what, few.ratio_measured, FEW_BODIES_RATIO)
-        if self.memory is not None:
-            yield from _memory_limits(self.memory)
-        if self.start is not None:
-            yield from _start_limits(self.start)
+        for race in self.scenes:
+            if race.kind == "gas" and race.bodies == max(scene.bodies for scene in self.scenes):
+                ours = race.timing("sequential")
+                if ours is not None and ours.bytes_per_body is not None:
+                    what = f"{race.name}, all our tables, bytes a body"
+                    yield at_most(what, ours.bytes_per_body, MOST_BYTES)
 
     def tables(self) -> Iterator[Table]:
-        """Yield a table for each kind of scene, then the rest."""
+        """Yield the whole runs, then the steps: a table for each kind of scene, and the rest."""
+        if self.whole_runs is not None:
+            yield from self.whole_runs.tables()
         for kind in dict.fromkeys(race.kind for race in self.scenes):
             yield _race_table([race for race in self.scenes if race.kind == kind])
         yield from map(_pile_table, self.piles)
-        if self.few_bodies:
-            yield _few_table(self.few_bodies)
         if self.limits:
             yield limits_table(self.limits)
-
-
-def _memory_limits(memory: Memory) -> Iterator[Limit]:
-    what = f"our tables for {memory.bodies:,} discs, bytes each"
-    yield at_most(what, memory.ours, MOST_BYTES)
-    if memory.pymunk is not None:
-        yield Limit("pymunk's growth of the process for them, bytes each", memory.pymunk)
-
-
-def _start_limits(start: Start) -> Iterator[Limit]:
-    loads = f" (loads {', '.join(start.loaded)})" if start.loaded else ""
-    what = {
-        f"import lesson_code.simulation, s{loads}": (start.importing, MOST_SECONDS["import"]),
-        "first compiled run, nothing kept, s": (start.cold, MOST_SECONDS["cold"]),
-        "first compiled run, programs kept, s": (start.kept, MOST_SECONDS["kept"]),
-    }
-    for name, (seconds, most) in what.items():
-        if seconds is not None:
-            yield at_most(name, seconds, most)
 
 
 RACE_CAPTION = """\
@@ -168,37 +143,3 @@ def _pile_table(pile: PileRace) -> Table:
         "this/our best": lambda row: digits(row.seconds / ours) if ours and row.held else "",
     }
     return table(f"Each with the least that it needs for {pile.name}", columns, pile.rows)
-
-
-FEW_CAPTION = """\
-At least: pymunk's time over the exact solver's, though its error is still larger.
-Extrapolated: with a step so fine that the errors would be equal."""
-
-
-def _few_table(scenes: tuple[FewBodies, ...]) -> Table:
-    """Return the table of few bodies, with a row for each of pymunk's time steps."""
-    columns: dict[str, Callable[[tuple[FewBodies, int]], str]] = {
-        "pymunk, steps/s": lambda row: f"  {row[0].steps_a_second[row[1]]:,}",
-        "ms": lambda row: digits(1e3 * row[0].pymunk_seconds[row[1]]),
-        "off, m": lambda row: f"{row[0].pymunk_errors[row[1]]:.0e}",
-        "exact, ms": lambda row: digits(1e3 * row[0].exact_seconds),
-        "exact, off, m": lambda row: f"{row[0].exact_error:.0e}",
-        "at least": lambda row: digits(row[0].ratio_measured) if _is_finest(*row) else "",
-        "extrapolated": lambda row: _extrapolated(row[0]) if _is_finest(*row) else "",
-    }
-    return table(
-        "Few bodies: the exact solver and pymunk",
-        columns,
-        [(few, n) for few in scenes for n in range(len(few.steps_a_second))],
-        group=lambda row: f"{row[0].name}, {row[0].collisions} hits",
-        caption=FEW_CAPTION,
-    )
-
-
-def _is_finest(few: FewBodies, n: int) -> bool:
-    return n == len(few.steps_a_second) - 1
-
-
-def _extrapolated(few: FewBodies) -> str:
-    ratio = few.ratio_extrapolated
-    return "no order" if ratio is None else f"{ratio:.0e}"

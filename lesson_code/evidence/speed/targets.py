@@ -30,15 +30,21 @@ PILE_RATIOS = {
 }
 """A peer's time over ours, by pile and peer, each with the least work that lets the pile hold."""
 
-FEW_BODIES_RATIO = 10_000.0
-"""Times less time than pymunk at equal error, for few bodies and the exact solver."""
-
 MOST_BYTES = 1_000
 """A body, of all tables, at 100,000 discs."""
 
-MOST_SECONDS = {"import": 0.3, "cold": 10.0, "kept": 1.0}
-"""s: to import `lesson_code.simulation`; and for a first compiled run, from the start of Python to
-its end: without kept programs, and with them."""
+WHOLE_RUNS: dict[str, tuple[float, float]] = {
+    **dict.fromkeys(("run-gas-10", "run-gas-100", "run-pile-30"), (1.0, 0.3)),
+    **dict.fromkeys(("run-gas-1000", "run-pile-300"), (2.0, 0.0)),
+    "run-pile-3000": (1 / 1.5, 0.0),
+    "run-gas-10000": (1 / 2.5, 0.0),
+    "run-gas-100000": (1 / 5.0, 0.0),
+}
+"""By scene, what ours may take from the start of Python to the result, its program kept: a share of
+pymunk's time, and so many seconds more."""
+
+FEWEST_FOR_SECOND_CALL = 30
+"""Discs from which on a second call in a process may take no longer than pymunk's."""
 
 
 def target_of(scene: str, ours: str, peer: str) -> float | None:

@@ -7,9 +7,10 @@ next frame, so that a world does not depend on how fast it is drawn.
 from __future__ import annotations
 
 import inspect
+import math
 import time
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager, nullcontext
+from contextlib import closing, contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -18,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled.library import is_kept, why_no_compiler
+from lesson_code.engine.compiled import Code
 from lesson_code.engine.core.scene import XY
 from lesson_code.engine.live_world import TIME_STEP, WORTH_COMPILING, LiveWorld
 from lesson_code.formulas.arithmetic import whole_parts
@@ -208,14 +209,14 @@ class Painter:
         if film is not None:
             film.see(self._picture.window.surface, elapsed)
 
-    def draw(self, notice: str = "") -> None:
+    def draw(self) -> None:
         """Draw field and panel and show them."""
         session, program, picture = self._session, self._session.program, self._picture
         picture.clear()
         program.draw(session.game, picture, session.effects)
         if session.effects.sparks is not None:
             session.effects.sparks.draw(picture)
-        picture.notice(notice or session.game.notice)
+        picture.notice(session.game.notice)
         self._panel.begin()
         self._panel.readings(program.readings(session.game))
         self._panel.readings(session.switched(), YELLOW)
@@ -323,31 +324,30 @@ def _run(
 ) -> Played:
     """Turn events and time into steps and pictures until the run ends."""
     seconds: list[tuple[float, float]] = []
-    _compile_if_large(session.game.world, painter)
     painter.draw()
     painter.show_to(film, 0.0)
-    while session.running and (frames is None or len(seconds) < frames):
-        waited = painter.wait() if waits else TIME_STEP
-        elapsed = waited if frames is None else TIME_STEP
-        if not session.handle_all(pygame.event.get()):
-            break
-        _compile_if_large(session.game.world, painter)
-        start = time.process_time()
-        session.tick(elapsed)
-        between = time.process_time()
-        painter.draw()
-        seconds.append((between - start, time.process_time() - between))
-        painter.show_to(film, elapsed)
+    with closing(Code(None)) as code:
+        while session.running and (frames is None or len(seconds) < frames):
+            waited = painter.wait() if waits else TIME_STEP
+            elapsed = waited if frames is None else TIME_STEP
+            if not session.handle_all(pygame.event.get()):
+                break
+            _compile_if_large(session.game.world, code)
+            start = time.process_time()
+            session.tick(elapsed)
+            between = time.process_time()
+            painter.draw()
+            seconds.append((between - start, time.process_time() - between))
+            painter.show_to(film, elapsed)
     return Played(session.game, session.steps, np.reshape(seconds, (-1, 2)), film)
 
 
-def _compile_if_large(world: LiveWorld, painter: Painter) -> None:
-    """Switch a large world to machine code; announce it if that takes a while."""
-    if world.compiled or len(world) < WORTH_COMPILING or why_no_compiler():
+def _compile_if_large(world: LiveWorld, code: Code) -> None:
+    """Switch a large world to machine code once that is there: nobody waits for a compiler."""
+    if world.compiled or len(world) < WORTH_COMPILING:
         return
-    if not is_kept(world.source):
-        painter.draw("Making machine code: half a minute, and only this once")
-    world.compile()
+    if code.look(lambda: world.program, math.inf, "now") is not None:
+        world.compile()
 
 
 def _check(

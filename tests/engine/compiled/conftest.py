@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from lesson_code.engine.compiled.library import FOLDER_VARIABLE, compiled_function
+from lesson_code.engine.compiled import library
+from lesson_code.engine.compiled.library import FOLDER_VARIABLE
 
 
 @pytest.fixture
@@ -15,6 +16,8 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """Return an empty folder for programs, and forget what this process has loaded."""
     chosen = tmp_path / "programs"
     monkeypatch.setenv(FOLDER_VARIABLE, str(chosen))
-    compiled_function.cache_clear()
+    library.forget_loaded()
+    library.own_folder.cache_clear()
     yield chosen
-    compiled_function.cache_clear()
+    library.forget_loaded()
+    library.own_folder.cache_clear()

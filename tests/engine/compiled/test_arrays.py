@@ -16,9 +16,12 @@ from lesson_code.engine.compiled.arrays import (
     UNIT,
     as_arrays,
     dtype_of,
+    full_rows,
     lengthened,
+    new_table,
     row_kinds,
 )
+from lesson_code.engine.core import tables
 from lesson_code.engine.core.rows import BodyRow, PairRow, World
 from lesson_code.engine.core.tables import world_of
 from lesson_code.evidence.scenes.speed import bin_of_shapes
@@ -143,6 +146,26 @@ def test_tables_begin_on_the_border_of_a_line() -> None:
     for table in (arrays.bodies, arrays.corners, arrays.pairs, lengthened(arrays.pairs, 99)):
         assert table.ctypes.data % LINE == 0
         assert table.flags["C_CONTIGUOUS"]
+
+
+def test_tables_made_as_arrays_are_those_made_as_rows() -> None:
+    """Both ways lead to the same bits, with all fields or with those of a program."""
+    scene = bin_of_shapes(20).scene
+    rows = world_of(scene, 0.01, 3, MixingRule())
+    arrays = tables.arrays_of(scene, 0.01, 3, MixingRule())
+    for program in (EVERY_FIELD, "body.x += body.vx * dt"):
+        for made, turned in zip(as_arrays(arrays, program), as_arrays(rows, program), strict=True):
+            assert np.asarray(made).tobytes() == np.asarray(turned).tobytes()
+    assert full_rows(arrays) == rows
+
+
+def test_new_table_has_the_defaults_of_its_rows() -> None:
+    """And what it is given instead, for all rows or for each."""
+    table = new_table(BodyRow, 2, x=[3.0, 4.0], friction=0.5)
+    assert [BodyRow(*values) for values in table.tolist()] == [
+        BodyRow(x=3.0, friction=0.5),
+        BodyRow(x=4.0, friction=0.5),
+    ]
 
 
 def test_fields_that_a_program_does_not_name_are_left_out() -> None:

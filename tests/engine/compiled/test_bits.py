@@ -20,7 +20,7 @@ import pytest
 from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.chapters.ch04_circles.scenes import scattered_balls
 from lesson_code.engine import stepper
-from lesson_code.engine.compiled import link
+from lesson_code.engine.compiled import Code, Entry, Program, compiled, link
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE, folder
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.effects.flags import EVERY_EFFECT
@@ -68,7 +68,7 @@ def one_program_for_all(monkeypatch: pytest.MonkeyPatch) -> None:
     share_programs(monkeypatch)
 
 
-def at_work(scene: Scene, solver: str, compiled: bool, **settings: Any) -> EngineStepper:
+def at_work(scene: Scene, solver: str, compiled: bool | None, **settings: Any) -> EngineStepper:
     """Return a solver at work on a scene."""
     usual = {"dt": DT, "iterations": 4, "substeps": 2, "combine": MixingRule()}
     return EngineStepper(scene, solver=solver, compiled=compiled, **(usual | settings))
@@ -218,6 +218,58 @@ def test_compiled_run_has_the_bits_of_the_plain_one_whatever_the_settings(
 ) -> None:
     """Steps, sweeps, parts of steps and rules of combination are numbers in the tables."""
     assert_same_bits(*both(mixed_heap(), solver, 25, **settings))
+
+
+# Begun plain
+
+
+def changes_at(steps: tuple[int, ...], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let machine code come, or be given up again, at steps of a run."""
+
+    def look(self: Code, program: Callable[[], Program], ahead: float, now: str) -> Entry | None:
+        return compiled(program()) if now in {f"step {step + 1}" for step in steps} else None
+
+    monkeypatch.setattr(Code, "begin", lambda *_: None)
+    monkeypatch.setattr(Code, "look", look)
+
+
+@pytest.mark.one_in(12)
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
+def test_run_that_goes_on_compiled_has_the_bits_of_the_plain_one(
+    build: Callable[[], Scene], solver: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """From the 8th step on, in all that it carries over."""
+    changes_at((8,), monkeypatch)
+    run, plain = (at_work(build(), solver, compiled) for compiled in (None, False))
+    for each in (run, plain):
+        each.advance(STEPS)
+    assert isinstance(run.world.bodies, np.ndarray)
+    assert_same_bits(run, plain)
+
+
+def test_run_that_changes_its_program_goes_on_plain_with_the_same_bits(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where the first fast body calls for a program that is not there yet; then it comes."""
+    monkeypatch.setattr(stepper, "link", link)
+    changes_at((4, 36), monkeypatch)
+    run, plain = (at_work(falls_sideways(), "sequential", compiled) for compiled in (None, False))
+    seen = [True]
+    for _ in range(50):
+        for each in (run, plain):
+            each.advance(1)
+        if (is_list := isinstance(run.world.bodies, list)) != seen[-1]:
+            seen.append(is_list)
+        assert_same_bits(run, plain)
+    assert seen == [True, False, True, False]
+
+
+def falls_sideways() -> Scene:
+    """Return discs that fall into a wall, where they are fast: a step takes them through it."""
+    wall = Body(Polygon.box(0.2, 9.0), position=(6.0, 0.0))
+    discs = [Body(Circle(0.1), mass=1, position=(0, y), velocity=(0, y)) for y in (0.0, 2.0)]
+    return Scene([wall, *discs], gravity=(40.0, 0.0))
 
 
 # Calls and tables

@@ -2,71 +2,37 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
-import subprocess
 import sys
-import textwrap
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from processes import HOUSE, printed, started
+from small_program import SOURCE, numbers, small_program
 
-import lesson_code
-from lesson_code.engine.compiled import library
+from lesson_code.engine.compiled import compiled, library
 from lesson_code.engine.compiled.library import (
     FOLDER_VARIABLE,
     PROGRAMS_KEPT,
-    compiled_function,
     folder,
     is_kept,
+    load,
+    name_of,
     why_no_compiler,
 )
 
 pytest.importorskip("numba")
 
-HOUSE = Path(lesson_code.__file__).parents[1]
-
-SMALL = """from __future__ import annotations
-
-SHARE = 0.5
-
-
-def part(x: float) -> float:
-    return SHARE * x
-
-
-def entry(x: float) -> float:
-    return part(x) + 1.0
-"""
-"""A program that is compiled in half a second."""
-
-
-def started(code: str, house: Path = HOUSE) -> subprocess.Popen[str]:
-    """Start a fresh Python process that finds the package in a house."""
-    path = os.pathsep.join([str(house), *filter(None, sys.path)])
-    return subprocess.Popen(
-        [sys.executable, "-P", "-c", textwrap.dedent(code)],
-        env=os.environ | {"PYTHONPATH": path},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-
-
-def printed(process: subprocess.Popen[str]) -> list[str]:
-    """Return the lines that a process has printed when it has ended well."""
-    out, error = process.communicate()
-    assert process.returncode == 0, error
-    return out.splitlines()
-
-
-LOAD = f"""
-from lesson_code.engine.compiled.library import compiled_function, is_kept
-source = {SMALL!r}
-kept = is_kept(source)
-entry = compiled_function(source, "entry")
-stats = entry(4.0), kept, sum(entry.stats.cache_hits.values())
-print(*stats)
+LOAD = """
+import sys
+from small_program import numbers, small_program
+from lesson_code.engine.compiled import compiled
+from lesson_code.engine.compiled.library import is_kept
+kept = is_kept(small_program())
+print(compiled(small_program())(numbers(4.0, 2.0)), kept, "numba" in sys.modules)
 """
 
 
@@ -74,61 +40,104 @@ print(*stats)
 
 
 def test_program_that_was_compiled_is_loaded_in_a_fresh_process(place: Path) -> None:
-    """The first compiles and keeps it, the second finds its machine code."""
-    assert printed(started(LOAD)) == ["3.0 False 0"]
-    assert is_kept(SMALL)
-    assert printed(started(LOAD)) == ["3.0 True 1"]
-    assert len(list(place.glob("*.py"))) == 1
+    """The first has it made and kept, the second finds it; neither imports Numba."""
+    assert printed(started(LOAD)) == ["3.0 False False"]
+    assert is_kept(small_program())
+    assert printed(started(LOAD)) == ["3.0 True False"]
+    assert [path.name for path in place.iterdir()] == [name_of(small_program())]
+
+
+def test_kept_program_runs_where_numba_is_not_installed(place: Path) -> None:
+    """Nothing but LLVM is needed to run it."""
+    compiled(small_program())
+    without = 'import sys\nsys.modules["numba"] = None\n'
+    assert printed(started(without + LOAD)) == ["3.0 True True"]
 
 
 def test_program_of_another_text_is_another_program(place: Path) -> None:
     """A constant in it is part of the text."""
-    other = SMALL.replace("0.5", "0.25")
-    assert compiled_function(SMALL, "entry")(4.0) == 3.0
+    other = small_program(SOURCE.replace("0.5", "0.25"))
+    assert compiled(small_program())(numbers(4.0)) == 2.0
     assert not is_kept(other)
-    assert compiled_function(other, "entry")(4.0) == 2.0
-    assert is_kept(SMALL)
+    assert compiled(other)(numbers(4.0)) == 1.0
+    assert is_kept(small_program())
     assert is_kept(other)
-    assert len(list(place.glob("program_*.py"))) == 2
 
 
-def test_program_is_written_as_it_was_linked(place: Path) -> None:
-    """So that anybody can read what runs, and what is in place; nothing else is left beside it."""
-    compiled_function(SMALL, "entry")
-    [path] = [path for path in place.iterdir() if path.is_file()]
-    assert path.read_text() == SMALL + "\n\nIN_PLACE = []\nMERGED = ['part']\n"
-
-
-@pytest.mark.parametrize(("way", "names"), [("inlined", {"part"}), ("merged", set())])
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("_compiler", lambda: b"other lines"), ("COMPILER", ("linker.py",))],
+)
 def test_program_compiled_in_another_way_is_another_program(
-    place: Path, monkeypatch: pytest.MonkeyPatch, way: str, names: set[str]
+    place: Path, monkeypatch: pytest.MonkeyPatch, name: str, value: object
 ) -> None:
-    """What stands in place of its calls makes other machine code of the same lines."""
-    compiled_function(SMALL, "entry")(4.0)
-    assert is_kept(SMALL)
-    monkeypatch.setattr(library, way, lambda _: frozenset(names))
-    assert not is_kept(SMALL)
+    """The lines that say how a program is compiled are part of its name."""
+    compiled(small_program())
+    assert is_kept(small_program())
+    library.name_of.cache_clear()
+    library._compiler.cache_clear()
+    monkeypatch.setattr(library, name, value)
+    assert not is_kept(small_program())
+    library.name_of.cache_clear()
+    getattr(library._compiler, "cache_clear", lambda: None)()
 
 
-def test_program_that_has_been_damaged_is_written_anew(place: Path) -> None:
-    """Half a file, after a full disk."""
-    compiled_function(SMALL, "entry")
-    [path] = place.glob("program_*.py")
-    path.write_text(SMALL[:50])
-    compiled_function.cache_clear()
-    assert compiled_function(SMALL, "entry")(4.0) == 3.0
-    assert path.read_text().startswith(SMALL)
+def other_maker(about: dict[str, object]) -> None:
+    """Say that another version of Numba has made a program."""
+    about["made by"] = {**about["made by"], "numba": "0.1"}  # type: ignore[dict-item]
 
 
-def test_function_is_loaded_once_in_a_process(place: Path) -> None:
-    """Every run of a scene shares it."""
-    assert compiled_function(SMALL, "entry") is compiled_function(SMALL, "entry")
+def other_system(about: dict[str, object]) -> None:
+    """Say that a program calls what this system does not have."""
+    about["needs"] = ["no_such_function_anywhere"]
 
 
-def test_division_by_zero_is_what_numpy_makes_of_it(place: Path) -> None:
-    """No exception: a compiled program has none, and plain code never divides by 0."""
-    divide = compiled_function("def entry(x: float) -> float:\n    return 1.0 / x\n", "entry")
-    assert divide(0.0) == float("inf")
+@pytest.mark.parametrize("change", [other_maker, other_system])
+def test_program_from_elsewhere_is_not_loaded(
+    place: Path, change: Callable[[dict[str, object]], None]
+) -> None:
+    """Its first line says what made it, and what it calls."""
+    compiled(small_program())
+    library.forget_loaded()
+    path = place / name_of(small_program())
+    first, _, code = path.read_bytes().partition(b"\n")
+    about = json.loads(first)
+    change(about)
+    path.write_bytes(json.dumps(about).encode() + b"\n" + code)
+    assert load(small_program()) is None
+    assert compiled(small_program())(numbers(4.0)) == 2.0
+
+
+DAMAGE: dict[str, Callable[[bytes], bytes]] = {
+    "empty": lambda text: text[:0],
+    "cut off": lambda text: text[: len(text) // 2],
+    "one bit": lambda text: text[:-100] + bytes([text[-100] ^ 1]) + text[-99:],
+    "no first line": lambda text: text.partition(b"\n")[2],
+    "something else": lambda text: b'["a list"]\n' + text,
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_file_that_is_damaged_is_made_anew_and_never_run(
+    place: Path, damage: Callable[[bytes], bytes]
+) -> None:
+    """Half a file after a full disk, a flipped bit, another's file under this name."""
+    compiled(small_program())
+    library.forget_loaded()
+    path = place / name_of(small_program())
+    whole = path.read_bytes()
+    path.write_bytes(damage(whole))
+    assert not is_kept(small_program())
+    assert compiled(small_program())(numbers(4.0)) == 2.0
+    assert path.read_bytes() == whole
+
+
+def test_machine_code_is_loaded_once_in_a_process(place: Path) -> None:
+    """Every run of a scene shares it, also when the file is gone."""
+    compiled(small_program())
+    shutil.rmtree(place)
+    assert compiled(small_program())(numbers(4.0)) == 2.0
+    assert not place.exists()
 
 
 # Where it is kept
@@ -143,52 +152,43 @@ def test_folder_is_the_users_unless_another_is_named(monkeypatch: pytest.MonkeyP
 
 
 def test_folder_that_cannot_be_written_to_only_costs_the_keeping(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    place: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The program is compiled for this process alone."""
     (tmp_path / "file").write_text("no folder can be here")
     monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path / "file" / "programs"))
-    compiled_function.cache_clear()
-    assert compiled_function(SMALL, "entry")(4.0) == 3.0
-    assert not is_kept(SMALL)
-    compiled_function.cache_clear()
+    assert compiled(small_program())(numbers(4.0)) == 2.0
+    library.forget_loaded()
+    assert is_kept(small_program())  # here
+    assert printed(started(LOAD)) == ["3.0 False False"]  # and not in another process
 
 
-def test_program_in_a_folder_that_has_become_read_only_is_compiled_anew(
+def test_program_in_a_folder_that_has_become_read_only_is_still_loaded(
     place: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It can be read, but Numba would refuse to look for machine code beside it."""
-    compiled_function(SMALL, "entry")
-    compiled_function.cache_clear()
-    monkeypatch.setattr(library.os, "access", lambda *_: False)
-    assert compiled_function(SMALL, "entry")(4.0) == 3.0
-    assert not is_kept(SMALL)
-
-
-def test_two_processes_at_once_keep_one_program(place: Path) -> None:
-    """Each writes a file of its own and puts it in its place whole."""
-    both = [started(LOAD) for _ in range(2)]
-    assert [printed(process)[0].split()[0] for process in both] == ["3.0", "3.0"]
-    assert [path.suffix for path in place.iterdir() if path.is_file()] == [".py"]
-    assert printed(started(LOAD)) == ["3.0 True 1"]
+    """Only what is new cannot be kept there."""
+    compiled(small_program())
+    library.forget_loaded()
+    place.chmod(0o500)
+    monkeypatch.setattr(library, "place_to_write", lambda: pytest.fail("written for nothing"))
+    assert compiled(small_program())(numbers(4.0)) == 2.0
+    place.chmod(0o700)
 
 
 def test_oldest_programs_are_forgotten(place: Path) -> None:
-    """The source and its machine code; never more than PROGRAMS_KEPT are in the folder."""
-    (place / "__pycache__").mkdir(parents=True)
+    """And what a killed process has left; never more than PROGRAMS_KEPT are in the folder."""
+    place.mkdir()
     for age in range(PROGRAMS_KEPT + 3):
-        path = place / f"program_{age:03}.py"
+        path = place / f"program_{age:03}{'.tmp' if age % 9 == 0 else ''}"
         path.write_text("")
-        (place / "__pycache__" / f"program_{age:03}.entry-1.py311.1.nbc").write_text("")
         os.utime(path, (1e9 - age, 1e9 - age))
-    (place / "mine.py").write_text("not a program")
-    compiled_function(SMALL, "entry")
-    names = {path.stem for path in place.glob("program_*.py")}
-    assert len(names) == PROGRAMS_KEPT
-    assert {f"program_{age:03}" for age in range(PROGRAMS_KEPT - 1)} < names
-    codes = {path.name.split(".")[0] for path in (place / "__pycache__").glob("*.nbc")}
-    assert codes <= names
-    assert (place / "mine.py").exists()
+    (place / "mine").write_text("not a program")
+    compiled(small_program())
+    names = {path.name for path in place.glob("program_*")}
+    assert PROGRAMS_KEPT - 1 <= len(names) <= PROGRAMS_KEPT  # a lock has counted, too
+    assert {f"program_{age:03}" for age in range(PROGRAMS_KEPT - 2) if age % 9} < names
+    assert name_of(small_program()) in names
+    assert (place / "mine").exists()
 
 
 # Without a compiler
@@ -204,6 +204,7 @@ def test_compiler_that_is_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> No
 NO_NUMBA = """
     import sys
     sys.modules["numba"] = None  # as if it were not installed
+    sys.modules["llvmlite"] = None
     from lesson_code import Body, Circle, Scene, simulate
     scene = Scene([Body(Circle(1), mass=1, position=(0, 3 * k)) for k in range(3)])
     run = simulate(scene, 1.0, solver="sequential")
@@ -223,7 +224,7 @@ def test_workbook_without_numba_runs_plain() -> None:
     ]
 
 
-HEAVY = ("numba", "matplotlib", "pygame", "pymunk", "IPython", "ipywidgets")
+HEAVY = ("numba", "llvmlite", "matplotlib", "pygame", "pymunk", "IPython", "ipywidgets")
 
 IMPORTS = f"""
     import sys
@@ -238,7 +239,7 @@ IMPORTS = f"""
 
 
 def test_import_and_small_runs_load_nothing_heavy() -> None:
-    """Numba, matplotlib, pygame and pymunk are loaded when they are used."""
+    """They are loaded when they are used."""
     assert printed(started(IMPORTS)) == ["imported", "run"]
 
 
@@ -280,4 +281,4 @@ def test_change_of_any_stage_or_constant_is_noticed(tmp_path: Path, place: Path)
     places, velocities = zip(plain.split(), plain_after.split(), strict=True)
     assert places[0] != places[1]  # the push
     assert velocities[0] != velocities[1]  # the damping
-    assert len(list(place.glob("program_*.py"))) == 2
+    assert len(list(place.glob("program_*"))) == 2

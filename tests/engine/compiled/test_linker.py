@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from lesson_code import MixingRule, Scene
-from lesson_code.engine.compiled import link
+from lesson_code.engine.compiled import link, linker
 from lesson_code.engine.core import contact_frame
 from lesson_code.engine.core.broad_phase import longest_way
 from lesson_code.engine.core.capacity import add_capacity
@@ -283,6 +283,51 @@ def test_constants_stand_at_the_top_with_their_values_of_now(make: Make) -> None
     module.SHARE = 0.5
     assert link(module.f) != source
     assert run(link(module.f))["f"](1) == 0.5
+
+
+def test_program_is_linked_once_until_something_in_it_changes(make: Make) -> None:
+    """A constant, a function that is called, or one that is bound: what it depends on."""
+    source = """
+        SHARE = 0.5
+
+        def share(x):
+            return SHARE * x
+
+        def f(x, then):
+            return then(share(x))
+
+        def twice(x):
+            return 2 * x
+        """
+    module = make(source)
+    first = link(module.f, then=module.twice)
+    assert link(module.f, then=module.twice) is first
+    module.SHARE = 0.25
+    changed = link(module.f, then=module.twice)
+    assert run(changed)["f"](1) == 0.5
+    module.share = module.twice
+    assert run(link(module.f, then=module.twice))["f"](1) == 4
+    assert run(link(module.f, then=module.share))["f"](1) == 4
+
+
+def modules_of(*folders: str) -> list[Path]:
+    """Return the files of some wings of the house."""
+    house = Path(inspect.getfile(linker)).parents[2]
+    return [path for folder in folders for path in sorted((house / folder).rglob("*.py"))]
+
+
+def test_source_of_a_function_ends_where_the_parser_says() -> None:
+    """The linker does not parse modules: it takes a function up to the next line at the margin."""
+    for path in modules_of("engine", "geometry", "formulas"):
+        text = path.read_text(encoding="utf-8")
+        lines = text.splitlines()
+        parsed = {
+            node.name: "\n".join(lines[node.lineno - 1 : node.end_lineno])
+            for node in ast.parse(text).body
+            if isinstance(node, ast.FunctionDef)
+        }
+        found = {match[1]: match[0].rstrip() for match in linker.FUNCTION.finditer(text)}
+        assert found == parsed, path.name
 
 
 @pytest.mark.parametrize("value", [float("-inf"), (0.5, float("inf")), 2**40, -0.0, 1e-320])

@@ -6,12 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from contacts import mass_along, velocity_along
+from contacts import apply_impulse, mass_along, velocity_along
 from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code.engine.core.contact_motion import (
-    apply_impulse,
     normal_of,
     tangent_of,
 )

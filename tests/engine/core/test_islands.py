@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from contacts import velocity_along
+from contacts import apply_impulse, velocity_along
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from tiers import share
@@ -16,14 +16,12 @@ from lesson_code.engine.core.broad_phase import all_pairs
 from lesson_code.engine.core.candidate_pairs import find_pairs
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.contact_motion import (
-    apply_impulse,
     normal_of,
     tangent_of,
 )
 from lesson_code.engine.core.islands import (
     apply_impulses,
     apply_pseudo_impulses,
-    island_of,
     islands_of,
     pseudo_velocities,
     velocities,
@@ -88,7 +86,7 @@ def test_islands_are_joined_by_bodies_that_can_be_pushed(
 ) -> None:
     """Pairs of bodies, island by island, in the order of the contact table."""
     islands = islands_of(detected(bodies))
-    assert [[(c.a, c.b) for c in contacts] for contacts in islands] == groups
+    assert [[(c.a, c.b) for c in island.contacts] for island in islands] == groups
 
 
 def heap(seed: int) -> World:
@@ -117,8 +115,8 @@ def heap(seed: int) -> World:
 def test_velocities_after_impulses_are_u_plus_k_x(seed: int) -> None:
     """The matrix says what the engine's own impulses, one contact after the other, do."""
     rng, world = np.random.default_rng(seed), heap(seed)
-    for contacts in islands_of(world):
-        island = island_of(world, contacts)
+    for island in islands_of(world):
+        contacts = island.contacts
         u = velocities(island)
         x = rng.uniform(-1, 1, len(u))
         for c, jn, jt in zip(contacts, *np.split(x, 2), strict=True):
@@ -140,8 +138,8 @@ def test_velocities_after_impulses_are_u_plus_k_x(seed: int) -> None:
 def test_pushes_change_the_velocities_of_the_correction_alone(seed: int) -> None:
     """The same matrix, the other velocities."""
     rng, world = np.random.default_rng(seed), heap(seed)
-    for contacts in islands_of(world):
-        island = island_of(world, contacts)
+    for island in islands_of(world):
+        contacts = island.contacts
         u, before = pseudo_velocities(island), velocities(island)
         x = rng.uniform(-1, 1, len(u))
         apply_pseudo_impulses(island, x)

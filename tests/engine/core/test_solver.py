@@ -9,6 +9,7 @@ import pytest
 from lesson_code import MixingRule, Scene
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.solvers import our_solvers
+from lesson_code.engine.solvers.impact_rules import STRIKE_RULES
 
 
 def request(**asked: Any) -> Request:
@@ -41,9 +42,12 @@ def test_solver_of_one_sweep_makes_one_whatever_is_asked_for(name: str) -> None:
 def test_stages_are_those_of_the_options() -> None:
     """What is not given is what every solver does."""
     direct = our_solvers()["direct"]
-    assert direct.stages_for({}) == direct.stages_for({"impacts": "simultaneous"}) == direct.stages
-    other = direct.stages_for({"restitution_law": "newton"})
-    assert other == direct.variants["simultaneous", "newton"] != direct.stages
+
+    def rule(**options: str) -> object:
+        return direct.stages_for(options).prepare.keywords["rule"]  # type: ignore[attr-defined]
+
+    assert rule() is rule(impacts="simultaneous") is STRIKE_RULES["simultaneous", "energetic"]
+    assert rule(restitution_law="newton") is STRIKE_RULES["simultaneous", "newton"]
 
 
 def test_solver_without_stages_has_none_to_give() -> None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.compiled import library
+from lesson_code.engine.compiled import Code, Entry, Program, compiled, library
 from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven import solver as solver_module
@@ -183,18 +184,18 @@ def test_run_that_is_compiled_on_the_way_has_the_same_bits(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It begins as plain Python, turns out to be long, and goes on as machine code."""
-    scene, choices = gas_of(100, 0.3, seed=1), []
+    scene, ahead = gas_of(100, 0.3, seed=1), []
     plain = simulate(scene, 40.0, solver="exact", compiled=False, sample="end")
 
-    def choose(asked: object, seconds: float, *_: object) -> solver_module.Choice:
-        choices.append(seconds)
-        return solver_module.Choice(len(choices) > 1, "a test")
+    def look(self: Code, program: Callable[[], Program], more: float, now: str) -> Entry:
+        ahead.append(more)
+        return compiled(program())
 
-    monkeypatch.setattr(solver_module, "choose", choose)
+    monkeypatch.setattr(Code, "begin", lambda *_: None)
+    monkeypatch.setattr(Code, "look", look)
     changed = simulate(scene, 40.0, solver="exact", sample="end")
-    assert len(choices) == 2
-    assert choices[1] > choices[0] > 0
-    assert changed.plan.code == "compiled"
+    assert len(ahead) == 1
+    assert 0 < ahead[0] < 10
     assert changed.positions.tobytes() == plain.positions.tobytes()
     assert changed.contacts.time.tobytes() == plain.contacts.time.tobytes()
 
@@ -214,6 +215,7 @@ def test_compiled_run_that_was_asked_for_says_so() -> None:
 def test_compiling_without_a_compiler_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """It says why."""
     monkeypatch.setattr(library.importlib.util, "find_spec", lambda _: None)
+    library.forget_loaded()
     with pytest.raises(ValueError, match="compiled must be False or None here: Numba is not"):
         simulate(ball_in_a_box(), 1.0, solver="exact", compiled=True)
 
@@ -227,8 +229,8 @@ def test_compiled_pile_without_end_is_refused_as_in_plain_python() -> None:
     ]
     scene = Scene([Body(Segment((-4, 0), (4, 0))), *heavy], gravity=(0, -10))
     errors = []
-    for compiled in (True, False):
+    for choice in (True, False):
         with pytest.raises(RuntimeError, match="finds no end") as caught:
-            simulate(scene, 10.0, solver="exact", compiled=compiled, sample="end")
+            simulate(scene, 10.0, solver="exact", compiled=choice, sample="end")
         errors.append(str(caught.value))
     assert errors[0] == errors[1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -72,12 +73,13 @@ def energy_error(side: int, collisions: int, *, compiled: bool | None) -> float:
         compiled=compiled,
     )
     energies, seconds = [], 0.0
-    for count in (0, collisions):
-        while solver.collisions < count:
-            seconds += 10.0
-            solver.advance(seconds)
-        vx, vy = solver.states(seconds)[:, 3:5].T
-        energies.append(math.fsum(vx * vx + vy * vy))
+    with closing(solver):
+        for count in (0, collisions):
+            while solver.collisions < count:
+                seconds += 10.0
+                solver.advance(seconds)
+            vx, vy = solver.states(seconds)[:, 3:5].T
+            energies.append(math.fsum(vx * vx + vy * vy))
     return abs(energies[1] / energies[0] - 1)
 
 

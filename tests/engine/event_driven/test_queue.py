@@ -14,9 +14,14 @@ from lesson_code.engine.event_driven.rows import EventRow
 times = st.floats(0, 10) | st.sampled_from([1.0, 2.0, math.inf])
 
 
+def empty_queue(discs: int) -> list[EventRow]:
+    """Return a queue as rows."""
+    return [EventRow(*values) for values in queue_for(discs).tolist()]
+
+
 def queue_of(event_times: list[float]) -> list[EventRow]:
     """Return a queue of discs with these events."""
-    queue = queue_for(len(event_times))
+    queue = empty_queue(len(event_times))
     for i, time in enumerate(event_times):
         enter_event(queue, i, time)
     return queue
@@ -69,6 +74,6 @@ def test_matches_of_four_events_worked_by_hand() -> None:
 @pytest.mark.parametrize(("discs", "rows"), [(0, 2), (1, 2), (2, 4), (3, 8), (8, 16), (9, 32)])
 def test_queue_has_an_entry_for_each_disc_and_nothing_happens_yet(discs: int, rows: int) -> None:
     """Twice the next power of two; a queue of no disc has a final that nobody wins."""
-    queue = queue_for(discs)
+    queue = empty_queue(discs)
     assert len(queue) == rows
     assert {row.time for row in queue} == {math.inf}

@@ -17,7 +17,13 @@ from lesson_code import (
     Segment,
     simulate,
 )
-from lesson_code.engine.core.constants import HEAVY_ON_LIGHT, MOST_FOR_DIRECT, TOUCHING
+from lesson_code.engine.core.constants import (
+    HEAVY_ON_LIGHT,
+    MOST_FALLING,
+    MOST_FOR_DIRECT,
+    MOST_STANDING,
+    TOUCHING,
+)
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import exact
 from lesson_code.engine.solvers.choice import (
@@ -100,6 +106,27 @@ def test_few_bodies_are_for_the_direct_solver() -> None:
     few, many = blocks(MOST_FOR_DIRECT), blocks(MOST_FOR_DIRECT + 1)
     assert names(Scene([*few.bodies, *[FLOOR] * 9])) == ["direct", "sequential"]
     assert names(many) == ["sequential"]
+
+
+@pytest.mark.parametrize(
+    ("standing", "falls", "expected"),
+    [
+        (0, MOST_FALLING, "direct"),
+        (MOST_FOR_DIRECT - MOST_FALLING, MOST_FALLING, "direct"),
+        (1, MOST_FALLING + 1, "sequential"),
+        (MOST_FOR_DIRECT, 1, "sequential"),
+        (MOST_STANDING, 0, "direct"),
+        (MOST_STANDING + 1, 0, "sequential"),
+    ],
+)
+def test_direct_solver_is_for_few_that_fall_or_some_more_that_stand(
+    standing: int, falls: int, expected: str
+) -> None:
+    """Those that fall cost most: each of their impacts is an impact of all that touch."""
+    box, floor = Polygon.box(1, 1), Body(Segment((-500, 0), (500, 0)))
+    places = [(2.0 * n, 0.5) for n in range(standing)] + [(2.0 * n, 5.0) for n in range(falls)]
+    boxes = [Body(box, mass=1.0, position=place) for place in places]
+    assert names(Scene([floor, *boxes], gravity=(0, -10)))[0] == expected
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from lesson_code.engine.solvers.contact_problem import (
     BACKWARD,
     FORWARD,
     OPEN,
-    SPRING,
+    SPRINGS,
     STICK,
     Problem,
     cases_of,
@@ -60,4 +60,4 @@ def test_legal_impulses_neither_pull_nor_exceed_the_cone() -> None:
 def test_spring_is_a_part_of_the_mean_compliance() -> None:
     """So that grams and tonnes are treated alike."""
     problem = Problem(np.diag([1.0, 3.0]), np.zeros(2), np.zeros(1))
-    assert spring_of(problem) == 2 * SPRING
+    assert spring_of(problem) == 2 * SPRINGS[0]

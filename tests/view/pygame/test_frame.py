@@ -11,7 +11,8 @@ import pytest
 from PIL import Image, ImageChops
 
 from lesson_code.chapters.programs import load, program_summaries
-from lesson_code.engine.live_world import TIME_STEP
+from lesson_code.engine.compiled import choice, compiled
+from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.view.pygame.frame import FILM_SIZE, SLOW_MOTION, Painter, Session, play
 from lesson_code.view.pygame.picture import Picture
 from lesson_code.view.pygame.program import Input
@@ -191,8 +192,15 @@ def test_settings_that_are_none_are_refused(
         play(load(program), frames=1, headless=True, settings=settings)
 
 
-def test_world_that_has_become_large_goes_on_in_machine_code(tmp_path: Path) -> None:
-    """Twelve balls and a hundred more; the result is that of plain steps, bit for bit."""
+def test_world_that_has_become_large_goes_on_in_machine_code(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Twelve balls and a hundred more; the result is that of plain steps, bit for bit.
+
+    Its program is kept. Else it would come when another process has made it.
+    """
+    compiled(LiveWorld().program)
+    monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
     inputs = tmp_path / "more.json"
     recording = Recording("simulator", 0)
     for _ in range(2):

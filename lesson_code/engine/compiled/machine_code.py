@@ -1,0 +1,130 @@
+"""Machine code of a program: Numba compiles it, and LLVM writes an object file.
+
+The entry gets one address: that of a row of whole numbers, with the address and the number of
+records of each table. Numba's own entries take seven words for an array, and want Numba to be
+called. Nothing in the object file needs Numba or Python; :mod:`loader` loads it.
+
+Compiled programs cannot allocate memory and do not count references: they work on the tables that
+they are given. No operation is reordered or left out.
+
+References
+----------
+Numba documentation, Low-level extension API (`intrinsic`); LLVM Language Reference, Linkage Types.
+"""
+
+from __future__ import annotations
+
+import types
+from collections import namedtuple
+from collections.abc import Callable
+from typing import Any
+
+import llvmlite.binding as llvm
+import numba
+import numpy as np
+from numba.core import cgutils
+from numba.extending import intrinsic
+from numba.np import arrayobj
+
+from lesson_code.engine.compiled.inlining import inlined, merged
+from lesson_code.engine.compiled.library import ObjectFile
+from lesson_code.engine.compiled.loader import SYMBOL, target_machine
+from lesson_code.engine.compiled.program import Layout, Program
+
+OPTIONS: dict[str, Any] = {
+    "error_model": "numpy",  # 1 / 0 is infinite, as NumPy has it
+    "_nrt": False,  # no memory is allocated, no reference counted
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
+
+
+def object_file(program: Program) -> ObjectFile:
+    """Compile a program; it takes seconds.
+
+    Raises
+    ------
+    numba.core.errors.NumbaError
+        It holds what Numba does not compile.
+    """
+    start = _entry(_functions(program)[program.entry], program.layout)
+    compiled = numba.njit(numba.float64(numba.types.CPointer(numba.intp)), **OPTIONS)(start)
+    result: Any
+    (result,) = compiled.overloads.values()
+    module = llvm.parse_assembly(str(result.library._final_module))
+    machine = target_machine()
+    _keep_only(module, result.fndesc.llvm_func_name, machine)
+    declared = [f.name for f in module.functions if f.is_declaration]
+    needs = tuple(name for name in declared if not name.startswith("llvm."))
+    return ObjectFile(machine.emit_object(module), needs)
+
+
+def _functions(program: Program) -> dict[str, Any]:
+    """Return the functions of a program, each in the way in which it is to be compiled."""
+    module = types.ModuleType("program")
+    exec(compile(program.source, "<program>", "exec"), vars(module))  # noqa: S102 - our own lines
+    in_place, merge = inlined(program.source), merged(program.source)
+    for name, function in list(vars(module).items()):
+        if isinstance(function, types.FunctionType):
+            inline = "always" if name in merge else "never"
+            way: dict[str, Any] = {"forceinline": name in in_place, "inline": inline}
+            setattr(module, name, numba.njit(**OPTIONS, **way)(function))
+    return vars(module)
+
+
+def _entry(function: Any, layout: tuple[Layout, ...]) -> Callable[[Any], float]:
+    """Return a function of the row of addresses that calls another one with the tables.
+
+    It returns what the other one returns as a number; 0 if that returns nothing.
+    """
+    names: dict[str, Any] = {"table_at": table_at, "function": function}
+    names["Tables"] = namedtuple("Tables", [table.name for table in layout])
+    tables = []
+    for k, (_, dtype, is_list) in enumerate(layout):
+        names[f"dtype_{k}"] = dtype
+        table = f"table_at(words[{2 * k}], words[{2 * k + 1}], dtype_{k})"
+        tables.append(table if is_list else f"{table}[0]")
+    call = f"function(Tables({', '.join(tables)}))"
+    is_silent = function.py_func.__annotations__.get("return") == "None"
+    body = f"{call}\n    return 0.0" if is_silent else f"return 1.0 * {call}"
+    exec(f"def start(words):\n    {body}\n", names)  # noqa: S102 - the lines above
+    start: Callable[[Any], float] = names["start"]
+    return start
+
+
+@intrinsic
+def table_at(_context: Any, address: Any, rows: Any, dtype: Any) -> Any:
+    """Return the array of so many records at an address."""
+    kind = numba.types.Array(dtype.dtype, 1, "C")
+
+    def build(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        address, rows, _ = arguments
+        record = context.get_data_type(dtype.dtype)
+        size = context.get_constant(numba.intp, np.dtype(dtype.dtype.dtype).itemsize)
+        array = arrayobj.make_array(kind)(context, builder)
+        arrayobj.populate_array(
+            array,
+            data=builder.inttoptr(address, record.as_pointer()),
+            shape=cgutils.pack_array(builder, [rows]),
+            strides=cgutils.pack_array(builder, [size]),
+            itemsize=size,
+            meminfo=None,
+        )
+        return array._getvalue()
+
+    return kind(address, rows, dtype), build
+
+
+def _keep_only(module: Any, entry: str, machine: Any) -> None:
+    """Give the entry its name, and remove all that it does not call from the module.
+
+    Of other functions and globals nothing is known outside; what is not used then, is removed.
+    """
+    for part in [*module.functions, *module.global_variables]:
+        if part.name == entry:
+            part.name = SYMBOL
+        elif not part.is_declaration:
+            part.linkage = "internal"
+    passes = llvm.create_new_module_pass_manager()
+    passes.add_global_dead_code_eliminate_pass()
+    passes.run(module, llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options()))
