@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, moved_on, record
+from lesson_code.engine.core.recording import EVENT_NUMBERS, Stepper, moved_on, record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.formulas import (
@@ -154,7 +154,7 @@ def _pose(mover: Mover) -> Vector:
     return np.array([*mover.position, mover.angle])
 
 
-class SmallEngine:
+class SmallEngine(Stepper):
     """The small engine at work on a scene, as a recorder of runs wants it.
 
     Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import closing, nullcontext
 from dataclasses import replace
 from functools import partial
@@ -28,11 +28,18 @@ from lesson_code.engine.compiled import (
     program_of,
 )
 from lesson_code.engine.core.capacity import add_capacity
+from lesson_code.engine.core.frames import (
+    STATE_FIELDS,
+    STATE_NUMBERS,
+    frames_at_once,
+    read_frames,
+    table_for,
+)
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.one_thread import one_thread
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.plan import EffectChoice, Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, record
+from lesson_code.engine.core.recording import EVENT_NUMBERS, Stepper, record
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
@@ -47,9 +54,6 @@ from lesson_code.engine.effects.choice import (
 )
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
-
-STATE_FIELDS = ["x", "y", "angle", "vx", "vy", "w"]
-"""The fields of a body's row that are its state."""
 
 state_of = attrgetter(*STATE_FIELDS)
 """Returns the state that a row holds."""
@@ -124,7 +128,7 @@ def run_in_steps(asked: Request, solver: Solver) -> Run:
         return record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
 
 
-class EngineStepper:
+class EngineStepper(Stepper):
     """A scene that the engine advances by steps of `dt`, each in `substeps` equal parts.
 
     Parameters
@@ -294,6 +298,33 @@ class EngineStepper:
             return np.array(columns, dtype=float).T.reshape(-1, STATE_NUMBERS)
         rows = [state_of(row) for row in self.world.bodies]
         return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
+
+    def states_of_steps(self, steps: int) -> Iterator[NDArray[np.float64]]:
+        """Advance by `steps` steps, and yield the states after each, shape (K, N, 6) for K steps.
+
+        The program notes them.
+        """
+        if self.pipeline.listener is not None:  # callbacks may change what the scene calls for
+            yield from super().states_of_steps(steps)
+            return
+        bodies = len(self.world.bodies)
+        at_once = min(steps, frames_at_once(bodies))
+        self._set_frames(at_once * bodies)
+        while steps > 0:
+            count = min(steps, at_once)
+            self.world.state.steps_a_frame = self._steps_a_step
+            self.advance(count)
+            self.world.state.steps_a_frame = self.world.state.frame_rows = 0
+            states = np.repeat(self.states()[np.newaxis], count, axis=0)
+            noted, rotation = self.world.frames[: count * bodies], self.pipeline.effects.rotation
+            read_frames(noted, states, slice(None), rotation=rotation)
+            yield states
+            steps -= count
+        self._set_frames(0)
+
+    def _set_frames(self, rows: int) -> None:
+        """Make room for so many states that the program notes."""
+        self.world = self.world._replace(frames=table_for(self.world.frames[:0], rows))
 
     def states_after(self, duration: float) -> NDArray[np.float64]:
         """Return the states that a shorter step leads to, shape (N, 6); nothing else changes."""

@@ -4,6 +4,7 @@
 module            what it does
 ================  ===============================================================
 ``linker``        puts the functions that a run needs into one module, as source
+``sources``       keeps linked modules for the next time
 ``known``         works out what is decided before the run
 ``arrays``        turns tables of rows into arrays of records
 ``program``       what is compiled: a source, its entry, how its tables lie in memory

@@ -127,7 +127,10 @@ def as_numbers(table: Any) -> NDArray[np.float64]:
     [[1.0, 2.0], [1.0, 3.0]]
     """
     if isinstance(table, np.ndarray):
-        return np.stack([table[name] for name in table.dtype.names or ()], axis=-1, dtype=float)
+        numbers = np.empty((len(table), len(table.dtype.names or ())))
+        for place, name in enumerate(table.dtype.names or ()):
+            numbers[:, place] = table[name]
+        return numbers
     names = [field.name for field in dataclasses.fields(table[0])] if table else []
     return np.array([[getattr(row, name) for name in names] for row in table], dtype=float)
 

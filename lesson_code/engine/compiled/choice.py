@@ -22,9 +22,9 @@ from lesson_code.engine.compiled.program import Program
 
 # All seconds are those of the machine on which the workbook was made; see `slowness`.
 
-LOAD_SECONDS, IMPORT_SECONDS = 0.1, 0.02
-"""s, to link a program, load its machine code and turn the tables into arrays; and to import LLVM
-before, once a process. It is the linking that takes most of them."""
+LOAD_SECONDS, IMPORT_SECONDS = 0.02, 0.03
+"""s, to find a source and its machine code, load that and turn the tables into arrays; and to
+import LLVM before, once a process."""
 
 COMPILE_SECONDS = 1.9e-4
 """s, to compile a program, for each character of its source."""

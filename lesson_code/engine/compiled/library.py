@@ -1,27 +1,27 @@
-"""The library of machine code: what is kept in a folder of the user, and found again there.
+"""The library: machine code that is kept in a folder of the user, and found again there.
 
 A program's file is named after all that its machine code depends on: the source, constants too,
 the tables, how it is compiled, and the processor. So a change of any function or constant makes
-another file, and the old one is never used again. The first line of the file says what made it,
+another file, and the old one is never used again. The first line of a file says what made it,
 with a sum over the rest: what is broken, cut off or from another version is made anew, never run.
+Sources that are linked are kept in the same folder; see :mod:`lesson_code.engine.compiled.sources`.
 """
 
 from __future__ import annotations
 
 import atexit
 import hashlib
-import importlib.metadata
 import importlib.util
 import json
 import os
 import platform
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,7 +29,7 @@ from lesson_code.engine.compiled.loader import Entry, MachineCode
 from lesson_code.engine.compiled.program import Program
 
 PROGRAMS_KEPT = 64
-"""Programs in the folder. The oldest are deleted, so that it does not grow."""
+"""Programs in the folder, and sources. The oldest are deleted, so that it does not grow."""
 
 FOLDER_VARIABLE = "WORKBOOK_CACHE"
 """Environment variable that names another folder for compiled programs."""
@@ -90,13 +90,31 @@ def forget_loaded() -> None:
 
 def keep(place: Path, program: Program, made: ObjectFile) -> None:
     """Write a program's machine code into a folder, whole or not at all."""
-    _forget_oldest(place)
-    about = {"made by": _makers(), "needs": made.needs, "sum": _sum(made.code)}
-    text = json.dumps(about).encode() + b"\n" + made.code
-    prefix = name_of(program)
-    with tempfile.NamedTemporaryFile(dir=place, prefix=prefix, suffix=".tmp", delete=False) as file:
-        file.write(text)
-    Path(file.name).replace(place / prefix)
+    about = {"made by": _makers(), "needs": made.needs}
+    write(place, name_of(program), about, made.code)
+
+
+def write(place: Path, name: str, about: Mapping[str, Any], content: bytes) -> None:
+    """Write a file into a folder, with a first line about it, whole or not at all.
+
+    The oldest files whose names begin with the same word are deleted.
+    """
+    _forget_oldest(place, name.partition("_")[0])
+    first = json.dumps({**about, "sum": _sum(content)}).encode()
+    with tempfile.NamedTemporaryFile(dir=place, prefix=name, suffix=".tmp", delete=False) as file:
+        file.write(first + b"\n" + content)
+    Path(file.name).replace(place / name)
+
+
+def read(name: str) -> Iterator[tuple[dict[str, Any], bytes]]:
+    """Yield what is kept under a name, if it is whole: what its first line says, and the rest."""
+    has_own = own_folder.cache_info().currsize
+    for place in (folder(), own_folder()) if has_own else (folder(),):
+        with suppress(OSError, ValueError, KeyError, TypeError):  # nothing like our first line
+            first, _, content = (place / name).read_bytes().partition(b"\n")
+            about = json.loads(first)
+            if about["sum"] == _sum(content):
+                yield about, content
 
 
 def place_to_write() -> Path:
@@ -161,8 +179,16 @@ def _makers() -> dict[str, str | None]:
 
 @cache
 def _version(package: str) -> str | None:
-    """Return the version of a package; None if it is not installed."""
-    return importlib.metadata.version(package) if _is_there(package) else None
+    """Return the version of a package; None if it is not installed.
+
+    It stands in the name of a folder beside the package. (To import what the standard library has
+    for this takes longer than to load machine code.)
+    """
+    found = importlib.util.find_spec(package)
+    if found is None or not found.origin:
+        return None
+    beside = Path(found.origin).parents[1]
+    return " ".join(sorted(path.name for path in beside.glob(f"{package}-*.dist-info")))
 
 
 def _is_there(package: str) -> bool:
@@ -171,28 +197,15 @@ def _is_there(package: str) -> bool:
 
 
 def _kept(program: Program) -> ObjectFile | None:
-    """Return the machine code of a program if it is kept, whole, and was made by what is here."""
-    has_own = own_folder.cache_info().currsize
-    for place in (folder(), own_folder()) if has_own else (folder(),):
-        with suppress(OSError):
-            about, _, code = (place / name_of(program)).read_bytes().partition(b"\n")
-            if (kept := _sound(about, code)) is not None:
-                return kept
-    return None
-
-
-def _sound(about: bytes, code: bytes) -> ObjectFile | None:
-    """Return machine code if it is as it was written, and made by what is here.
+    """Return the machine code of a program if it is kept, whole, and was made by what is here.
 
     Numba need not be there; but where it is, another version makes its own.
     """
-    with suppress(ValueError, KeyError, TypeError):  # there is nothing like our first line
-        said = json.loads(about)
-        alike = all(
-            said["made by"][name] == is_here for name, is_here in _makers().items() if is_here
-        )
-        if alike and said["sum"] == _sum(code):
-            return ObjectFile(code, tuple(said["needs"]))
+    for about, code in read(name_of(program)):
+        with suppress(KeyError, TypeError):  # it says something else
+            makers = about["made by"]
+            if all(makers[name] == here for name, here in _makers().items() if here is not None):
+                return ObjectFile(code, tuple(about["needs"]))
     return None
 
 
@@ -201,9 +214,9 @@ def _sum(code: bytes) -> str:
     return hashlib.sha256(code).hexdigest()
 
 
-def _forget_oldest(place: Path) -> None:
-    """Delete the programs that were made longest ago, and what a killed process has left."""
-    programs = sorted(place.glob("program_*"), key=_made_at)
+def _forget_oldest(place: Path, kind: str) -> None:
+    """Delete the files of a kind that were made longest ago, and what a killed process has left."""
+    programs = sorted(place.glob(f"{kind}_*"), key=_made_at)
     for path in programs[: max(len(programs) - PROGRAMS_KEPT + 1, 0)]:
         path.unlink(missing_ok=True)
 

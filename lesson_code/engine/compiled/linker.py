@@ -23,9 +23,11 @@ import re
 import sys
 import types
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, TypeAlias
 
+from lesson_code.engine.compiled import sources
 from lesson_code.engine.compiled.known import is_stage, known_value
+from lesson_code.engine.compiled.sources import Linked, Read
 
 PROJECT = "lesson_code."
 """Functions are taken into a program if their module's name begins like this."""
@@ -79,32 +81,24 @@ def link(entry: Callable[..., Any], **bound: Any) -> str:
     return _linked(*key).text
 
 
-class _Linked(NamedTuple):
-    """A program, and what it was made of: the values that its functions' global names had."""
-
-    text: str
-    read: list[tuple[Names, dict[str, Any]]]
-
-    def is_current(self) -> bool:
-        """Return whether all those names still stand for the same."""
-        return all(
-            now.get(name) is value for now, names in self.read for name, value in names.items()
-        )
-
-
 @functools.lru_cache(maxsize=PROGRAMS_REMEMBERED)
-def _linked(entry: Callable[..., Any], bound: tuple[tuple[str, Any], ...]) -> _Linked:
+def _linked(entry: Callable[..., Any], bound: tuple[tuple[str, Any], ...]) -> Linked:
     """Return a program, which is made once."""
+    given = dict(bound) | _stages_by_default(entry, set(dict(bound)))
+    if (kept := sources.find(entry, given)) is not None:
+        return kept
     program = _Program()
-    program.add(entry, dict(bound) | _stages_by_default(entry, set(dict(bound))))
-    return _Linked(program.source(), program.read)
+    program.add(entry, given)
+    linked = Linked(program.source(), program.read)
+    sources.keep(entry, given, linked)
+    return linked
 
 
 class _Program:
     """A module under construction: its imports, constants and functions, each once."""
 
     def __init__(self) -> None:
-        self.read: list[tuple[Names, dict[str, Any]]] = []
+        self.read: Read = []
         self._imports: set[str] = set()
         self._constants: dict[str, Any] = {}
         self._functions: dict[str, str] = {}

@@ -39,7 +39,7 @@ class Program:
     layout: tuple[Layout, ...]
 
 
-def program_of(source: str, entry: str, tables: type, reading: str = "") -> Program:
+def program_of(source: str, entry: str, tables: type) -> Program:
     """Return the program that a source makes, for tables of a kind.
 
     Parameters
@@ -48,8 +48,6 @@ def program_of(source: str, entry: str, tables: type, reading: str = "") -> Prog
         A module, and the function in it that is called.
     tables : type
         The kind of named tuple that the entry is called with.
-    reading : str
-        More source that reads the tables: the fields that it names are kept, too.
 
     Examples
     --------
@@ -58,7 +56,7 @@ def program_of(source: str, entry: str, tables: type, reading: str = "") -> Prog
     >>> next(table.dtype.names for table in program.layout if table.name == "pairs")
     ('b',)
     """
-    used = frozenset(re.findall(r"\.(\w+)", source + reading))
+    used = frozenset(re.findall(r"\.(\w+)", source))
     kinds = typing.get_type_hints(tables)
     return Program(
         source,

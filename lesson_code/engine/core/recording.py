@@ -10,6 +10,7 @@ from typing import Any, Literal, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.frames import Frames
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.run import ImpulseEvents, Run
 from lesson_code.engine.core.scene import Scene
@@ -27,9 +28,6 @@ EVENT_NUMBERS = 10
 MOST_STEPS = 1e9
 """More would take a day at 100 microseconds each: somebody has mistaken a unit."""
 
-STATE_NUMBERS = 6
-"""Numbers in a body's state: x, y, angle, vx, vy, w."""
-
 
 class Stepper(Protocol):
     """A solver at work on a scene: it advances by equal steps and can be asked for its state."""
@@ -38,6 +36,15 @@ class Stepper(Protocol):
 
     def advance(self, steps: int) -> None:
         """Advance by `steps` steps of dt."""
+
+    def states_of_steps(self, steps: int) -> Iterator[NDArray[np.float64]]:
+        """Advance by `steps` steps, and yield the states after each, shape (K, N, 6) for K steps.
+
+        A solver of which only single states can be had takes them one by one.
+        """
+        for _ in range(steps):
+            self.advance(1)
+            yield self.states_after(0.0)[np.newaxis]
 
     def states_after(self, duration: float) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6), a part of a step later, s.
@@ -70,13 +77,32 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reas
     _require_few_steps(duration, stepper.dt)
     moments = _moments(duration, stepper.dt, sample)
     frames = Frames([moment.time for moment in moments], len(scene.bodies))
-    done = 0
-    for frame, moment in sorted(enumerate(moments), key=lambda item: item[1].time):
-        stepper.advance(max(moment.steps - done, 0))
-        done = max(done, moment.steps)
-        frames.put(frame, stepper.states_after(moment.rest))
+    order = np.argsort(frames.times, kind="stable")
+    moments = [moments[frame] for frame in order]
+    done = at = 0
+    while at < len(moments):
+        if (ahead := _steps_in_turn(moments, at, done)) > 0:
+            for states in stepper.states_of_steps(ahead):
+                frames.put(order[at : at + len(states)], states)
+                at += len(states)
+            done += ahead
+        else:
+            stepper.advance(max(moments[at].steps - done, 0))
+            frames.put(order[at], stepper.states_after(moments[at].rest))
+            done = max(done, moments[at].steps)
+            at += 1
     stepper.advance(whole_parts(duration, stepper.dt) - done)
     return run_of(scene, frames, stepper.events(), stepper.plan(reason))
+
+
+def _steps_in_turn(moments: Sequence[Moment], at: int, done: int) -> int:
+    """Return how many of the moments from one on follow each other, a whole step after a step."""
+    count = 0
+    while at + count < len(moments) and moments[at + count].rest == 0.0:
+        if moments[at + count].steps != done + count + 1:
+            break
+        count += 1
+    return count
 
 
 def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
@@ -84,38 +110,6 @@ def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64
     later = states.copy()
     later[:, 0:3] += duration * states[:, 3:6]
     return later
-
-
-class Frames:
-    """The states of N bodies at F times, in the arrays that a run will hold.
-
-    They are written once: 10,000 bodies in 300 frames are 144 MB, which take longer to be copied
-    than a gas of as many takes to be simulated.
-    """
-
-    def __init__(self, times: Sequence[float], bodies: int) -> None:
-        shape = (len(times), bodies)
-        self.times = np.array(times, dtype=float)
-        self.positions, self.velocities = np.empty((*shape, 2)), np.empty((*shape, 2))
-        self.angles, self.angular_velocities = np.empty(shape), np.empty(shape)
-
-    def put(self, frame: int, states: NDArray[np.float64]) -> None:
-        """Write down a frame: x, y, angle, vx, vy, w of every body, shape (N, 6).
-
-        Raises
-        ------
-        FloatingPointError
-            A number is not finite: a body has left the range of floating point.
-        """
-        if not np.isfinite(states).all():
-            body, _ = (int(index) for index in np.argwhere(~np.isfinite(states))[0])
-            raise FloatingPointError(
-                f"body {body} has left the range of floating point at {self.times[frame]} s"
-            )
-        self.positions[frame] = states[:, 0:2]
-        self.angles[frame] = states[:, 2]
-        self.velocities[frame] = states[:, 3:5]
-        self.angular_velocities[frame] = states[:, 5]
 
 
 def run_of(scene: Scene, frames: Frames, events: Any, plan: Plan) -> Run:
@@ -192,16 +186,16 @@ def given_times(duration: float, sample: Any) -> list[float]:
 
 def _events(events: Any) -> ImpulseEvents:
     """Return the impulses, shape (K, 10), as columns."""
-    table = np.asarray(events, dtype=float).reshape(-1, EVENT_NUMBERS)
+    table = _frozen(np.asarray(events, dtype=float).reshape(-1, EVENT_NUMBERS))
     return ImpulseEvents(
-        time=_frozen(table[:, 0]),
+        time=table[:, 0],
         body_a=_frozen(table[:, 1].astype(np.int64)),
         body_b=_frozen(table[:, 2].astype(np.int64)),
-        point=_frozen(table[:, 3:5]),
-        normal=_frozen(table[:, 5:7]),
-        normal_impulse=_frozen(table[:, 7]),
-        tangent_impulse=_frozen(table[:, 8]),
-        penetration=_frozen(table[:, 9]),
+        point=table[:, 3:5],
+        normal=table[:, 5:7],
+        normal_impulse=table[:, 7],
+        tangent_impulse=table[:, 8],
+        penetration=table[:, 9],
     )
 
 

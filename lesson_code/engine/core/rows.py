@@ -199,12 +199,25 @@ class ImpulseRow:
 
 
 @dataclass(slots=True)
+class FrameRow:
+    """The state of one body at a time that a run is wanted at."""
+
+    x: float = 0.0  # m
+    y: float = 0.0
+    angle: float = 0.0  # rad
+    vx: float = 0.0  # m/s
+    vy: float = 0.0
+    w: float = 0.0  # rad/s
+
+
+@dataclass(slots=True)
 class State:
     """The one row that belongs to the whole world: its settings and its counts."""
 
     whole: float = 0.0  # s, of a whole step
     steps_done: int = 0  # whole steps
     steps_left: int = 0  # whole steps that are to be made
+    steps_a_frame: int = 0  # after so many the states are noted; 0: they are not
     left: float = 0.0  # s, of the step that is being made; 0: none is
     impacts: int = 0  # parts that it has been split into
     dt: float = 0.0  # s, of the part that is made now
@@ -236,6 +249,7 @@ class State:
     memory_count: int = 0
     impulse_count: int = 0
     resting_count: int = 0
+    frame_rows: int = 0
 
     pairs_wanted: int = 0  # rows that a table was too small for; 0: it was not
     contacts_wanted: int = 0
@@ -268,4 +282,5 @@ class World(NamedTuple):
     memory: list[MemoryRow]
     resting: list[RestingRow]  # the contacts of islands that sleep
     impulses: list[ImpulseRow]  # the record, until somebody takes it away
+    frames: list[FrameRow]  # the states after each step, until somebody takes them away
     manifold: ManifoldRow  # scratch for the narrow phase

@@ -28,6 +28,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.candidate_pairs import find_pairs
+from lesson_code.engine.core.frames import note_frame
 from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.narrow_phase import find_contacts
@@ -59,6 +60,8 @@ def advance(world: World, pipeline: Pipeline) -> bool:
             state.left -= state.dt
         state.steps_done += 1
         state.steps_left -= 1
+        if state.steps_a_frame > 0 and state.steps_left % state.steps_a_frame == 0:
+            note_frame(world, pipeline.effects)
     return True
 
 

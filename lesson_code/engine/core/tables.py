@@ -98,6 +98,7 @@ def arrays_of(
         memory=[],
         resting=[],
         impulses=[],
+        frames=[],
         manifold=ManifoldRow(),
     )
 

@@ -28,7 +28,7 @@ from lesson_code.engine.event_driven.cells import cross_border
 from lesson_code.engine.event_driven.collisions import collide_discs, collide_obstacle, leave_face
 from lesson_code.engine.event_driven.constants import LONG_AGO, MOST_EVENTS_AT_ONCE, TIE_TIME
 from lesson_code.engine.event_driven.event_prediction import predict, predict_beyond
-from lesson_code.engine.event_driven.motion import move_to
+from lesson_code.engine.event_driven.motion import move_to, place_at, turning_at, velocity_at
 from lesson_code.engine.event_driven.rows import DISC, END, GRIP, OBSTACLE, DiscRow, Tables
 from lesson_code.engine.event_driven.support import slide_or_roll, stop_sliding
 
@@ -41,19 +41,30 @@ that the driver is to have a look, no room for an impulse, events without end at
 collisions of one disc at the same time where that was asked for."""
 
 
-def advance_until(
-    tables: Tables, effects: Effects = EVERY_EFFECT, record: Recorder | None = None
-) -> int:
+def advance(tables: Tables, effects: Effects = EVERY_EFFECT, record: Recorder | None = None) -> int:
     """Process all events up to the time `until`, and return why the loop stopped.
 
-    The next call resumes where this one stopped.
+    The states at the moments before that are noted. The next call resumes where this one stopped.
     """
+    state = tables.state
+    while state.moments_done < state.moments:
+        moment = tables.moments[state.moments_done].time
+        stopped_by = advance_until(tables, moment, effects, record)
+        if stopped_by != TIME_REACHED:
+            return stopped_by
+        note_frame(tables, moment, effects)
+        state.moments_done += 1
+    return advance_until(tables, state.until, effects, record)
+
+
+def advance_until(tables: Tables, until: float, effects: Effects, record: Recorder | None) -> int:
+    """Process all events up to a time, s, and return why the loop stopped."""
     if not effects.collisions:
         return TIME_REACHED
     state = tables.state
     if not state.has_begun:
         begin(tables, effects)
-    while next_time(tables) <= state.until:
+    while next_time(tables) <= until:
         if state.events_left == 0:
             return PAUSE
         if record is not None and state.impulse_count == len(tables.impulses):
@@ -167,6 +178,18 @@ def go_on_along_face(tables: Tables, disc: DiscRow, effects: Effects) -> None:
         disc.changes += 1
     elif disc.event_kind == END:
         leave_face(tables, disc, effects)
+
+
+def note_frame(tables: Tables, time: float, effects: Effects) -> None:
+    """Note the states of all discs at a time, in the next rows of the table of frames."""
+    state = tables.state
+    for i in range(len(tables.discs)):
+        disc, row = tables.discs[i], tables.frames[state.frame_rows]
+        row.x, row.y = place_at(disc, time, effects)
+        row.vx, row.vy = velocity_at(disc, time, effects)
+        if effects.rotation:
+            row.angle, row.w = turning_at(disc, time, effects)
+        state.frame_rows += 1
 
 
 def note_impulse(tables: Tables, i: int) -> None:

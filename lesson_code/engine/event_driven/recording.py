@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.core.recording import Frames, Sample, given_times, run_of
+import numpy as np
+
+from lesson_code.engine.core.frames import Frames
+from lesson_code.engine.core.recording import Sample, given_times, run_of
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.event_driven.solver import ExactSolver
 
@@ -42,8 +45,9 @@ def _after_collisions(solver: ExactSolver, duration: float) -> Frames:
 def _at_times(solver: ExactSolver, duration: float, times: list[float]) -> Frames:
     """Return the states at given times, in the order in which they are given; go to the end."""
     frames = Frames(times, len(solver.scene.bodies))
-    for frame in sorted(range(len(times)), key=times.__getitem__):
-        solver.advance(times[frame])
-        frames.put(frame, solver.states(times[frame]))
+    order = np.argsort(frames.times, kind="stable")
+    for states in solver.states_at(frames.times[order]):
+        frames.put(order[: len(states)], states)
+        order = order[len(states) :]
     solver.advance(duration)
     return frames

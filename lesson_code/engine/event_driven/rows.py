@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from lesson_code.engine.core.rows import BodyRow, ContactRow, ImpulseRow, IndexRow
+from lesson_code.engine.core.rows import BodyRow, ContactRow, FrameRow, ImpulseRow, IndexRow
 from lesson_code.engine.event_driven.constants import EVENTS_A_CALL
 from lesson_code.geometry.rows import Corner
 
@@ -85,6 +85,13 @@ class NearRow:
 
 
 @dataclass(slots=True)
+class MomentRow:
+    """A time at which the states of all discs are wanted."""
+
+    time: float = 0.0  # s
+
+
+@dataclass(slots=True)
 class ExactState:
     """What belongs to the whole scene."""
 
@@ -109,6 +116,9 @@ class ExactState:
     pile_time: float = 0.0  # s, a disc that has met no disc for so long is in no pile
 
     until: float = -math.inf  # s, later events are left alone
+    moments: int = 0  # times before `until` at which states are noted
+    moments_done: int = 0
+    frame_rows: int = 0  # rows in use
     stops_at_collision: bool = False  # whether to stop after the next one, too
     stops_at_tie: bool = False  # whether to stop where two collisions of a disc come at one time
     ties: int = 0  # of those so far
@@ -137,3 +147,5 @@ class Tables(NamedTuple):
     everywhere: list[IndexRow]  # obstacles that are near everywhere
     contact: ContactRow  # scratch for a collision
     impulses: list[ImpulseRow]  # the record, until the driver takes it away
+    moments: list[MomentRow]
+    frames: list[FrameRow]  # the states of the discs at those times

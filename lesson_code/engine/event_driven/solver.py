@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
 from typing import Any
 
@@ -22,12 +22,14 @@ from lesson_code.engine.compiled import (
     as_numbers,
     full_rows,
     link,
+    new_table,
     program_of,
 )
 from lesson_code.engine.core.capacity import longer
+from lesson_code.engine.core.frames import STATE_NUMBERS, frames_at_once, read_frames, table_for
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS
+from lesson_code.engine.core.recording import EVENT_NUMBERS
 from lesson_code.engine.core.rows import ImpulseRow
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
@@ -46,11 +48,11 @@ from lesson_code.engine.event_driven.loop import (
     PAUSE,
     RECORD_FULL,
     Recorder,
-    advance_until,
+    advance,
     note_impulse,
 )
 from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
-from lesson_code.engine.event_driven.rows import Tables
+from lesson_code.engine.event_driven.rows import MomentRow, Tables
 from lesson_code.engine.event_driven.tables import exact_arrays_of
 from lesson_code.engine.event_driven.work import events_expected
 
@@ -58,7 +60,7 @@ from lesson_code.engine.event_driven.work import events_expected
 @cache
 def source_of(effects: Effects, record: Recorder | None) -> str:
     """Return the source of the program that the loop is compiled as."""
-    return link(advance_until, effects=effects, record=record)
+    return link(advance, effects=effects, record=record)
 
 
 ANGLE = 2
@@ -136,9 +138,7 @@ class ExactSolver:
         self.collisions = 0
         self._events: list[NDArray[np.float64]] = []
         self._source = partial(source_of, self._flags, record)
-        self._advance: Callable[[Any], float] = partial(
-            advance_until, effects=self._flags, record=record
-        )
+        self._advance: Callable[[Any], float] = partial(advance, effects=self._flags, record=record)
         self._duration = duration
         self._code = Code(compiled)
         events = 0.0
@@ -153,7 +153,7 @@ class ExactSolver:
 
     def program(self) -> Program:
         """Return the program of the loop, as it is compiled."""
-        return program_of(self._source(), "advance_until", Tables, self._reading())
+        return program_of(self._source(), "advance", Tables)
 
     def close(self) -> None:
         """End the run: a process that still compiles for it ends too, unless it is nearly done."""
@@ -181,10 +181,40 @@ class ExactSolver:
 
         The shape is (N, 6).
         """
-        states = self._start.copy()
-        if self._movers.size:
-            states[self._movers, 0:2] += states[self._movers, 3:5] * time
+        states: NDArray[np.float64] = self._start_at(np.array([time]))[0]
         states[self._free] = self._disc_states(self._start[self._free, ANGLE], time)
+        return states
+
+    def states_at(self, times: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
+        """Go on to some times, s, none before another, and yield the states at each.
+
+        They come in blocks of shape (K, N, 6) for K of the times. The program notes them.
+        """
+        at_once = frames_at_once(len(self._free))
+        for first in range(0, len(times), at_once):
+            wanted = times[first : first + at_once]
+            self._keep_frames(wanted)
+            self.advance(wanted[-1])
+            states = self._start_at(wanted)
+            read_frames(self.tables.frames, states, self._free, rotation=self._flags.rotation)
+            self._keep_frames(wanted[:0])
+            yield states
+
+    def _keep_frames(self, times: NDArray[np.float64]) -> None:
+        """Have the states of all discs noted at some times."""
+        tables, rows = self.tables, len(times) * len(self._free)
+        moments = new_table(MomentRow, len(times), time=times)
+        tables = tables._replace(moments=moments, frames=table_for(tables.frames[:0], rows))
+        self.tables = full_rows(tables) if isinstance(tables.discs, list) else tables
+        state = self.tables.state
+        state.moments, state.moments_done, state.frame_rows = len(times), 0, 0
+
+    def _start_at(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return states in which obstacles are where they are at some times, shape (K, N, 6)."""
+        states: NDArray[np.float64] = np.repeat(self._start[np.newaxis], len(times), axis=0)
+        if self._movers.size:
+            ways = states[:, self._movers, 3:5] * times[:, np.newaxis, np.newaxis]
+            states[:, self._movers, 0:2] += ways
         return states
 
     def events(self) -> NDArray[np.float64]:
@@ -264,13 +294,8 @@ class ExactSolver:
         if entry is None:
             self.tables = full_rows(self.tables)
             return
-        self.tables = as_arrays(self.tables, self._source() + self._reading())
+        self.tables = as_arrays(self.tables, self._source())
         self._advance = entry
-
-    def _reading(self) -> str:
-        """Return the source of what the states are read by: its fields are kept, too."""
-        formulas = [place_at, velocity_at, *([turning_at] if self._flags.rotation else [])]
-        return "".join(link(formula, effects=self._flags) for formula in formulas)
 
     def _take_impulses(self) -> None:
         """Take the impulses out of their table."""

@@ -68,6 +68,8 @@ def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -
         everywhere=everywhere,
         contact=ContactRow(),
         impulses=[],
+        moments=[],
+        frames=[],
     )
 
 

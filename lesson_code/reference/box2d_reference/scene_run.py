@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, moved_on
+from lesson_code.engine.core.recording import EVENT_NUMBERS, Stepper, moved_on
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.reference.box2d_reference.library import box2d
 from lesson_code.reference.box2d_reference.shapes import add_shape, refuse_what_box2d_cannot_do
@@ -50,7 +50,7 @@ FASTEST = 1e9
 """m/s: Box2D caps speeds at 400 m/s unless it is told another number; its square must be finite."""
 
 
-class Box2DStepper:
+class Box2DStepper(Stepper):
     """A scene that Box2D advances by steps of `dt`, each in `substeps` parts.
 
     Parameters

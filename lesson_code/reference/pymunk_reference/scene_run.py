@@ -25,9 +25,10 @@ import numpy as np
 import pymunk
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.frames import STATE_NUMBERS
 from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, STATE_NUMBERS, Event, moved_on
+from lesson_code.engine.core.recording import EVENT_NUMBERS, Event, Stepper, moved_on
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.formulas.validation import non_negative, one_number
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
@@ -41,7 +42,7 @@ nearly twice as long, and a pile as long as with these.
 """
 
 
-class PymunkStepper:
+class PymunkStepper(Stepper):
     """A scene that pymunk advances by steps of `dt`, each in `substeps` equal parts.
 
     Parameters

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Run, Scene, Segment, simulate
+from lesson_code.engine.core.frames import STATE_NUMBERS
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import STATE_NUMBERS, moved_on, record
+from lesson_code.engine.core.recording import Stepper, moved_on, record
 
 ROUNDING = 1e-12
 """s and m: a time is a product of a step and its number, and up to 100."""
@@ -21,7 +22,7 @@ REASON = "for these tests"
 DISC = Body(Circle(1), mass=1, velocity=(2, 0))
 
 
-class Counter:
+class Counter(Stepper):
     """A solver that counts: x is the number of its steps, v = (1, -1), w = 0.5."""
 
     def __init__(self, dt: float = 0.25, bodies: int = 1) -> None:
