@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import (
     Code,
-    Entry,
     Program,
     as_arrays,
     as_numbers,
@@ -27,6 +26,7 @@ from lesson_code.engine.compiled import (
     link,
     program_of,
 )
+from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.frames import (
     STATE_FIELDS,

@@ -30,20 +30,16 @@ from lesson_code.engine.compiled.arrays import (
     new_table,
 )
 from lesson_code.engine.compiled.choice import Code
-from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.compiled.linker import link
-from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.compiled.program import Program, program_of
 
 __all__ = [
     "Code",
-    "Entry",
     "Program",
     "as_arrays",
     "as_numbers",
     "as_rows",
     "column",
-    "compiled",
     "copy_of",
     "full_rows",
     "link",

@@ -13,12 +13,13 @@ import timeit
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from lesson_code.engine.compiled.compiler import Compiling, compiled
-from lesson_code.engine.compiled.library import load, why_no_compiler
-from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.compiled.program import Program
+
+if TYPE_CHECKING:  # what a small run does not need is imported where it is used
+    from lesson_code.engine.compiled.compiler import Compiling
+    from lesson_code.engine.compiled.loader import Entry
 
 # All seconds are those of the machine on which the workbook was made; see `slowness`.
 
@@ -100,11 +101,13 @@ class Code:
             return self._by_work(program, seconds * slowness(), now)
         if not self._asked:
             return None
+        from lesson_code.engine.compiled import compiler, library
+
         made = program()
-        if (entry := load(made)) is None and (reason := why_no_compiler()):
+        if (entry := library.load(made)) is None and (reason := library.why_no_compiler()):
             raise ValueError(f"compiled must be False or None here: {reason}")
         self.choice = Choice(COMPILED, "asked for")
-        return entry or compiled(made)
+        return entry or compiler.compiled(made)
 
     @property
     def may_change(self) -> bool:
@@ -132,7 +135,9 @@ class Code:
             return self._by_work(program, (time_now - self._began) * ahead, now)
         if not self._compiling.is_over():
             return None
-        entry = load(self._compiling.program)
+        from lesson_code.engine.compiled import library
+
+        entry = library.load(self._compiling.program)
         self.close()
         if entry is None:
             self._never = "its program could not be compiled"
@@ -153,8 +158,10 @@ class Code:
             return None
         reason = self._never
         if not reason:
+            from lesson_code.engine.compiled import library
+
             made = program()
-            if (entry := load(made)) is not None:
+            if (entry := library.load(made)) is not None:
                 return self._take(entry, now, "its machine code was kept")
             reason = self._compile_if_long(made, seconds)
         self.choice = Choice(PLAIN, reason)
@@ -162,15 +169,17 @@ class Code:
 
     def _compile_if_long(self, program: Program, seconds: float) -> str:
         """Let another process compile a program if that pays; return why it is not used yet."""
+        from lesson_code.engine.compiled import compiler, library
+
         self.close()
-        if reason := why_no_compiler():
+        if reason := library.why_no_compiler():
             self._never = reason
         elif seconds < PART * compile_seconds(program):
             return "a run too small to wait for a compiler"
         else:
             self._pause = LOOK_SECONDS
             try:
-                self._compiling = Compiling(program, in_background=True)
+                self._compiling = compiler.Compiling(program, in_background=True)
             except OSError:
                 self._never = "no process can be started to compile it"
             else:

@@ -23,11 +23,9 @@ import re
 import sys
 import types
 from collections.abc import Callable, Mapping
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
-from lesson_code.engine.compiled import sources
 from lesson_code.engine.compiled.known import is_stage, known_value
-from lesson_code.engine.compiled.sources import Linked, Read
 
 PROJECT = "lesson_code."
 """Functions are taken into a program if their module's name begins like this."""
@@ -39,6 +37,9 @@ FUNCTION = re.compile(r"^def (\w+)\(.*?(?=^[^\s)]|\Z)", re.MULTILINE | re.DOTALL
 """A function of a module: it ends where the next line begins at the margin."""
 
 Names: TypeAlias = Mapping[str, Any]
+Read: TypeAlias = list[tuple[Names, dict[str, Any]]]
+"""What names have been looked up while linking: in which module, and what they stood for."""
+
 Key: TypeAlias = tuple[Any, ...]
 
 
@@ -81,9 +82,24 @@ def link(entry: Callable[..., Any], **bound: Any) -> str:
     return _linked(*key).text
 
 
+class Linked(NamedTuple):
+    """A program, and what it was made of: the values that its functions' global names had."""
+
+    text: str
+    read: Read
+
+    def is_current(self) -> bool:
+        """Return whether all those names still stand for the same."""
+        return all(
+            now.get(name) is value for now, names in self.read for name, value in names.items()
+        )
+
+
 @functools.lru_cache(maxsize=PROGRAMS_REMEMBERED)
 def _linked(entry: Callable[..., Any], bound: tuple[tuple[str, Any], ...]) -> Linked:
     """Return a program, which is made once."""
+    from lesson_code.engine.compiled import sources  # a small run links nothing
+
     given = dict(bound) | _stages_by_default(entry, set(dict(bound)))
     if (kept := sources.find(entry, given)) is not None:
         return kept

@@ -15,28 +15,13 @@ import types
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any
 
 from lesson_code.engine.compiled import library
-
-Read: TypeAlias = list[tuple[Mapping[str, Any], dict[str, Any]]]
-"""What names have been looked up while linking: in which module, and what they stood for."""
+from lesson_code.engine.compiled.linker import Linked, Read
 
 LINKER = ("linker.py", "known.py", "sources.py")
 """The files beside this one that say how a program is linked."""
-
-
-class Linked(NamedTuple):
-    """A program, and what it was made of: the values that its functions' global names had."""
-
-    text: str
-    read: Read
-
-    def is_current(self) -> bool:
-        """Return whether all those names still stand for the same."""
-        return all(
-            now.get(name) is value for now, names in self.read for name, value in names.items()
-        )
 
 
 def find(entry: Callable[..., Any], bound: Mapping[str, Any]) -> Linked | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from html import escape
 
 
 @dataclass(frozen=True)
@@ -128,6 +127,8 @@ class Plan:
 
     def _repr_html_(self) -> str:
         """Return the plan as a table for a notebook."""
+        from html import escape
+
         rows = "".join(
             f"<tr><td>{escape(c.name)}</td><td>{escape(c.verdict)}</td>"
             f'<td style="text-align: left">{escape(c.reason)}</td></tr>'

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import (
     Code,
-    Entry,
     Program,
     as_arrays,
     as_numbers,
@@ -25,6 +24,7 @@ from lesson_code.engine.compiled import (
     new_table,
     program_of,
 )
+from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import longer
 from lesson_code.engine.core.frames import STATE_NUMBERS, frames_at_once, read_frames, table_for
 from lesson_code.engine.core.mixing import MixingRule

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from lesson_code.engine.compiled import compiled, link, program_of
+from lesson_code.engine.compiled import link, program_of
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.step import advance
 from lesson_code.evidence.measurement import Measurement, digits, micro, table

@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import as_arrays, compiled, link, program_of
+from lesson_code.engine.compiled import as_arrays, link, program_of
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.constants import SLOP
 from lesson_code.engine.core.mixing import MixingRule

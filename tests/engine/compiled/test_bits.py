@@ -20,8 +20,10 @@ import pytest
 from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.chapters.ch04_circles.scenes import scattered_balls
 from lesson_code.engine import stepper
-from lesson_code.engine.compiled import Code, Entry, Program, compiled, link
+from lesson_code.engine.compiled import Code, Program, link
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE, folder
+from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.solvers.naive import SOLVER as NAIVE

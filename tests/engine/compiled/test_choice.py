@@ -11,7 +11,8 @@ from processes import printed, started
 from small_program import small_program
 
 from lesson_code import Body, Callbacks, Circle, Scene, Segment, simulate
-from lesson_code.engine.compiled import Code, Program, choice
+from lesson_code.engine.compiled import Code, Program, choice, compiler
+from lesson_code.engine.compiled import library as library_module
 from lesson_code.engine.compiled.choice import PART, Choice
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import why_never
@@ -70,17 +71,17 @@ class _Process:
 def library(monkeypatch: pytest.MonkeyPatch) -> Library:
     """Return the library on a machine of known speed, where Numba is installed."""
     told = Library()
-    for name, value in {
-        "load": told.load,
-        "Compiling": told.begin,
-        "compiled": lambda _: "just compiled",
-        "why_no_compiler": lambda: "",
-        "slowness": lambda: 1.0,
-        "load_seconds": lambda: LOADING,
-        "compile_seconds": lambda _: COMPILING,
-        "LOOK_SECONDS": 0.0,
-    }.items():
-        monkeypatch.setattr(choice, name, value)
+    for module, name, value in (
+        (library_module, "load", told.load),
+        (library_module, "why_no_compiler", lambda: ""),
+        (compiler, "Compiling", told.begin),
+        (compiler, "compiled", lambda _: "just compiled"),
+        (choice, "slowness", lambda: 1.0),
+        (choice, "load_seconds", lambda: LOADING),
+        (choice, "compile_seconds", lambda _: COMPILING),
+        (choice, "LOOK_SECONDS", 0.0),
+    ):
+        monkeypatch.setattr(module, name, value)
     return told
 
 
@@ -211,7 +212,7 @@ def test_machine_where_no_process_can_be_started_runs_plain(
     def refuse(*_: Any, **__: Any) -> None:
         raise BlockingIOError("no more processes")
 
-    monkeypatch.setattr(choice, "Compiling", refuse)
+    monkeypatch.setattr(compiler, "Compiling", refuse)
     code = Code(None)
     assert code.begin(small_program, math.inf) is None
     assert code.choice == ("plain Python", "no process can be started to compile it")
@@ -301,7 +302,7 @@ def test_run_without_numba_is_plain_and_says_so(
     library: Library, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whoever asks for compiled code is told what is missing."""
-    monkeypatch.setattr(choice, "why_no_compiler", lambda: "Numba is not installed")
+    monkeypatch.setattr(library_module, "why_no_compiler", lambda: "Numba is not installed")
     code = Code(None)
     assert code.begin(small_program, math.inf) is None
     assert code.choice == Choice("plain Python", "Numba is not installed")
@@ -321,15 +322,15 @@ def test_engine_that_is_not_ours_has_code_of_its_own(solver: str) -> None:
 LONG = """
 import sys
 from lesson_code import simulate
-from lesson_code.engine.compiled import choice
+from lesson_code.engine.compiled import compiler
 from lesson_code.evidence.scenes.gas import gas_of
 
-class Compiling(choice.Compiling):
+class Compiling(compiler.Compiling):
     def is_over(self):
         self._process.wait()
         return True
 
-choice.Compiling = Compiling
+compiler.Compiling = Compiling
 for solver, duration in (("sequential", 500.0), ("exact", 1500.0)):
     run = simulate(gas_of(100, 0.3, seed=1), duration, solver=solver, sample="end")
     print((run.positions + 0.0).tobytes().hex(), run.plan.headline, sep="|")

@@ -13,7 +13,8 @@ import pytest
 from processes import HOUSE, printed, started
 from small_program import SOURCE, numbers, small_program
 
-from lesson_code.engine.compiled import compiled, library
+from lesson_code.engine.compiled import library
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.compiled.library import (
     FOLDER_VARIABLE,
     PROGRAMS_KEPT,
@@ -29,7 +30,7 @@ pytest.importorskip("numba")
 LOAD = """
 import sys
 from small_program import numbers, small_program
-from lesson_code.engine.compiled import compiled
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.compiled.library import is_kept
 kept = is_kept(small_program())
 print(compiled(small_program())(numbers(4.0, 2.0)), kept, "numba" in sys.modules)

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from small_program import SOURCE, Numbers, numbers, small_program
 
-from lesson_code.engine.compiled import compiled, program_of
+from lesson_code.engine.compiled import program_of
+from lesson_code.engine.compiled.compiler import compiled
 
 pytest.importorskip("numba")
 

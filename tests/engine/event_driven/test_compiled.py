@@ -10,7 +10,9 @@ import pytest
 from numpy.typing import NDArray
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.engine.compiled import Code, Entry, Program, compiled, library
+from lesson_code.engine.compiled import Code, Program, library
+from lesson_code.engine.compiled.compiler import compiled
+from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.mixing import mixing_rule
 from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven import solver as solver_module

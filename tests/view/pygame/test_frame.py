@@ -11,7 +11,8 @@ import pytest
 from PIL import Image, ImageChops
 
 from lesson_code.chapters.programs import load, program_summaries
-from lesson_code.engine.compiled import choice, compiled
+from lesson_code.engine.compiled import choice
+from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.view.pygame.frame import FILM_SIZE, SLOW_MOTION, Painter, Session, play
 from lesson_code.view.pygame.picture import Picture
