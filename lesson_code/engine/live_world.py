@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled import Program
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
+from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
 from lesson_code.engine.effects.callbacks import TouchListener, touches_in
 from lesson_code.engine.effects.choice import choose_effects, names_used

@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, Stepper, moved_on, record
+from lesson_code.engine.core.recording import Stepper, moved_on, record
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.formulas import (

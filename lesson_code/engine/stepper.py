@@ -18,7 +18,6 @@ from lesson_code.engine.compiled import (
     Code,
     Program,
     as_arrays,
-    as_numbers,
     as_rows,
     column,
     copy_of,
@@ -35,11 +34,12 @@ from lesson_code.engine.core.frames import (
     read_frames,
     table_for,
 )
+from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.one_thread import one_thread
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.plan import EffectChoice, Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, Stepper, record
+from lesson_code.engine.core.recording import Stepper, record
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
@@ -211,7 +211,7 @@ class EngineStepper(Stepper):
         self._rows = self.world
         self._steps_planned = duration / dt
         self._steps_made = 0
-        self._events: list[NDArray[np.float64]] = []
+        self._impulses = ImpulseTable()
         self._entry: Entry | None = None
         self._code = Code(compiled, why_never(scene, self._solver))
         self._choose_code()
@@ -330,12 +330,13 @@ class EngineStepper(Stepper):
         """Return the states that a shorter step leads to, shape (N, 6); nothing else changes."""
         if duration <= 0.0:
             return self.states()
-        before = self.world, self._rows, self.pipeline, self._entry, list(self._events)
+        before, impulses = (self.world, self._rows, self.pipeline, self._entry), len(self._impulses)
         self.world, self.pipeline = copy_of(self.world), self.pipeline._replace(listener=None)
         self.world.state.whole = duration / self._steps_a_step
         self._advance(1)
         states = self.states()
-        self.world, self._rows, self.pipeline, self._entry, self._events = before
+        self.world, self._rows, self.pipeline, self._entry = before
+        self._impulses.forget_from(impulses)
         return states
 
     def row(self, number: int) -> Any:
@@ -353,12 +354,12 @@ class EngineStepper(Stepper):
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""
         self._take_impulses()
-        return np.concatenate([np.empty((0, EVENT_NUMBERS)), *self._events])
+        return self._impulses.rows()
 
     def take_events(self) -> NDArray[np.float64]:
         """Return the impulses since they were last taken, shape (K, 10), and forget them."""
         events = self.events()
-        self._events.clear()
+        self._impulses = ImpulseTable()
         return events
 
     def _run(self) -> bool:
@@ -428,7 +429,7 @@ class EngineStepper(Stepper):
         """Take the impulses out of their table."""
         state = self.world.state
         if state.impulse_count > 0:
-            self._events.append(as_numbers(self.world.impulses[: state.impulse_count]))
+            self._impulses.add(self.world.impulses[: state.impulse_count])
             state.impulse_count = 0
 
 

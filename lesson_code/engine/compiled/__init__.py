@@ -22,12 +22,12 @@ understand the engine, and without Numba everything runs, only more slowly.
 
 from lesson_code.engine.compiled.arrays import (
     as_arrays,
-    as_numbers,
     as_rows,
     column,
     copy_of,
     full_rows,
     new_table,
+    write_numbers,
 )
 from lesson_code.engine.compiled.choice import Code
 from lesson_code.engine.compiled.linker import link
@@ -37,7 +37,6 @@ __all__ = [
     "Code",
     "Program",
     "as_arrays",
-    "as_numbers",
     "as_rows",
     "column",
     "copy_of",
@@ -45,4 +44,5 @@ __all__ = [
     "link",
     "new_table",
     "program_of",
+    "write_numbers",
 ]

@@ -119,20 +119,21 @@ def column(table: Any, name: str) -> Any:
     return table[name] if isinstance(table, np.ndarray) else [getattr(row, name) for row in table]
 
 
-def as_numbers(table: Any) -> NDArray[np.float64]:
-    """Return a list of rows or an array of records as numbers, one row of them for each row.
+def write_numbers(table: Any, numbers: NDArray[np.float64]) -> None:
+    """Write a list of rows or an array of records into an array, one row of it for each row.
 
     >>> from lesson_code.engine.core.rows import PairRow
-    >>> as_numbers([PairRow(1, 2), PairRow(1, 3)]).tolist()
+    >>> numbers = np.empty((2, 2))
+    >>> write_numbers([PairRow(1, 2), PairRow(1, 3)], numbers)
+    >>> numbers.tolist()
     [[1.0, 2.0], [1.0, 3.0]]
     """
     if isinstance(table, np.ndarray):
-        numbers = np.empty((len(table), len(table.dtype.names or ())))
         for place, name in enumerate(table.dtype.names or ()):
             numbers[:, place] = table[name]
-        return numbers
-    names = [field.name for field in dataclasses.fields(table[0])] if table else []
-    return np.array([[getattr(row, name) for name in names] for row in table], dtype=float)
+    elif table:
+        names = [field.name for field in dataclasses.fields(table[0])]
+        numbers[:] = [[getattr(row, name) for name in names] for row in table]
 
 
 def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.frames import Frames
+from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.run import ImpulseEvents, Run
 from lesson_code.engine.core.scene import Scene
@@ -21,8 +22,6 @@ Sample: TypeAlias = Literal["end"] | Any
 
 Event: TypeAlias = tuple[float, int, int, float, float, float, float, float, float, float]
 """time, body a, body b, point x and y, normal x and y, normal and tangent impulse, penetration."""
-
-EVENT_NUMBERS = 10
 
 MOST_STEPS = 1e9
 """More would take a day at 100 microseconds each: somebody has mistaken a unit."""

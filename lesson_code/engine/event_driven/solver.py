@@ -18,7 +18,6 @@ from lesson_code.engine.compiled import (
     Code,
     Program,
     as_arrays,
-    as_numbers,
     full_rows,
     link,
     new_table,
@@ -27,9 +26,9 @@ from lesson_code.engine.compiled import (
 from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import longer
 from lesson_code.engine.core.frames import STATE_NUMBERS, frames_at_once, read_frames, table_for
+from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS
 from lesson_code.engine.core.rows import ImpulseRow
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
@@ -136,7 +135,7 @@ class ExactSolver:
         self._free = np.flatnonzero(c.is_free)
         self._movers = np.flatnonzero(c.is_moving & ~c.is_free)
         self.collisions = 0
-        self._events: list[NDArray[np.float64]] = []
+        self._impulses = ImpulseTable()
         self._source = partial(source_of, self._flags, record)
         self._advance: Callable[[Any], float] = partial(advance, effects=self._flags, record=record)
         self._duration = duration
@@ -220,8 +219,7 @@ class ExactSolver:
     def events(self) -> NDArray[np.float64]:
         """Return the impulses so far, shape (K, 10)."""
         self._take_impulses()
-        self._events = [np.concatenate([np.empty((0, EVENT_NUMBERS)), *self._events])]
-        return self._events[0]
+        return self._impulses.rows()
 
     def _disc_states(self, angles: NDArray[np.float64], time: float) -> NDArray[np.float64]:
         """Return the states of all discs, from their angles at the start.
@@ -301,7 +299,7 @@ class ExactSolver:
         """Take the impulses out of their table."""
         state = self.tables.state
         if state.impulse_count > 0:
-            self._events.append(as_numbers(self.tables.impulses[: state.impulse_count]))
+            self._impulses.add(self.tables.impulses[: state.impulse_count])
             state.impulse_count = 0
 
     def _make_room(self) -> None:

@@ -31,9 +31,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, Stepper, moved_on
+from lesson_code.engine.core.recording import Stepper, moved_on
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.reference.box2d_reference.library import box2d
 from lesson_code.reference.box2d_reference.shapes import add_shape, refuse_what_box2d_cannot_do

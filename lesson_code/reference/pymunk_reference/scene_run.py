@@ -26,9 +26,10 @@ import pymunk
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.frames import STATE_NUMBERS
+from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
 from lesson_code.engine.core.mixing import MIXING_RULES, MixingRule
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.recording import EVENT_NUMBERS, Event, Stepper, moved_on
+from lesson_code.engine.core.recording import Event, Stepper, moved_on
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.formulas.validation import non_negative, one_number
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
