@@ -71,6 +71,7 @@ TASKS = (
     Task(
         id="1.1",
         function="elastic_1d",
+        section=3,
         objective="Both velocities after an elastic collision of any two bodies on a line.",
         expected=elastic_1d,
         criteria=(
@@ -84,6 +85,7 @@ TASKS = (
     Task(
         id="1.2",
         function="inelastic_1d",
+        section=2,
         objective="The common velocity of two bodies that stick together, given twice.",
         expected=inelastic_1d,
         criteria=(
@@ -96,6 +98,7 @@ TASKS = (
     Task(
         id="1.3",
         function="elastic_impulse_1d",
+        section=1,
         objective="The impulse that body 2 receives in an elastic collision.",
         expected=_impulse,
         criteria=(

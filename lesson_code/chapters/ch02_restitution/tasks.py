@@ -107,6 +107,7 @@ TASKS = (
     Task(
         id="2.1",
         function="restitution_1d",
+        section=1,
         objective="The restitution shown by four measured velocities.",
         expected=restitution_1d,
         criteria=(
@@ -117,6 +118,7 @@ TASKS = (
     Task(
         id="2.2",
         function="collide_1d",
+        section=2,
         objective="Both velocities after a collision with any restitution.",
         expected=collide_1d,
         criteria=(
@@ -130,6 +132,7 @@ TASKS = (
     Task(
         id="2.3",
         function="bounce_heights",
+        section=3,
         objective="The heights a ball reaches after each of its first bounces.",
         expected=bounce_heights,
         criteria=(
@@ -142,6 +145,7 @@ TASKS = (
     Task(
         id="2.4",
         function="rest_time",
+        section=4,
         objective="The time at which the bouncing has come to an end.",
         expected=rest_time,
         criteria=(

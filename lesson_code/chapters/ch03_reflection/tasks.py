@@ -132,6 +132,7 @@ TASKS = (
     Task(
         id="3.1",
         function="reflect",
+        section=1,
         objective="The mirror image of a velocity at a wall.",
         expected=reflect,
         criteria=(
@@ -144,6 +145,7 @@ TASKS = (
     Task(
         id="3.2",
         function="bounce",
+        section=3,
         objective="The velocity after a bounce with restitution.",
         expected=bounce,
         criteria=(
@@ -157,6 +159,7 @@ TASKS = (
     Task(
         id="3.3",
         function="resolve_wall",
+        section=6,
         objective="Separate first: position and velocity of a ball found inside a wall.",
         expected=_pushed_out_and_bounced,
         criteria=(

@@ -264,6 +264,7 @@ TASKS = (
     Task(
         id="4.1",
         function="circle_contact",
+        section=1,
         objective="Whether two circles overlap, in which direction and how deep.",
         expected=_circle_contact,
         criteria=(
@@ -277,6 +278,7 @@ TASKS = (
     Task(
         id="4.2",
         function="resolve_circles",
+        section=3,
         objective="The velocities of two circles after an impulse along their normal.",
         expected=_resolve_circles,
         criteria=(
@@ -289,6 +291,7 @@ TASKS = (
     Task(
         id="4.3",
         function="separate",
+        section=5,
         objective="The positions of two overlapping circles after they were moved apart.",
         expected=_separate,
         criteria=(
@@ -301,6 +304,7 @@ TASKS = (
     Task(
         id="4.4",
         function="resolve_overlap",
+        section=5,
         objective="Separate first: positions and velocities of two circles that overlap.",
         expected=_resolve_overlap,
         criteria=(

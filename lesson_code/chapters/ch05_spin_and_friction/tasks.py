@@ -256,6 +256,7 @@ TASKS = (
     Task(
         id="5.1",
         function="moment_of_inertia",
+        section=2,
         objective="The moment of inertia of any polygon about its centroid.",
         expected=polygon_inertia,
         criteria=(
@@ -268,6 +269,7 @@ TASKS = (
     Task(
         id="5.2",
         function="contact_velocity",
+        section=1,
         objective="The velocity of a point of a body that moves and turns.",
         expected=contact_velocity,
         criteria=(
@@ -279,6 +281,7 @@ TASKS = (
     Task(
         id="5.3",
         function="inverse_effective_mass",
+        section=3,
         objective="How far two bodies give way to an impulse at their contact.",
         expected=_inverse_effective_mass,
         criteria=(
@@ -291,6 +294,7 @@ TASKS = (
     Task(
         id="5.4",
         function="friction_impulse",
+        section=4,
         objective="The impulse of dry friction, with Coulomb's limit.",
         expected=coulomb,
         criteria=(
@@ -303,6 +307,7 @@ TASKS = (
     Task(
         id="5.5",
         function="bounce_with_spin",
+        section=5,
         objective="Velocity and angular velocity of a disc after it has hit a rough wall.",
         expected=bounce_with_spin,
         criteria=(

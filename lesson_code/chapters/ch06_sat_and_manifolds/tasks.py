@@ -292,6 +292,7 @@ TASKS = (
     Task(
         id="6.1",
         function="sat_axes",
+        section=2,
         objective="The axes on which two polygons may part: the unit normals of the edges.",
         expected=_axes_of_edges,
         criteria=(
@@ -304,6 +305,7 @@ TASKS = (
     Task(
         id="6.2",
         function="project",
+        section=1,
         objective="The shadow of a polygon on an axis.",
         expected=project,
         criteria=(
@@ -314,6 +316,7 @@ TASKS = (
     Task(
         id="6.3",
         function="overlap",
+        section=3,
         objective="How far one interval must move to leave another, the shorter way.",
         expected=overlap,
         criteria=(
@@ -325,6 +328,7 @@ TASKS = (
     Task(
         id="6.4",
         function="mtv",
+        section=4,
         objective="The minimum translation vector of two polygons, from A to B.",
         expected=mtv,
         criteria=(
@@ -338,6 +342,7 @@ TASKS = (
     Task(
         id="6.5",
         function="clip",
+        section=6,
         objective="The part of a segment on the inner side of a line.",
         expected=_clipped,
         criteria=(
@@ -348,6 +353,7 @@ TASKS = (
     Task(
         id="6.6",
         function="circle_against_polygon",
+        section=9,
         objective="How a circle overlaps a polygon, through the closest point.",
         expected=_circle_contact,
         criteria=(

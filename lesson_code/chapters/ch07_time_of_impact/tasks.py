@@ -235,6 +235,7 @@ TASKS = (
     Task(
         id="7.1",
         function="sweep_circles",
+        section=3,
         objective="When two moving circles meet, if they do so within the step.",
         expected=_sweep_circles,
         criteria=(
@@ -249,6 +250,7 @@ TASKS = (
     Task(
         id="7.2",
         function="time_to_floor",
+        section=4,
         objective="When a ball under gravity next hits the floor.",
         expected=_time_to_floor,
         criteria=(
@@ -262,6 +264,7 @@ TASKS = (
     Task(
         id="7.3",
         function="advance",
+        section=7,
         objective="A whole step of a ball in a room: to the impact, bounce, and on.",
         expected=_advance,
         criteria=(
@@ -275,6 +278,7 @@ TASKS = (
     Task(
         id="7.4",
         function="next_event",
+        section=8,
         objective="Which of all pairs of circles meets first, and when.",
         expected=_next_event,
         criteria=(
@@ -287,6 +291,7 @@ TASKS = (
     Task(
         id="7.5",
         function="pi_collisions",
+        section=9,
         objective="How often two blocks and a wall collide, from collision to collision.",
         expected=block_collisions,
         criteria=(

@@ -295,6 +295,7 @@ TASKS = (
     Task(
         id="8.1",
         function="largest_error",
+        section=1,
         objective="The error of a run, as one number in a stated norm.",
         expected=_largest_error,
         criteria=(
@@ -307,6 +308,7 @@ TASKS = (
     Task(
         id="8.2",
         function="observed_order",
+        section=2,
         objective="The order of convergence that two errors show.",
         expected=_observed_order,
         criteria=(
@@ -320,6 +322,7 @@ TASKS = (
     Task(
         id="8.3",
         function="fit_power",
+        section=2,
         objective="Order and factor of many errors that scatter, by least squares.",
         expected=_fit,
         criteria=(
@@ -330,6 +333,7 @@ TASKS = (
     Task(
         id="8.4",
         function="best_split",
+        section=8,
         objective="Of equal work, the split into sub-steps and iterations with the least error.",
         expected=_best_split,
         criteria=(
@@ -342,6 +346,7 @@ TASKS = (
     Task(
         id="8.5",
         function="cheapest",
+        section=9,
         objective="The setting that is good enough and takes the least time.",
         expected=_cheapest,
         criteria=(

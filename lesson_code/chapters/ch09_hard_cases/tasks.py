@@ -272,6 +272,7 @@ TASKS = (
     Task(
         id="9.1",
         function="tower_forces",
+        section=2,
         objective="The forces under the boxes of a tower at rest.",
         expected=_tower_forces,
         criteria=(
@@ -284,6 +285,7 @@ TASKS = (
     Task(
         id="9.2",
         function="sweeps_needed",
+        section=1,
         objective="How many sweeps a heavy load on a light box needs.",
         expected=_sweeps_needed,
         criteria=(
@@ -296,6 +298,7 @@ TASKS = (
     Task(
         id="9.3",
         function="sliding_impulse",
+        section=6,
         objective="The impulse on a tip that slides, and the case in which there is none.",
         expected=_sliding_impulse,
         criteria=(
@@ -309,6 +312,7 @@ TASKS = (
     Task(
         id="9.4",
         function="energy_ratio",
+        section=6,
         objective="Whether a blow has made energy.",
         expected=_energy_ratio,
         criteria=(
@@ -320,6 +324,7 @@ TASKS = (
     Task(
         id="9.5",
         function="one_by_one",
+        section=7,
         objective="A row of elastic balls that strike one after the other.",
         expected=_expected_one_by_one,
         criteria=(

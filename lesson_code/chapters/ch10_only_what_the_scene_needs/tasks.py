@@ -336,6 +336,7 @@ TASKS = (
     Task(
         id="10.1",
         function="most_friction",
+        section=3,
         objective="The rule for friction: the largest coefficient of any pair that can meet.",
         expected=_most_friction,
         criteria=(
@@ -348,6 +349,7 @@ TASKS = (
     Task(
         id="10.2",
         function="effects_called_for",
+        section=2,
         objective="The plan of a scene, before it is run.",
         expected=_effects_called_for,
         criteria=(
@@ -360,6 +362,7 @@ TASKS = (
     Task(
         id="10.3",
         function="fastest_way",
+        section=4,
         objective="How far a body can move in a step, from the energy of all.",
         expected=_fastest_way,
         criteria=(
@@ -372,6 +375,7 @@ TASKS = (
     Task(
         id="10.4",
         function="box_of_flight",
+        section=5,
         objective="The box that a flight stays in.",
         expected=_box_of_flight,
         criteria=(
@@ -384,6 +388,7 @@ TASKS = (
     Task(
         id="10.5",
         function="bodies_asleep",
+        section=10,
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
         criteria=(

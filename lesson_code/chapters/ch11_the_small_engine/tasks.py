@@ -290,6 +290,7 @@ TASKS = (
     Task(
         id="11.1",
         function="near_pairs",
+        section=1,
         objective="A broad phase: the pairs whose boxes share a point.",
         expected=_near_pairs,
         criteria=(
@@ -301,6 +302,7 @@ TASKS = (
     Task(
         id="11.2",
         function="hit",
+        section=3,
         objective="A hit of any two bodies, with spin and friction.",
         expected=_hit,
         criteria=(
@@ -314,6 +316,7 @@ TASKS = (
     Task(
         id="11.3",
         function="step_discs",
+        section=2,
         objective="A whole step: move, pairs, walls.",
         expected=_step_discs,
         criteria=(

@@ -106,6 +106,7 @@ def _as_dict(task: Task) -> dict[str, Any]:
         "function": task.function,
         "objective": task.objective,
         "parameters": task.parameters,
+        "section": task.section,
         "explain": task.explain and reference(task.explain),
         "wrong_models": seal([[m.name, m.misconception, m.hint] for m in task.wrong_models]),
         "criteria": [
@@ -136,6 +137,7 @@ def _task(entry: dict[str, Any]) -> Task:
         ),
         explain=entry["explain"] and _found(entry["explain"]),
         parameters=tuple(entry["parameters"]),
+        section=entry["section"],
     )
 
 

@@ -135,7 +135,10 @@ class Criterion:
 
 @dataclass(frozen=True)
 class Task:
-    """A function to write, its criteria, and the expected answer, which students never see."""
+    """A function to write, its criteria, and the expected answer, which students never see.
+
+    `section` is that of the chapter's notebook in which the formula stands; a program has none.
+    """
 
     id: str
     function: str
@@ -146,6 +149,7 @@ class Task:
     alternatives: tuple[Alternative, ...] = ()
     explain: Callable[[Arguments, Any], str] | None = None
     parameters: tuple[str, ...] = ()
+    section: int | None = None
 
     @property
     def points(self) -> int:

@@ -24,7 +24,10 @@ def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
     """
     messages = list(dict.fromkeys(c.message for c in verdict.criteria if c.message))
     if messages == [NOT_WRITTEN]:
-        return [f"Not written yet. {verdict.task.objective}", _where_to_read(exercise)]
+        return [
+            f"Not written yet. {verdict.task.objective}",
+            _where_to_read(verdict.task, exercise),
+        ]
     steps = [messages[0]]
     if verdict.recognised is not None:
         steps.append(f"A question: {verdict.recognised.hint}")
@@ -33,7 +36,7 @@ def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
         steps += [f"Also: {message}" for message in messages[1:]]
     steps.append(f"What is asked: {verdict.task.objective}")
     steps.append(example(verdict.task))
-    return [*steps, _where_to_read(exercise)]
+    return [*steps, _where_to_read(verdict.task, exercise)]
 
 
 def example(task: Task) -> str:
@@ -49,8 +52,9 @@ def example(task: Task) -> str:
     return f"An example to follow by hand: {call_of(task, arguments)} is {written(answer)}."
 
 
-def _where_to_read(exercise: Exercise) -> str:
-    """Return where an exercise's chapter, or its own text, is to be read."""
-    if exercise.suffix == ".ipynb":
-        return f"Read notebook {exercise.name[:2]}, {exercise.title}, again."
+def _where_to_read(task: Task, exercise: Exercise) -> str:
+    """Return which section of a chapter, or which other text, is to be read."""
+    if task.section is not None:
+        notebook = f"notebook {exercise.name[:2]}, {exercise.title}"
+        return f"Read section {task.section} of {notebook}, again."
     return f"Read what stands at the top of exercises/{exercise.file_name} again."
