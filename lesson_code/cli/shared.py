@@ -79,7 +79,11 @@ def share_bar() -> Iterator[Callable[[str, float], None]]:
 
 
 def say_error(line: str, style: str | None = None) -> None:
-    """Write a line on standard error as it is: not cut, no part of it taken for markup."""
+    """Write a line on standard error: not cut, no part of it taken for markup or obeyed.
+
+    A file's name may stand in it, and hold what a terminal would obey.
+    """
+    line = "".join(c if c.isprintable() or c == "\n" else " " for c in line)
     errors.print(line, style=style, markup=False, highlight=False, soft_wrap=True)
 
 

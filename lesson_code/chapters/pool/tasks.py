@@ -73,14 +73,12 @@ def _break(stream: Random, across: float) -> Arguments:
     return tuple(places), tuple(moving), RADIUS, draws.restitution(stream)
 
 
-@np.errstate(all="ignore")  # an answer may hold any number
 def is_symmetric(velocities: Any) -> bool:
     """Return whether what a straight break has made is its own mirror image."""
     v = np.asarray(velocities, dtype=float)
     return bool(np.abs(v[MIRRORED] * (1.0, -1.0) - v).max() <= SYMMETRIC)
 
 
-@np.errstate(all="ignore")  # an answer may hold any number
 def total(velocities: Any) -> Any:
     """Return the sum of all velocities: the momentum of equal balls, over their mass."""
     return np.asarray(velocities, dtype=float).sum(axis=0)

@@ -23,8 +23,12 @@ AREA = MASSES / 2 * RADIUS**2 * math.sin(2 * math.pi / MASSES)
 KEPT = 0.05
 """Of the area: a ring that falls from 1.5 m loses and gains less than this, in every run."""
 
-AT_REST = 0.01
-"""J: what is left after five seconds, at the most; the fall brings 9 J."""
+LANDING, SETTLED, RESTING = 330, 900, 1500
+"""Steps, of 1/600 s: the ring that falls from 1.5 m is flattest, has its area again, lies still."""
+
+AT_REST = 0.05
+"""J: what is left then, at the most; the fall brings 9 J. A ring that falls by the rules has 0.03
+left in every run, without air 0.13, with springs that are not damped 0.07."""
 
 
 def rings(stream: Random) -> Iterator[Arguments]:
@@ -77,14 +81,14 @@ def short_falls(stream: Random) -> Iterator[Arguments]:
 
 
 def long_falls(stream: Random) -> Iterator[Arguments]:
-    """Draw a ring that is let fall, at its landing and after five seconds."""
-    for steps in (330, 3000):
+    """Draw a ring that is let fall, at its landing and a second later."""
+    for steps in (LANDING, SETTLED):
         yield _falling(stream, height=1.5, sideways=0.0, steps=steps)
 
 
 def landed(stream: Random) -> Iterator[Arguments]:
-    """Draw a ring that is let fall, after five seconds."""
-    yield _falling(stream, height=1.5, sideways=0.0, steps=3000)
+    """Draw a ring that is let fall, once it lies still."""
+    yield _falling(stream, height=1.5, sideways=0.0, steps=RESTING)
 
 
 def _falling(stream: Random, height: float, sideways: float, steps: int) -> Arguments:
@@ -97,7 +101,6 @@ def _falling(stream: Random, height: float, sideways: float, steps: int) -> Argu
     return ring, ((sideways, down),) * MASSES, edge, AREA, steps
 
 
-@np.errstate(all="ignore")  # an answer may hold any number
 def keeps_area(answer: Any) -> list[bool]:
     """Return whether the area is kept, and no mass is below the floor."""
     positions = np.asarray(answer[0], dtype=float)
@@ -105,7 +108,6 @@ def keeps_area(answer: Any) -> list[bool]:
     return [bool(is_kept), bool(positions[:, 1].min() >= 0)]
 
 
-@np.errstate(all="ignore")  # an answer may hold any number
 def is_at_rest(answer: Any) -> bool:
     """Return whether nothing moves any more, above the floor but not far from it."""
     positions, velocities = (np.asarray(part, dtype=float) for part in answer)

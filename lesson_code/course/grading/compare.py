@@ -53,9 +53,9 @@ def told_apart(got: Any, expected: Any) -> tuple[str, str]:
     """
     texts = ((written(got, digits), written(expected, digits)) for digits in (6, 12))
     shown = next((pair for pair in texts if pair[0] != pair[1]), (repr(got), repr(expected)))
-    return _shortened(shown[0]), _shortened(shown[1])
+    return shortened(shown[0]), shortened(shown[1])
 
 
-def _shortened(text: str) -> str:
+def shortened(text: str) -> str:
     """Return the beginning of a text that is too long for a message."""
     return text if len(text) <= LONGEST_VALUE else f"{text[:LONGEST_VALUE]}..."

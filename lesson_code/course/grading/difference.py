@@ -41,7 +41,8 @@ def of_form(got: Any, expected: Any, *, may_be_none: bool = False) -> str:
         return "" if got is None else "There is nothing to return here: None was asked for."
     if isinstance(expected, list) != isinstance(got, list):
         return f"{_asked_for(expected)}."
-    if _is_column(got) and isinstance(expected, list) and not isinstance(expected[0], list):
+    is_flat = isinstance(expected, list) and not any(isinstance(item, list) for item in expected)
+    if is_flat and expected and _is_column(got):
         return f"{_asked_for(expected)}: one row, and yours is a column. Shape it by .ravel()."
     if isinstance(expected, list) and len(got) != len(expected):
         return f"{_asked_for(expected)}, and there {_are(len(got))}."

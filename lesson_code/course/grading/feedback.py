@@ -10,15 +10,16 @@ import difflib
 from collections.abc import Iterable
 from typing import Any
 
-import numpy as np
-
 from lesson_code.course.grading import difference
-from lesson_code.course.grading.compare import told_apart, written
+from lesson_code.course.grading.compare import shortened, told_apart, written
 from lesson_code.course.grading.task import Arguments, Task
-from lesson_code.course.grading.tried import TriedCall
+from lesson_code.course.grading.tried import TriedCall, of_any_answer
 from lesson_code.course.isolation.call_outcome import CallOutcome
 
 NOT_WRITTEN = "not written yet"
+
+SAYS_ALL = ("missing", "not called")
+"""Kinds of outcome whose own words are the message: nothing was called."""
 
 QUESTIONS = {
     "ZeroDivisionError": "Which inputs make that zero?",
@@ -57,7 +58,7 @@ def message(task: Task, call: TriedCall, *, may_be_none: bool = False) -> tuple[
     outcome = call.outcome
     if outcome.kind == "not written":
         return NOT_WRITTEN, NOT_WRITTEN
-    if outcome.kind == "missing":
+    if outcome.kind in SAYS_ALL:
         return outcome.text, outcome.text
     called = f"Called {call_of(task, call.arguments)}."
     if outcome.kind == "raised":
@@ -89,7 +90,7 @@ def hidden_message(outcome: CallOutcome) -> tuple[str, str]:
     """Return a message without inputs, values and the words of errors, and its reason in short."""
     if outcome.kind == "not written":
         return NOT_WRITTEN, NOT_WRITTEN
-    if outcome.kind == "missing":
+    if outcome.kind in SAYS_ALL:
         return outcome.text, outcome.text
     said = HIDDEN.get(outcome.kind, _sentence(outcome.text))
     return said, said
@@ -109,11 +110,8 @@ def _explained(task: Task, arguments: Arguments, answer: Any) -> str:
     """Return why an answer is wrong, if the task can say it of an answer of this form."""
     if task.explain is None:
         return ""
-    try:
-        with np.errstate(all="ignore"):
-            return task.explain(arguments, answer)
-    except (TypeError, ValueError, IndexError):
-        return ""
+    explain = task.explain
+    return shortened(str(of_any_answer(lambda: explain(arguments, answer), "")))
 
 
 def left_out_name(text: str, left_out: dict[str, str]) -> str:

@@ -24,6 +24,7 @@ import numpy as np
 from lesson_code.course.grading.task import Arguments
 from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome
 from lesson_code.course.isolation.inside import answers
+from lesson_code.course.isolation.limits import PATIENCE
 
 
 def call_here(
@@ -75,6 +76,7 @@ class TimeLimitError(BaseException):
 def time_limit(seconds: float) -> Iterator[None]:
     """Raise TimeLimitError in the code below, once it has run for some seconds.
 
+    Seconds are of the processor; the clock ends what sleeps, after `PATIENCE` times as long.
     Only the main thread of a process on a system with timers can be interrupted in this way;
     elsewhere there is no limit.
     """
@@ -88,10 +90,16 @@ def time_limit(seconds: float) -> Iterator[None]:
     def stop(*_: Any) -> None:
         raise TimeLimitError
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    timers = (
+        (signal.ITIMER_PROF, signal.SIGPROF, seconds),
+        (signal.ITIMER_REAL, signal.SIGALRM, PATIENCE * seconds),
+    )
+    before = [signal.signal(number, stop) for _, number, _ in timers]
+    for timer, _, most in timers:
+        signal.setitimer(timer, most)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        for (timer, number, _), handler in zip(timers, before, strict=True):
+            signal.setitimer(timer, 0)
+            signal.signal(number, handler)

@@ -14,6 +14,7 @@ from lesson_code.course.grading.exercises import Exercise
 from lesson_code.course.grading.submission import Submission
 from lesson_code.course.grading.verdict import CriterionVerdict, Verdict
 from lesson_code.course.isolation import InForce
+from lesson_code.course.isolation.call_outcome import one_line
 
 VERSION = 2
 """Version of the form that :meth:`Report.as_dict` writes; it grows when a key changes."""
@@ -58,7 +59,8 @@ class Report:
 
 def print_report(report: Report, console: Console) -> None:
     """Print a report as a table, followed by what is wrong in each task."""
-    console.print(Text(f"{report.submission.path}: {report.exercise.title}", style="bold"))
+    name = one_line(str(report.submission.path))
+    console.print(Text(f"{name}: {report.exercise.title}", style="bold"))
     table = Table("task", "function", "points", "what is right", "what is not")
     for verdict in report.verdicts:
         table.add_row(

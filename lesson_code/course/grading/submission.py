@@ -16,6 +16,7 @@ import re
 import tokenize
 import warnings
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +28,12 @@ LARGEST_FILE = 20_000_000
 MOST_CELLS = 2_000
 """A chapter's exercise has about 20 cells."""
 
-MOST_CODE = 200_000
+MOST_CODE = 100_000
 """Characters. A chapter's answers take 5,000; reading code takes a thousand times its memory."""
+
+MOST_BRACES = 2_000
+"""Braces that open. A chapter's answers have 20. Python reads an f-string in a time that grows with
+the square of its expressions, each of which has one, and cannot be interrupted."""
 
 MAGIC = re.compile(
     r"^([ \t]*)(?:(?:\w[\w, ]*=[ \t]*)?[%!].*|\?.*|[\w.]+\?{1,2}[ \t]*)$", re.MULTILINE
@@ -78,7 +83,7 @@ class Unit:
         """The unit in parts, each of which holds one statement that is kept."""
         return [replace(self, groups=((index,),)) for group in self.groups for index in group]
 
-    @property
+    @cached_property
     def statements(self) -> list[ast.stmt]:
         """All statements, kept or not."""
         return parsed(self.source)
@@ -144,6 +149,8 @@ def read_submission(path: Path) -> Submission:
         sources, exercise = _notebook_cells(path, text)
     if sum(len(source) for _, source in sources) > MOST_CODE:
         raise SubmissionError(f"{path}: holds more than {MOST_CODE:,} characters of code")
+    if sum(source.count("{") for _, source in sources) > MOST_BRACES:
+        raise SubmissionError(f"{path}: holds more than {MOST_BRACES:,} curly brackets in its code")
     parts = [_unit(name, source, is_cell=is_notebook) for name, source in sources]
     units = tuple(part for part in parts if isinstance(part, Unit) and any(part.groups))
     unreadable = tuple(part for part in parts if isinstance(part, str))
@@ -239,26 +246,26 @@ def parsed(source: str) -> list[ast.stmt]:
 
 def _unit(name: str, source: str, *, is_cell: bool) -> Unit | str:
     """Return a cell or a file as a unit, or in a line why it cannot be read."""
-    code = _without_magics(source) if is_cell else source
     try:
-        kept = tuple(i for i, statement in enumerate(parsed(code)) if _is_kept(statement))
+        code, body = _cell(source) if is_cell else (source, parsed(source))
     except UNPARSABLE as error:
         return _unreadable(name, error)
+    kept = tuple(i for i, statement in enumerate(body) if _is_kept(statement))
     return Unit(name, code, (kept,) if is_cell else tuple((index,) for index in kept))
 
 
-def _without_magics(source: str) -> str:
-    """Return a cell's code, with magics commented out if it cannot be read as it is.
+def _cell(source: str) -> tuple[str, list[ast.stmt]]:
+    """Return a cell's code and statements, with magics commented out if it cannot be read as it is.
 
     A cell in another language is no code at all.
     """
     if FOREIGN.match(source):
-        return ""
+        return "", []
     try:
-        parsed(source)
+        return source, parsed(source)
     except UNPARSABLE:
-        return MAGIC.sub(r"\1pass  # a magic, left out", source)
-    return source
+        code = MAGIC.sub(r"\1pass  # a magic, left out", source)
+        return code, parsed(code)
 
 
 def _unreadable(name: str, error: Exception) -> str:
@@ -266,7 +273,7 @@ def _unreadable(name: str, error: Exception) -> str:
     if isinstance(error, SyntaxError):
         line = (error.text or "").strip()
         shown = f", in: {one_line(line[:LONGEST_LINE])}" if line else ""
-        return f"{name}, line {error.lineno}: {error.msg}{shown}"
+        return f"{name}, line {error.lineno}: {one_line(error.msg)}{shown}"
     return f"{name}: cannot be read ({error or type(error).__name__})"
 
 

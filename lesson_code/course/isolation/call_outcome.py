@@ -8,7 +8,7 @@ from typing import Any, Literal, TypeAlias
 from lesson_code.course.isolation.inside import answers
 
 Kind: TypeAlias = Literal[
-    "returned", "raised", "unusable", "missing", "not written", "timeout", "crashed"
+    "returned", "raised", "unusable", "missing", "not written", "timeout", "not called", "crashed"
 ]
 KINDS_FROM_CHILD = ("returned", "raised", "unusable", "missing", "not written")
 

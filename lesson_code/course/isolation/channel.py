@@ -17,7 +17,10 @@ class Channel(Protocol):
     """The way to a child and back."""
 
     def ask(self, line: bytes, seconds: float) -> bytes | None:
-        """Return the next line after this one; b"" if there will be none, None if it is late."""
+        """Return the next line after this one; b"" if there will be none, None if it is late.
+
+        An empty line says nothing to the child: it waits on for what was asked before.
+        """
 
     def close(self) -> None:
         """Close our end."""
@@ -34,17 +37,20 @@ class SocketChannel:
         self._end = end
         self._most = most
         self._kept = bytearray()
+        self._unsent = b""
 
     def ask(self, line: bytes, seconds: float) -> bytes | None:
         """Return the next line after this one; b"" if there will be none, None if it is late."""
         deadline = time.monotonic() + seconds
-        self._end.settimeout(seconds)
+        self._unsent += line
         try:
-            self._end.sendall(line)
+            while self._unsent:
+                self._end.settimeout(max(deadline - time.monotonic(), 1e-6))
+                self._unsent = self._unsent[self._end.send(self._unsent) :]
         except TimeoutError:
             return None
         except OSError:  # a child that is gone is found out by its silence
-            pass
+            self._unsent = b""
         return self._line(deadline)
 
     def _line(self, deadline: float) -> bytes | None:
@@ -82,27 +88,28 @@ class PipeChannel:
         self._requests = requests
         self._answers = answers
         self._most = most
+        self._lines: Queue[bytes] = Queue()
         self._reader: threading.Thread | None = None
 
     def ask(self, line: bytes, seconds: float) -> bytes | None:
         """Return the next line after this one; b"" if there will be none, None if it is late."""
-        lines: Queue[bytes] = Queue()
-        self._reader = threading.Thread(target=self._exchange, args=(line, lines), daemon=True)
-        self._reader.start()
+        if line:
+            self._reader = threading.Thread(target=self._exchange, args=(line,), daemon=True)
+            self._reader.start()
         try:
-            return lines.get(timeout=seconds)
+            return self._lines.get(timeout=seconds)
         except Empty:
             return None
 
-    def _exchange(self, line: bytes, lines: Queue[bytes]) -> None:
+    def _exchange(self, line: bytes) -> None:
         """Write one line to the child and read one, of at most `most` bytes."""
         with contextlib.suppress(OSError, ValueError):
             self._requests.write(line)
             self._requests.flush()
         try:
-            lines.put(self._answers.readline(self._most))
+            self._lines.put(self._answers.readline(self._most))
         except (OSError, ValueError):
-            lines.put(b"")
+            self._lines.put(b"")
 
     def close(self) -> None:
         """Close our ends, once the child has ended.

@@ -11,6 +11,7 @@ import tempfile
 
 from lesson_code.course.isolation import paths
 from lesson_code.course.isolation.channel import Channel, PipeChannel
+from lesson_code.course.isolation.inside.system import processor_time
 from lesson_code.course.isolation.limits import Limits
 from lesson_code.course.isolation.warm_server import environment, python
 
@@ -32,7 +33,7 @@ class FreshProcess:
         self.end()
         limits = self._limits
         self._folder = tempfile.mkdtemp(prefix="grading-")
-        numbers = (str(limits.cpu_seconds), str(limits.bytes_of_memory))
+        numbers = (str(limits.seconds_a_child), str(limits.bytes_of_memory))
         self._process = subprocess.Popen(  # noqa: S603 - our own interpreter, our own module
             python("alone", *numbers, *paths.readable()),
             stdin=subprocess.PIPE,
@@ -62,6 +63,10 @@ class FreshProcess:
         with contextlib.suppress(RecursionError):  # from folders nested by the thousand
             shutil.rmtree(self._folder, ignore_errors=True)
         self._process = self._channel = None
+
+    def spent(self) -> float | None:
+        """Return the processor time of the current child, s; None where the system has no clock."""
+        return None if self._process is None else processor_time(self._process.pid)
 
     def close(self) -> None:
         """End the current child."""

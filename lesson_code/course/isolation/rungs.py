@@ -42,6 +42,9 @@ class Children(Protocol):
     def start(self) -> Channel:
         """Return the way to a new child; the one before it is ended."""
 
+    def spent(self) -> float | None:
+        """Return the processor time of the current child, s; None where nobody can tell."""
+
     def end(self) -> None:
         """End the current child, and whatever it has started."""
 

@@ -7,6 +7,8 @@ a :class:`CallOutcome` that says so, and earns nothing.
 from __future__ import annotations
 
 import json
+import time
+from collections import Counter
 from itertools import count
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -14,17 +16,29 @@ from typing import TYPE_CHECKING, Any
 from lesson_code.course.grading.task import Arguments
 from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome, one_line
 from lesson_code.course.isolation.channel import Channel
-from lesson_code.course.isolation.limits import Limits
+from lesson_code.course.isolation.inside.answers import MOST_LOAD_ERRORS
+from lesson_code.course.isolation.limits import PATIENCE, Limits
 from lesson_code.course.isolation.rungs import Children
 
 if TYPE_CHECKING:
     from lesson_code.course.grading.submission import Unit
 
 
+LOOK = 0.05
+"""Seconds. After a request that takes longer the child's processor time is asked for; one that
+takes less is charged by the clock. It is also the shortest wait between two such questions."""
+
+MOST_HANGS = 2
+"""Calls of a function that may be cut off; after them it is called no more, so that it does not use
+up the time of the submission's other functions."""
+
+
 class StudentProcess:
     """A child process that holds one submission and answers calls to its functions.
 
-    After a call that hangs or kills the child, the next call gets a new child.
+    After a call that hangs or kills the child, the next call gets a new child. A call that is cut
+    off is tried once more, in a child in which nothing else was called. Time is that of the
+    processor; the clock ends only what sleeps, after `PATIENCE` times as long.
     """
 
     def __init__(
@@ -38,6 +52,10 @@ class StudentProcess:
         self._load_failed: CallOutcome | None = None
         self._is_loaded = False
         self._is_shortened = False
+        self._hangs: Counter[str] = Counter()
+        self._used_before = 0.0  # s of the processor, by children that have ended
+        self._used = 0.0  # and by the current one, as far as is known
+        self._last = time.monotonic() + PATIENCE * self._limits.seconds_a_submission
         self.load_errors: list[str] = []
 
     def __enter__(self) -> StudentProcess:
@@ -54,6 +72,17 @@ class StudentProcess:
 
     def call(self, function: str, arguments: Arguments) -> CallOutcome:
         """Return what came of calling a function of the submission."""
+        if self._hangs[function] == MOST_HANGS:
+            text = f"{function} was not called again: it did not finish in {MOST_HANGS} calls"
+            return CallOutcome("not called", text=text)
+        outcome = self._called(function, arguments)
+        if outcome.kind == "timeout" and not self._hangs[function]:
+            outcome = self._called(function, arguments)
+        self._hangs[function] += outcome.kind == "timeout"
+        return outcome
+
+    def _called(self, function: str, arguments: Arguments) -> CallOutcome:
+        """Return what came of one try of a call."""
         if self._channel is None and self._load_failed is None:
             self._start()
         if self._load_failed is not None:
@@ -71,12 +100,14 @@ class StudentProcess:
         if isinstance(reply, CallOutcome) and reply.kind == "timeout" and not self._is_shortened:
             self._shorten()
             self._start()
+        elif isinstance(reply, CallOutcome) and reply.kind == "not called":
+            self._load_failed = reply
         elif isinstance(reply, CallOutcome):
             self._load_failed = CallOutcome(reply.kind, text=f"{reply.text}, while it was loaded")
         elif not self._is_loaded:  # a second child could tell what the first was called with
             self._is_loaded = True
             errors = reply.get("loaded")
-            lines = errors if isinstance(errors, list) else []
+            lines = errors[:MOST_LOAD_ERRORS] if isinstance(errors, list) else []
             self.load_errors += [one_line(line) for line in lines if isinstance(line, str)]
 
     def _shorten(self) -> None:
@@ -100,11 +131,16 @@ class StudentProcess:
         assert self._channel is not None  # noqa: S101 - _start has made it
         number = next(self._numbers)
         asked = json.dumps(request | {"number": number}).encode() + b"\n"
-        line = self._channel.ask(asked, seconds)
+        within = min(seconds, self._left())
+        line = self._answered(self._channel, asked, within) if within > 0 else None
         reply = None if line is None else _object_in(line)
         if reply is not None and reply.get("number") == number:
             return reply
         self._end()
+        if line is None and within < seconds:
+            all_seconds = self._limits.seconds_a_submission
+            text = f"the submission used up its {all_seconds} s of processor time"
+            return CallOutcome("not called", text=text)
         if line is None:
             return CallOutcome("timeout", text=f"it did not finish within {seconds:g} s")
         if reply is not None:
@@ -113,9 +149,38 @@ class StudentProcess:
             )
         return CallOutcome("crashed", text="it ended the process, or used more than it may")
 
+    def _answered(self, channel: Channel, asked: bytes, seconds: float) -> bytes | None:
+        """Return the child's next line; None once it has computed, or slept, for too long."""
+        began, before = time.monotonic(), self._used
+        last = min(began + PATIENCE * seconds, self._last)
+        line = channel.ask(asked, seconds)
+        while line is None:
+            now = time.monotonic()
+            left = seconds - (self._spent(before + now - began) - before)
+            if left <= 0 or now >= last:
+                break
+            line = channel.ask(b"", min(max(left, LOOK), last - now))
+        took = time.monotonic() - began
+        self._used = before + took if took < LOOK else self._spent(before + took)
+        return line
+
+    def _spent(self, otherwise: float) -> float:
+        """Return the child's processor time, s; where nobody can tell, something else."""
+        spent = self._children.spent()
+        return otherwise if spent is None else spent
+
+    def _left(self) -> float:
+        """Return the processor time that the submission has left, s."""
+        most = self._limits.seconds_a_submission - self._used_before
+        if self._used >= most:  # short requests were charged by the clock, which counts too much
+            self._used = self._spent(self._used)
+        return most - self._used
+
     def _end(self) -> None:
         """End the child and everything it has started."""
         if self._channel is not None:
+            self._used_before += self._used
+            self._used = 0.0
             self._channel.close()
             self._channel = None
             self._children.end()

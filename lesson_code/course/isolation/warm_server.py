@@ -118,7 +118,7 @@ class WarmServer:
             hidden=paths.hidden(),
             folder=self._folder_inside or self._folder,
             user=None if self._user is None else self._user.id,
-            cpu_seconds=self._limits.cpu_seconds,
+            cpu_seconds=self._limits.seconds_a_child,
             bytes_of_memory=self._limits.bytes_of_memory,
         )
 
@@ -163,6 +163,16 @@ class WarmServer:
         assert self._control is not None  # noqa: S101 - open() has made it
         with contextlib.suppress(OSError):
             self._control.send(b'{"end": true}')
+
+    def spent(self) -> float | None:
+        """Return the processor time of the current child, s; None if the server cannot tell."""
+        assert self._control is not None  # noqa: S101 - open() has made it
+        try:
+            self._control.send(b'{"spent": true}')
+            spent: float | None = json.loads(self._control.recv(LARGEST_REPLY))["spent"]
+        except (OSError, ValueError):  # a server that is gone
+            return None
+        return spent
 
     def close(self) -> None:
         """End the server and its child, and remove its folder."""

@@ -8,6 +8,7 @@ import json
 import math
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -49,6 +50,17 @@ def test_call_here_cuts_off_an_endless_loop() -> None:
     late = CallOutcome("timeout", text="it did not finish within 0.1 s")
     assert here(loops, seconds=0.1) == late
     assert here(yields_for_ever, seconds=0.1) == late
+    assert here(lambda: time.sleep(60), seconds=0.1) == late
+
+
+def test_call_here_that_sleeps_less_than_patience_is_not_cut_off() -> None:
+    """Time is the processor's, so that a busy machine changes no mark."""
+
+    def sleeps() -> float:
+        time.sleep(0.3)
+        return 1.0
+
+    assert here(sleeps, seconds=0.1) == CallOutcome("returned", 1.0)
 
 
 def test_call_here_works_outside_of_the_main_thread() -> None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import io
 import json
+import os
 
 import pytest
 from rich.console import Console
 
+from lesson_code.cli.shared import say_error
 from lesson_code.course.grading.exercises import exercise_by_name
 from lesson_code.course.grading.grader import grade
 from lesson_code.course.grading.report import Report, print_report
@@ -118,6 +120,23 @@ raise KeyError("\\x1b[2J\\n[blink]\\ud800")
     assert "\r" not in text
     assert not any(line.startswith("1.1 elastic_1d: 4/4") for line in text.splitlines())
     assert "[bold]" in text
+
+
+def test_error_sends_nothing_of_a_files_name_to_the_terminal(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """What is said of a file that cannot be graded names it in the same way."""
+    say_error("workbook: a\x1b[2Jb\u202e.py: is empty\nsee the handbook")
+    assert capsys.readouterr().err == "workbook: a [2Jb .py: is empty\nsee the handbook\n"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="other systems refuse such a name")
+def test_report_sends_nothing_of_a_files_name_to_the_terminal(write: Write) -> None:
+    """A file's name is shown without what a terminal would obey."""
+    named = grade(write("a\x1b[2Jb\u202e.py", "x = 1"), exercise="01")
+    lines = printed(named).splitlines()
+    assert "a [2Jb .py: " in lines[0]
+    assert all(line.isprintable() for line in lines)
 
 
 def test_report_without_exercise_goes_by_the_submission(write: Write) -> None:

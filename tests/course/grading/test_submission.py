@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import json
 import os
+import time
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -136,6 +138,43 @@ def test_read_refuses_much_code(write: Write, monkeypatch: pytest.MonkeyPatch, n
         read_submission(write(name, "x = 1\n" * 10))
 
 
+@pytest.mark.parametrize("name", ["code.py", "code.ipynb"])
+def test_read_refuses_many_braces(write: Write, name: str) -> None:
+    """Code with more expressions in f-strings than can be read soon is refused unread."""
+    most = submission_module.MOST_BRACES
+    read_submission(write(name, f'x = f"{"{a}" * most}"'))
+    with pytest.raises(SubmissionError, match="holds more than 2,000 curly brackets in its code"):
+        read_submission(write(name, f'x = f"{"{a}" * (most + 1)}"'))
+
+
+LONG = 90_000
+"""Characters: nearly as many as may be read."""
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'x = f"' + "{a}" * 66_000 + '"',
+        'x = f"' + "b" * LONG + "{a}" * 1_900 + '"',
+        'x = f"' + ("b" * 45 + "{a}") * 1_900 + '"',
+        'x = f"' + ("b" * 45 + "{a}") * 1_900 + '" $',
+        'x = f"' + ("b" * 85 + "{a:{b}}") * 950 + '"',
+        'x = f"""' + ("b" * 85 + "{f'{a}'}") * 950 + '"""',
+        'x = f"""' + "\n" * LONG + "{a}" * 1_900 + '"""',
+    ],
+    ids=["198 kB", "long before", "between", "wrong", "format", "nested", "lines"],
+)
+def test_read_of_f_strings_costs_little(write: Write, source: str) -> None:
+    """Whatever stands in f-strings, the grader reads or refuses it in half a second."""
+    path = write("code.py", source)
+    began = time.process_time()
+    with contextlib.suppress(SubmissionError):
+        submission = read_submission(path)
+        assert submission.functions == ()
+        assert submission.left_out == {}
+    assert time.process_time() - began < 0.5
+
+
 def test_read_of_long_program_is_graded(write: Write) -> None:
     """A program of 5,000 statements is read, sent and graded as a short one is."""
     assert points(write("long.py", ELASTIC + "x = 1\n" * 5000))[0] == 4
@@ -236,7 +275,7 @@ def test_read_line_that_starts_with_an_operator_is_no_magic(write: Write) -> Non
 
 def test_read_magic_pattern_takes_time_in_proportion(write: Write) -> None:
     """A cell made to slow down the search for magics is read at once."""
-    spaces, letters = " " * 90_000, "a" * 90_000
+    spaces, letters = " " * 45_000, "a" * 45_000
     read = read_submission(write("answer.ipynb", f"(\n{spaces}x\n{letters}", "x = 1"))
     assert len(read.unreadable) == 1
 

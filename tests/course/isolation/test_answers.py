@@ -150,11 +150,21 @@ def test_plain_is_not_taken_in_by_a_claimed_class(claimed: type) -> None:
         lambda: repeat([]),
         lambda: np.zeros(MOST_NUMBERS),
         lambda: [[0.0] * 1000] * 1000,
+        lambda: "x" * MOST_NUMBERS,
         ring,
         Itself,
         lambda: [[[[[[[[[[[[[[[[[[[[[1.0]]]]]]]]]]]]]]]]]]]]],
     ],
-    ids=["endless", "endless lists", "huge array", "huge list", "ring", "itself", "deep"],
+    ids=[
+        "endless",
+        "endless lists",
+        "huge array",
+        "huge list",
+        "huge text",
+        "ring",
+        "itself",
+        "deep",
+    ],
 )
 def test_plain_refuses_what_is_endless_huge_or_deep(make: Callable[[], Any]) -> None:
     """An answer without an end is given up after MOST_NUMBERS numbers or DEEPEST levels."""

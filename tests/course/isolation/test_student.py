@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
+import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +21,7 @@ from lesson_code.course.isolation.call_outcome import LONGEST_TEXT, CallOutcome
 from .conftest import units
 
 POSIX = pytest.mark.skipif(os.name != "posix", reason="limits are set on POSIX systems alone")
+LINUX = pytest.mark.skipif(sys.platform != "linux", reason="other systems count by the clock")
 FORGE = """\
 import json, os
 def forge(**reply):
@@ -129,6 +132,9 @@ class Scripted:
         reply = next(self._replies)
         return json.dumps(reply | {"number": json.loads(line)["number"]}).encode() if reply else b""
 
+    def spent(self) -> None:
+        """Do not know."""
+
     def end(self) -> None:
         """Do nothing."""
 
@@ -159,7 +165,7 @@ def g():
     with open("file", "wb") as file:
         file.write(b"x" * 2_000_000)
 """
-    limits = Limits(cpu_seconds=7, bytes_of_memory=900_000_000)
+    limits = Limits(seconds_a_submission=6, bytes_of_memory=900_000_000)
     with StudentProcess(units(source), children_with(limits), limits) as student:
         most = [900_000_000, 7, 1_000_000, 64, 0]
         assert student.call("f", ()).value == [[limit, limit] for limit in most]
@@ -167,14 +173,103 @@ def g():
 
 
 @POSIX
-def test_child_is_ended_by_the_limit_on_cpu_time(
+def test_submission_has_a_budget_of_processor_time(
     children_with: Callable[[Limits], Children],
 ) -> None:
-    """A call that burns more CPU time than allowed ends as a crash, before the wall clock."""
-    limits = Limits(cpu_seconds=1, seconds_a_call=8.0)
-    source = "def f():\n    while True: pass"
+    """What all calls of a submission may use together is bounded; then nothing is called."""
+    limits = Limits(seconds_a_submission=1, seconds_a_call=8.0)
+    source = "def f():\n    while True: pass\ndef g(): return 1"
     with StudentProcess(units(source), children_with(limits), limits) as student:
+        assert student.call("g", ()).value == 1
+        for function in "fg":
+            text = "the submission used up its 1 s of processor time"
+            assert student.call(function, ()) == CallOutcome("not called", text=text)
+
+
+@POSIX
+def test_child_is_ended_by_the_system_where_the_grader_does_not(
+    children_with: Callable[[Limits], Children],
+) -> None:
+    """The system ends a child that uses more than the whole submission may."""
+    limits = Limits(seconds_a_submission=1)
+    source = "def f():\n    while True: pass"
+    patient = Limits(seconds_a_submission=100, seconds_a_call=100)
+    with StudentProcess(units(source), children_with(limits), patient) as student:
         assert student.call("f", ()).kind == "crashed"
+
+
+BURN = """
+import time
+def f(seconds):
+    began = time.process_time()
+    while time.process_time() - began < seconds: pass
+    return 1
+"""
+
+
+@pytest.fixture
+def neighbours() -> Iterator[None]:
+    """Keep every core busy, three times over, with processes of equal rank."""
+    command = [sys.executable, "-c", "print(flush=True)\nwhile True: pass"]
+    busy = [
+        subprocess.Popen(command, stdout=subprocess.PIPE, start_new_session=True)
+        for _ in range(3 * (os.cpu_count() or 1))
+    ]
+    for process in busy:
+        assert process.stdout is not None
+        with process.stdout:
+            process.stdout.readline()  # it runs
+    yield
+    for process in busy:
+        process.kill()
+        process.wait()
+
+
+@LINUX
+@pytest.mark.usefixtures("neighbours")
+def test_call_with_busy_neighbours_has_its_whole_time(children: Children) -> None:
+    """Time is the processor's: what others use of it is not charged to a call."""
+    limits = Limits(seconds_a_call=0.6)
+    with StudentProcess(units(BURN), children, limits) as student:
+        began = time.perf_counter()
+        outcomes = [student.call("f", (0.3,)) for _ in range(3)]
+        took = time.perf_counter() - began
+    assert outcomes == [CallOutcome("returned", 1)] * 3
+    assert took > 3 * limits.seconds_a_call  # the neighbours were busy: the clock would not do
+
+
+def test_call_that_is_cut_off_is_tried_once_more_alone(best: Children) -> None:
+    """What is slow for the state it finds, and not by itself, gets its marks."""
+    source = f"""{BURN}
+n = []
+def g():
+    n.append(0)
+    if len(n) > 1: f(60)
+    return 1
+"""
+    limits = Limits(seconds_a_call=0.2)
+    with StudentProcess(units(source), best, limits) as student:
+        assert [student.call("g", ()).kind for _ in range(2)] == ["returned", "returned"]
+
+
+def test_function_that_hangs_is_not_called_for_ever(best: Children) -> None:
+    """It is called for two criteria, once more alone, and leaves the others their time."""
+    limits = Limits(seconds_a_call=0.2, seconds_a_submission=2)
+    with StudentProcess(units(f"{BURN}\ndef g(): return 1"), best, limits) as student:
+        kinds = [student.call("f", (60.0,)).kind for _ in range(20)]
+        assert kinds == ["timeout"] * 2 + ["not called"] * 18
+        assert "f was not called again" in student.call("f", (60.0,)).text
+        assert student.call("g", ()).value == 1
+
+
+@pytest.mark.parametrize("body", ["while True: pass", "import time; time.sleep(1e9)"])
+def test_call_without_an_end_ends(children: Children, body: str) -> None:
+    """What computes is ended by the processor's time, what sleeps by the clock."""
+    limits = Limits(seconds_a_call=0.2)
+    with StudentProcess(units(f"def f():\n    {body}"), children, limits) as student:
+        began = time.perf_counter()
+        assert student.call("f", ()).kind == "timeout"
+        assert time.perf_counter() - began < 10.0
 
 
 def test_call_that_hangs_is_a_timeout(children: Children, quick: Limits) -> None:
@@ -305,7 +400,7 @@ def test_answer_longer_than_allowed_is_a_crash(
 ) -> None:
     """The parent reads no more of an answer than it has set."""
     limits = Limits(bytes_an_answer=1000)
-    source = "def f(): return 'x' * 10_000"
+    source = "def f(): return 'x' * 5_000"
     with StudentProcess(units(source), children_with(limits), limits) as student:
         assert student.call("f", ()).kind == "crashed"
 

@@ -139,7 +139,7 @@ class Evidence:
             answers = (signature(self._answer(model, number, call)) for model in models)
             self._made[key] = np.fromiter(answers, float, len(models))
         mine = signature(call.got)
-        with np.errstate(invalid="ignore"):
+        with np.errstate(all="ignore"):
             return np.flatnonzero(np.abs(self._made[key] - mine) <= NEAR * max(1.0, abs(mine)))
 
     def _explained(self, model: WrongModel, criteria: Sequence[str]) -> tuple[str, ...]:

@@ -23,8 +23,11 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-MOST_NUMBERS = 100_000
-"""Numbers in an answer at most; no task asks for more than a thousand."""
+MOST_NUMBERS = 10_000
+"""Numbers and letters in an answer at most; no task asks for more than a thousand."""
+
+MOST_LOAD_ERRORS = 50
+"""Errors of loading that are told; a submission of a thousand cells may have as many."""
 
 STOPPED = (Exception, SystemExit)
 """What a student's function may end in without ending this process; the rest ends it."""
@@ -75,7 +78,11 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
     if value is None or value is True or value is False:
         return value
     if isinstance(value, str):
-        return str.__str__(value)  # str(value) would ask a class of its own
+        text = str.__str__(value)  # str(value) would ask a class of its own
+        room[0] -= len(text)
+        if room[0] < 0:
+            raise NotPlainError("returned more than any task asks for")
+        return text
     if type(value).__name__ == "bool" and hasattr(value, "item"):  # NumPy's own bool
         return bool(value)
     if isinstance(value, numbers.Integral):
@@ -161,7 +168,8 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     for line in requests:
         request = json.loads(line)
         if "load" in request:
-            answer: dict[str, Any] = {"loaded": list(load(request["load"], namespace))}
+            errors = list(load(request["load"], namespace))
+            answer: dict[str, Any] = {"loaded": errors[:MOST_LOAD_ERRORS]}
         else:
             answer = call(request["call"], request["arguments"], namespace)
         answers.write(json.dumps(answer | {"number": request["number"]}).encode() + b"\n")

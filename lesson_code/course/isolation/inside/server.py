@@ -2,8 +2,9 @@
 
 It holds no task, no key and no expected value, and imports nothing of lesson_code. The parent
 sends it, each in one packet: its orders; then ``{"fork": "answers"}`` with the child's end of a
-socket, as often as it likes. A child that runs is ended by the next packet, or by the parent's
-own end. Child and parent then talk over that socket alone.
+socket, as often as it likes; and ``{"spent": true}``, which asks for the processor time of the
+child. A child that runs is ended by any other packet, or by the parent's own end. Child and parent
+talk over that socket alone.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import socket
 import sys
 from typing import Any
 
-from . import answers, probe
+from . import answers, probe, system
 from .imports import forget_the_way_here
 from .wall import KINDS, Orders, Wall
 
@@ -52,10 +53,13 @@ class Server:
                 if self._wall.is_overfull():
                     self._end_child()  # of which the parent learns by its silence
                 continue
+            request = json.loads(packet) if packet else {}
+            if "spent" in request:
+                self._control.send(json.dumps({"spent": self._spent()}).encode())
+                continue
             self._end_child()
             if not packet:
                 return
-            request = json.loads(packet)
             if "fork" in request:
                 self._start_child(request, descriptors[0])
 
@@ -83,6 +87,10 @@ class Server:
                     answers.serve(requests, replies)
         finally:
             os._exit(0)
+
+    def _spent(self) -> float | None:
+        """Return the processor time of the child, which it cannot change or hide."""
+        return None if self._child is None else system.processor_time(self._child)
 
     def _end_child(self) -> None:
         """End the child, if there is one, and all that it has started."""

@@ -1,0 +1,56 @@
+"""What the tasks of the soft body tell apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from random import Random
+
+import pytest
+from tiers import share
+
+from lesson_code.chapters.soft_body import rules
+from lesson_code.chapters.soft_body.rules import BLOB, Blob, drop
+from lesson_code.chapters.soft_body.tasks import TASKS, is_at_rest, keeps_area, landed, long_falls
+from lesson_code.course.grading.verdict import drawn
+
+FALLS = 24
+
+MOST_STEPS = 3000
+"""Of all calls of S.4 together. A student's step takes 0.1 ms, or ten times that in plain Python;
+a call may take 3 s."""
+
+
+def left_after(blob: Blob, falls: int, monkeypatch: pytest.MonkeyPatch) -> Iterator[bool]:
+    """Yield of some falls by the rules with other constants whether they come to rest."""
+    monkeypatch.setattr(rules, "BLOB", blob)
+    for seed in range(falls):
+        for fall in landed(Random(seed)):  # noqa: S311
+            yield is_at_rest(drop(*fall))
+
+
+def test_is_at_rest_holds_of_every_fall_by_the_rules(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The right answer comes to rest however the ring is turned."""
+    assert all(left_after(BLOB, share(FALLS), monkeypatch))
+
+
+def test_keeps_area_holds_of_every_fall_by_the_rules() -> None:
+    """The right answer keeps its area at its landing and a second later."""
+    for seed in range(share(FALLS)):
+        for fall in long_falls(Random(seed)):  # noqa: S311
+            assert keeps_area(drop(*fall)) == [True, True]
+
+
+@pytest.mark.parametrize("blob", [replace(BLOB, air=0.0), replace(BLOB, damping=0.0)])
+def test_is_at_rest_fails_without_air_and_without_damping(
+    blob: Blob, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A fall that loses no energy to the air, or none in its springs, is not at rest."""
+    assert not any(left_after(blob, share(FALLS), monkeypatch))
+
+
+def test_drop_is_graded_by_few_steps() -> None:
+    """The calls of S.4 cost little, since students may write it slowly."""
+    [task] = [task for task in TASKS if task.id == "S.4"]
+    calls = [call for criterion in task.criteria for call, _ in drawn(task, criterion, 0)]
+    assert sum(arguments[-1] for arguments in calls) < MOST_STEPS
