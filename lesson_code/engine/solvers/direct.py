@@ -90,6 +90,9 @@ NEW = -1.0
 ALMOST = 1.0 - 1e-9
 """Of mu jn: a friction impulse that is no smaller is at the limit, but for rounding."""
 
+SIDE = {FORWARD: 1.0, BACKWARD: -1.0}
+"""The sign of the friction impulse where a contact slides."""
+
 MOST_ROUNDS = 8
 """Impacts at each contact at one time: then what still closes stops without a bounce."""
 
@@ -298,7 +301,8 @@ def store(world: World, effects: Effects = EVERY_EFFECT, *, islands: list[Island
 def settle(island: Island, quiet: float) -> None:
     """Take the sliding velocity from contacts that stick, and what is quiet where they rest.
 
-    Otherwise what rounding leaves of a velocity would come and go for ever.
+    Otherwise what rounding leaves of a velocity would come and go for ever. Where a contact slides,
+    the impulse that stops its approach comes with its friction.
     """
     contacts, m = island.contacts, len(island.contacts)
     u = velocities(island)
@@ -307,9 +311,12 @@ def settle(island: Island, quiet: float) -> None:
     held = np.array(rests + sticks, dtype=int)
     if u[held].any():
         d = np.concatenate((island.scale, island.scale))[held]
-        k = island.delassus[np.ix_(held, held)] * d * d[:, np.newaxis]
-        x = np.zeros(2 * m)
-        x[held] = d * np.linalg.lstsq(k, -d * u[held], rcond=RANK)[0]
+        along = np.zeros((2 * m, len(held)))
+        along[held, np.arange(len(held))] = d
+        for i, k in enumerate(rests):
+            along[m + k, i] = SIDE.get(contacts[k].case, 0.0) * contacts[k].friction * d[i]
+        matrix = d[:, np.newaxis] * (island.delassus[held] @ along)
+        x = along @ np.linalg.lstsq(matrix, -d * u[held], rcond=RANK)[0]
         apply_impulses(island, x)
         apply_pseudo_impulses(island, -x)
 
