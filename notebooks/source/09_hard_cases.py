@@ -434,7 +434,8 @@ for engine in ("ours", "pymunk"):
     again = hard_cases.run_draw(family, engine, seed)
     if engine == "ours":
         print(*(f"  {key}: {value}" for key, value in again.parameters.items()), sep="\n")
-    print(f"{engine}: {again.value:.1e} {family.unit}, {'held' if again.held else 'NOT held'}")
+    figure = "under 1e-12" if again.value < 1e-12 else f"{again.value:.1e}"
+    print(f"{engine}: {figure} {family.unit}, {'held' if again.held else 'NOT held'}")
 
 # %% [markdown]
 # **Where does it begin to fail?** Of the draws that fail, the mildest one stands nearest to the
