@@ -6,7 +6,9 @@ could not do what was asked. Wings are imported by the subcommand that needs the
 
 from __future__ import annotations
 
+import io
 import os
+import sys
 from typing import Annotated
 
 import typer
@@ -39,6 +41,8 @@ app.add_typer(measure, name="measure", rich_help_panel=MAINTAINERS)
 def main() -> None:
     """Run the command."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+    if isinstance(sys.stdout, io.TextIOWrapper):  # as standard error does: no name ends a command
+        sys.stdout.reconfigure(errors="backslashreplace")
     app()
 
 

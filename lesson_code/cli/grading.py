@@ -37,9 +37,6 @@ CLASS_ISOLATION = "full"
 
 grading = typer.Typer()
 
-MOST_REMARKS = 20
-"""Students about whom something is said on the terminal; the files say all of it."""
-
 
 @grading.command(rich_help_panel=INSTRUCTORS)
 def grade(
@@ -133,6 +130,7 @@ def _grade_class(
 ) -> NoReturn:
     """Grade a class; exit code 1 says that some of what was handed in has no marks."""
     from lesson_code.course.class_run import exports, grade_class
+    from lesson_code.course.class_run.names import visible
     from lesson_code.course.class_run.roster import read_time
 
     try:
@@ -155,14 +153,15 @@ def _grade_class(
         print_json(exports.as_dict(book))
     else:
         _print_class(book)
-        console.print(f"Written to {out}", soft_wrap=True, markup=False, highlight=False)
+        console.print(
+            f"Written to {visible(str(out))}", soft_wrap=True, markup=False, highlight=False
+        )
     raise typer.Exit(0 if book.is_complete else 1)
 
 
 def _print_class(book: Gradebook) -> None:
     """Print how the class did, what to teach next, and about whom there is something to say."""
-    from lesson_code.course.class_run.exports import remarks_of
-    from lesson_code.course.class_run.names import shown
+    from lesson_code.course.class_run.exports import credits_of, remarks_of
     from lesson_code.course.class_run.pages import to_teach
 
     table = Table("task", "function", "mean", "full marks", "not written")
@@ -180,11 +179,13 @@ def _print_class(book: Gradebook) -> None:
     for summary, model in to_teach(book):
         line = f"  {model.students} of {summary.handed_in}, {summary.task.title}: {model.says}"
         console.print(line, markup=False, highlight=False, soft_wrap=True)
-    remarks = [(student, lines) for student in book.students if (lines := remarks_of(student))]
-    for student, lines in remarks[:MOST_REMARKS]:
-        say_error(f"{shown(student.id)}: {'; '.join(lines)}")
-    if len(remarks) > MOST_REMARKS:
-        say_error(f"and {len(remarks) - MOST_REMARKS} more; all are in class.html")
+    for line in credits_of(book):
+        say_error(line)
+    for student in book.students:
+        if lines := remarks_of(student):
+            say_error(f"{student.label}: {'; '.join(lines)}")
+    for line in book.left_out:
+        say_error(line)
     counts = ", ".join(
         f"{len(book.with_status(status))} {status}"
         for status in ("graded", "late", "missing", "not gradable")

@@ -79,16 +79,6 @@ def test_default_call_holds_the_law(known: Family) -> None:
     holds()
 
 
-@pytest.mark.full
-@pytest.mark.parametrize("name", sorted(KNOWN_TO_FAIL))
-def test_known_failure_still_fails(name: str, request: pytest.FixtureRequest) -> None:
-    """A family of the list that holds its law at its seed leaves the list."""
-    seed, reason = KNOWN_TO_FAIL[name]
-    request.applymarker(pytest.mark.xfail(strict=False, reason=reason))
-    outcome = run_draw(family_by_name(name), OURS, seed)
-    assert outcome.held, f"{outcome.value} {outcome.error}: {dict(outcome.parameters)}"
-
-
 @pytest.mark.parametrize("name", ["load-on-box", "momentum", "collapse", "cradle-with-gaps"])
 def test_seeded_draws_hold_the_law(name: str) -> None:
     """One family of some themes in the quick tier, too."""

@@ -4,29 +4,39 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
+from typing import NamedTuple
 
-from lesson_code.course.class_run.names import same_name, shown
+from lesson_code.course.class_run.matching import owners
+from lesson_code.course.class_run.names import encodable, same_name, visible
 from lesson_code.course.class_run.roster import Enrolled
-from lesson_code.course.grading.exercises import exercises
 from lesson_code.course.grading.submission import LARGEST_FILE
 
 GRADABLE = (".ipynb", ".py")
 MOST_FILES = 200
 """Gradable files a student; the course has about 20 exercises."""
 
+MOST_NAMED = 200
+"""Files that are named one by one in a remark; of more, their number is said."""
+
 LEFT_ALONE = (
     *("__pycache__", "__MACOSX", "venv", "site-packages"),
     *("lesson_code", "notebooks", "solutions", "backups"),
 )
-"""Folders of tools and of the workbook, which students hand in along with their own; so are those
-whose names begin with a dot."""
+"""Folders of tools and of the workbook, which students hand in along with their own.
 
-SEPARATORS = "_-. "
-"""What stands between a student's id and the rest of a file's name."""
+They are left out, and so is what begins with a dot: systems hide such names, and tools keep copies
+of notebooks there, which would be taken for a student's answer. An entry that the roster lists is
+graded whatever it is called, and all that is left out is named.
+"""
+
+DOT, TOOLS = "the name begins with a dot", "a folder of tools or of the workbook"
+OTHER_KIND, LINK = "no .ipynb or .py file", "a link to a folder"
+OWN = "the roster or the marks of this run"
 
 
 @dataclass(frozen=True)
@@ -44,12 +54,18 @@ class Paper:
 
 @dataclass(frozen=True)
 class HandIn:
-    """A student, the student's files, and remarks about them."""
+    """A student, the student's files, and remarks about them.
+
+    `problems` are of what should have been graded and is not, `notes` of all else. `entries` are
+    the names of the folders and files in the class's folder; `unmatched` says why they are credited
+    to no line of the roster.
+    """
 
     student: Enrolled
     papers: tuple[Paper, ...] = ()
     problems: tuple[str, ...] = ()
-    on_roster: bool = True
+    notes: tuple[str, ...] = ()
+    unmatched: str = ""
     entries: tuple[str, ...] = field(default=(), compare=False)
 
     @property
@@ -57,21 +73,36 @@ class HandIn:
         """Whether the student handed in nothing at all."""
         return not self.entries
 
+    @property
+    def is_renamed(self) -> bool:
+        """Whether anything but one entry of just the student's id is credited to the student."""
+        own = {self.student.id + suffix for suffix in ("", *map(_suffix, self.entries))}
+        return len(self.entries) > 1 or not own.issuperset(self.entries)
+
+
+class Collected(NamedTuple):
+    """What a class handed in, and in a line each what of its folder is left out."""
+
+    hand_ins: list[HandIn]
+    left_out: tuple[str, ...]
+
 
 def collect(
-    folder: Path, roster: Sequence[Enrolled] | None = None, without: Container[Path] = ()
-) -> list[HandIn]:
+    folder: Path, roster: Sequence[Enrolled] | None = None, without: Container[str] = ()
+) -> Collected:
     """Return what each student handed in, in the order of their ids.
+
+    Each entry of the folder is credited to one student, as :func:`.matching.owners` says, or named
+    as left out.
 
     Parameters
     ----------
     folder : Path
         Holds one folder or file a student.
     roster : sequence of Enrolled, optional
-        The class. An entry belongs to the student whose id is its name, or the beginning of it up
-        to a separator. Without a roster each name is a student.
-    without : container of Path
-        Resolved paths in the folder that are not handed in, such as the roster itself.
+        The class. Without it each name is a student.
+    without : container of str
+        Real paths (`os.path.realpath`) in the folder that are not handed in, such as the roster's.
 
     Raises
     ------
@@ -80,86 +111,141 @@ def collect(
     """
     if not folder.is_dir():
         raise ValueError(f"{folder}: there is no such folder")
-    entries = sorted(
-        entry
-        for entry in folder.iterdir()
-        if not _is_tools(entry.name) and entry.resolve() not in without
-    )
+    enrolled = {student.id: student for student in roster or ()}
+    entries, left_out = _entries(folder, set(map(same_name, enrolled)), without)
     if not entries:
-        raise ValueError(f"{folder}: nothing has been handed in")
-    ids = None if roster is None else {same_name(student.id): student.id for student in roster}
-    whose: dict[str, list[Path]] = {}
-    for entry in entries:
-        whose.setdefault(_student_of(entry, ids or {}), []).append(entry)
-    listed = {student.id: student for student in roster or ()}
-    return [
-        _hand_in(
-            folder,
-            listed.get(name, Enrolled(name)),
-            whose.get(name, []),
-            on_roster=roster is None or name in listed,
-        )
-        for name in sorted({*whose, *listed})
-    ]
+        raise ValueError("; ".join((f"{folder}: nothing has been handed in", *left_out)))
+    whose: dict[tuple[str, str], list[Path]] = {(name, ""): [] for name in enrolled}
+    found = owners([_called(entry) for entry in entries], roster)
+    for entry, owner in zip(entries, found, strict=True):
+        whose.setdefault((owner.id, owner.unmatched), []).append(entry)
+    alike = Counter(same_name(name) for name, _ in whose)
+    hand_ins = []
+    for (name, unmatched), own in sorted(whose.items()):
+        remarks = [f"unmatched: {unmatched}"] if unmatched else []
+        if alike[same_name(name)] > 1:
+            remarks.append(f"{visible(name)}: another's name differs only in how it is written")
+        student = enrolled.get(name, Enrolled(name))
+        hand_ins.append(_hand_in(folder, student, own, unmatched, remarks))
+    return Collected(hand_ins, left_out)
 
 
-def _is_tools(name: str) -> bool:
-    """Return whether a name is that of a tool's or the workbook's folder."""
-    return name.startswith(".") or name in LEFT_ALONE
+def _entries(
+    folder: Path, listed: Container[str], without: Container[str]
+) -> tuple[list[Path], tuple[str, ...]]:
+    """Return the entries that stand for a student, and lines about those that do not."""
+    entries: list[Path] = []
+    left_out: list[tuple[str, str]] = []
+    for entry in sorted(folder.iterdir()):
+        reason = OWN if os.path.realpath(entry) in without else _reason(entry.name)
+        if reason and (reason == OWN or same_name(_called(entry)) not in listed):
+            left_out.append((reason, entry.name))
+        else:
+            entries.append(entry)
+    return entries, _named(left_out)
 
 
-def _student_of(entry: Path, ids: Mapping[str, str]) -> str:
-    """Return whose a folder or file is: an id of the roster, the longest that fits, or its name."""
-    name = entry.name if entry.is_dir() else entry.stem
-    written = same_name(name)
-    ends = [place for place, letter in enumerate(written) if letter in SEPARATORS]
-    for end in (len(written), *reversed(ends)):
-        if written[:end] in ids:
-            return ids[written[:end]]
-    return _without_exercise(name)
+def _called(entry: Path) -> str:
+    """Return what an entry says whose it is: a folder's name, a file's without its suffix."""
+    return entry.name if entry.is_dir() else entry.stem
 
 
-def _without_exercise(name: str) -> str:
-    """Return a name without the exercise's own name at its end: ada_01_one_dimension is ada's."""
-    for exercise in exercises():
-        rest = name.removesuffix(exercise.name).rstrip(SEPARATORS)
-        if rest and len(rest) < len(name) - len(exercise.name):
-            return rest
-    return name
+def _suffix(name: str) -> str:
+    """Return the suffix of a file's name."""
+    return Path(name).suffix
 
 
-def _hand_in(folder: Path, student: Enrolled, entries: list[Path], *, on_roster: bool) -> HandIn:
+def _reason(name: str) -> str:
+    """Return why nothing of this name is graded; an empty text if it may be."""
+    if name.startswith("."):
+        return DOT
+    return TOOLS if name in LEFT_ALONE else ""
+
+
+def _named(left_out: Iterable[tuple[str, str]]) -> tuple[str, ...]:
+    """Return a line for each reason, with the names of what is left out for it."""
+    names: dict[str, list[str]] = {}
+    for reason, name in left_out:
+        names.setdefault(reason, []).append(visible(name))
+    return tuple(f"left out, {reason}: {listed(all_)}" for reason, all_ in names.items())
+
+
+def listed(names: Sequence[str]) -> str:
+    """Return names in a line; of very many, the first, and how many more there are."""
+    more = len(names) - MOST_NAMED
+    line = ", ".join(names[:MOST_NAMED])
+    return line if more <= 0 else f"{line} and {more} more"
+
+
+def _hand_in(
+    folder: Path, student: Enrolled, entries: list[Path], unmatched: str, remarks: list[str]
+) -> HandIn:
     """Return what one student handed in."""
     problems: list[str] = []
+    left_out: list[tuple[str, str]] = []
     papers: list[Paper] = []
     for entry in entries:
-        files = list(_files_in(folder, entry, problems))
-        if not files and not problems:
-            problems.append(f"{_name(folder, entry)}: holds no .ipynb or .py file")
+        before = len(problems)
+        files = _files_in(folder, entry, problems, left_out)
+        if not files and len(problems) == before:
+            problems.append(f"{visible(entry.name)}: holds no .ipynb or .py file")
         papers += [_paper(folder, path) for path in files[:MOST_FILES]]
-        if len(files) > MOST_FILES:
+        if rest := [_name(folder, path) for path in files[MOST_FILES:]]:
             problems.append(
-                f"{_name(folder, entry)}: holds more than {MOST_FILES} files; "
-                f"only the first {MOST_FILES} are graded"
+                f"{visible(entry.name)}: holds more than {MOST_FILES} files; only the first "
+                f"{MOST_FILES} are graded, and not {listed(rest)}"
             )
     names = tuple(entry.name for entry in entries)
-    return HandIn(student, tuple(papers), tuple(problems), on_roster, names)
+    paths = [*names, *(paper.name for paper in papers)]
+    replaced = [note for name in dict.fromkeys(paths) if (note := _replaced(name))]
+    notes = (*remarks, *replaced, *_named(left_out))
+    return HandIn(student, tuple(papers), tuple(problems), notes, unmatched, names)
 
 
-def _files_in(folder: Path, entry: Path, problems: list[str]) -> Iterator[Path]:
-    """Yield the files of an entry that may be graded; note what cannot be."""
+def _replaced(name: str) -> str:
+    """Return what is written otherwise in a name; an empty text if it is as the student has it."""
+    if encodable(name) != name:
+        return f"{visible(name)}: the name is not UTF-8; its other bytes are written as <U+DC..>"
+    if visible(name) != name:
+        return f"{visible(name)}: what cannot be seen in the name is written as <U+....>"
+    return ""
+
+
+def _files_in(
+    folder: Path, entry: Path, problems: list[str], left_out: list[tuple[str, str]]
+) -> list[Path]:
+    """Return the files of an entry that may be graded; note what cannot be, and what is not."""
     if entry.is_symlink() or not entry.is_dir():
-        yield entry  # the reader says what is wrong with it
-        return
+        return [entry]  # the reader says what is wrong with it
+    found: list[Path] = []
 
     def unreadable(error: OSError) -> None:
-        problems.append(f"{_name(folder, entry)}: cannot be read ({error.strerror})")
+        where = _name(folder, Path(os.fsdecode(error.filename or entry)))
+        problems.append(f"{where}: cannot be read ({error.strerror})")
+
+    def is_kept(path: Path, reason: str) -> bool:
+        if reason:
+            left_out.append((reason, path.relative_to(folder).as_posix()))
+        return not reason
 
     for top, folders, files in os.walk(entry, onerror=unreadable):
-        folders[:] = sorted(name for name in folders if not _is_tools(name))
-        for name in sorted(files):
-            if Path(name).suffix.lower() in GRADABLE and not _is_tools(name):
-                yield Path(top) / name
+        place = Path(top)
+        folders[:] = [
+            name
+            for name in sorted(folders)
+            if is_kept(place / name, _reason(name) or (LINK if (place / name).is_symlink() else ""))
+        ]
+        found += [
+            place / name
+            for name in sorted(files)
+            if is_kept(place / name, _reason(name) or ("" if _is_gradable(name) else OTHER_KIND))
+        ]
+    return found
+
+
+def _is_gradable(name: str) -> bool:
+    """Return whether a file is a notebook or a program by its name."""
+    return _suffix(name).lower() in GRADABLE
 
 
 def _paper(folder: Path, path: Path) -> Paper:
@@ -186,4 +272,4 @@ def _digest(path: Path) -> str:
 
 def _name(folder: Path, path: Path) -> str:
     """Return a file's name within the class's folder, as it is shown."""
-    return shown(path.relative_to(folder).as_posix())
+    return visible(path.relative_to(folder).as_posix())

@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.course.class_run.gradebook import Gradebook, Student, TaskSummary
-from lesson_code.course.class_run.names import file_stem, sheet_text, shown, visible
+from lesson_code.course.class_run.names import encodable, sheet_text, told_apart, visible
 from lesson_code.course.grading.exercises import Exercise
 
-VERSION = 1
+VERSION = 2
 """Version of the form of grades.json; it grows when a key changes."""
 
 
@@ -30,20 +30,19 @@ def as_csv(book: Gradebook) -> str:
     text = io.StringIO(newline="")
     rows = csv.writer(text, lineterminator="\r\n")
     rows.writerow(["id", "name", "email", "status", *_columns(book), "total", "full", "remarks"])
+    ids = told_apart((student.id for student in book.students), _cell)
     for student in book.students:
         enrolled = student.hand_in.student
-        words = [enrolled.id, enrolled.name, enrolled.email, student.status]
+        words = [ids[student.id], *map(_cell, (enrolled.name, enrolled.email, student.status))]
         marks = [points for exercise in book.exercises for points in _points(student, exercise)]
         remarks = "; ".join(remarks_of(student))
-        rows.writerow(
-            [*map(_cell, words), *marks, student.points, book.full_points, sheet_text(remarks)]
-        )
+        rows.writerow([*words, *marks, student.points, book.full_points, sheet_text(remarks)])
     return text.getvalue()
 
 
 def _cell(text: str) -> str:
     """Return a text that a student or a roster has chosen, safe for a sheet."""
-    return sheet_text(shown(text))
+    return sheet_text(visible(text))
 
 
 def _columns(book: Gradebook) -> list[str]:
@@ -69,8 +68,23 @@ def remarks_of(student: Student) -> list[str]:
     return [visible(r) for r in (*missing, *student.problems, *student.late, *student.notes)]
 
 
+def credits_of(book: Gradebook) -> list[str]:
+    """Return whose the entries are that are not called as their student is, a line a student."""
+    return [
+        f"{handed_in_as(student)}: credited to {student.label}"
+        for student in book.students
+        if student.hand_in.is_renamed and not student.hand_in.is_missing
+    ]
+
+
+def handed_in_as(student: Student) -> str:
+    """Return in a line what a student's folders and files are called."""
+    return ", ".join(map(visible, student.hand_in.entries))
+
+
 def as_dict(book: Gradebook) -> dict[str, Any]:
     """Return everything about a class as one JSON object."""
+    ids = told_apart((student.id for student in book.students), encodable)
     return {
         "version": VERSION,
         "command": "grade",
@@ -79,16 +93,19 @@ def as_dict(book: Gradebook) -> dict[str, Any]:
         "due": book.due.isoformat() if book.due else None,
         "full_points": book.full_points,
         "exercises": [{"name": e.name, "full_points": e.points} for e in book.exercises],
-        "students": [_student_as_dict(student) for student in book.students],
+        "left_out": list(book.left_out),
+        "students": [_student_as_dict(s, ids[s.id]) for s in book.students],
         "tasks": [_summary_as_dict(summary) for summary in book.summary],
     }
 
 
-def _student_as_dict(student: Student) -> dict[str, Any]:
-    """Return one student's marks."""
+def _student_as_dict(student: Student, name: str) -> dict[str, Any]:
+    """Return one student's marks, under an id that no other student has."""
     enrolled = student.hand_in.student
     return {
-        "id": enrolled.id,
+        "id": name,
+        "handed_in_as": list(map(encodable, student.hand_in.entries)),
+        "unmatched": student.hand_in.unmatched or None,
         "name": enrolled.name,
         "email": enrolled.email,
         "status": student.status,
@@ -117,7 +134,7 @@ def _summary_as_dict(summary: TaskSummary) -> dict[str, Any]:
 
 def feedback_name(student: Student) -> str:
     """Return the name of the page that a student gets."""
-    return f"feedback/{file_stem(student.id)}.html"
+    return f"feedback/{student.stem}.html"
 
 
 def gradescope(student: Student, book: Gradebook) -> dict[str, Any]:
@@ -164,7 +181,7 @@ def write_exports(book: Gradebook, folder: Path) -> None:
     (folder / "grades.csv").write_text(as_csv(book), encoding="utf-8-sig", newline="")
     write_json(folder / "grades.json", as_dict(book))
     for student in book.students:
-        place = folder / "gradescope" / file_stem(student.id)
+        place = folder / "gradescope" / student.stem
         place.mkdir(parents=True, exist_ok=True)
         write_json(place / "results.json", gradescope(student, book))
 

@@ -3,30 +3,42 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
 from typing import Any
 
-from lesson_code.course.class_run.collect import HandIn, Paper
+from lesson_code.course.class_run.collect import HandIn, Paper, listed
 from lesson_code.course.class_run.journal import Marks, key_of
-from lesson_code.course.class_run.names import shown
+from lesson_code.course.class_run.names import file_stem, told_apart, visible
 from lesson_code.course.grading import exercises as course
 from lesson_code.course.grading.exercises import Exercise
 from lesson_code.course.grading.feedback import NOT_WRITTEN
 from lesson_code.course.grading.task import Task
 
+FEWEST = 2
+SHARE = 0.1
+"""Where nobody says which exercises count, those count that so many students, and such a share of
+those with marks, handed in: a stray file adds nothing to the full mark, nor do some in a hundred.
+"""
+
 
 @dataclass(frozen=True)
 class Student:
-    """A student's marks: one report for each exercise that was handed in."""
+    """A student's marks: one report for each exercise that was handed in and counts.
+
+    `label` is the id as it can be shown, `stem` the beginning of the names of the student's files;
+    no two students of a gradebook share either.
+    """
 
     hand_in: HandIn
     reports: Mapping[str, Marks]
     problems: tuple[str, ...]
     notes: tuple[str, ...]
     late: tuple[str, ...]
+    label: str = ""
+    stem: str = ""
 
     @property
     def id(self) -> str:
@@ -92,6 +104,7 @@ class Gradebook:
     exercises: tuple[Exercise, ...]
     seed: int
     due: datetime | None = None
+    left_out: tuple[str, ...] = ()
 
     @property
     def full_points(self) -> int:
@@ -134,8 +147,11 @@ def gradebook(
     exercises: Sequence[str],
     seed: int,
     due: datetime | None = None,
+    left_out: tuple[str, ...] = (),
 ) -> Gradebook:
     """Return the marks of a class, from those of its files.
+
+    Of a student's files for one exercise the newest counts (:func:`_counting`).
 
     Parameters
     ----------
@@ -144,43 +160,125 @@ def gradebook(
     marks : mapping of str to dict
         The marks of each file, by its key in the journal.
     exercises : sequence of str
-        The names of those that count; if there are none, all that anybody handed in.
+        The names of those that count; if there are none, those of :func:`common_exercises`.
     seed : int
         What the inputs were drawn with.
     due : datetime, optional
         Files that are newer are late, unless the student has a time of his or her own.
+    left_out : tuple of str
+        What of the class's folder is nobody's.
     """
-    students = tuple(_student(hand_in, marks, due) for hand_in in hand_ins)
-    wanted = set(exercises) or {name for student in students for name in student.reports}
+    students = [_student(hand_in, marks, due) for hand_in in hand_ins]
+    wanted = set(exercises) or common_exercises([student.reports for student in students])
     chosen = tuple(exercise for exercise in course.exercises() if exercise.name in wanted)
-    return Gradebook(students, chosen, seed, due)
+    ids = [student.id for student in students]
+    labels, stems = told_apart(ids, visible), told_apart(ids, file_stem)
+    handed_in = Counter(name for student in students for name in student.reports)
+    return Gradebook(
+        tuple(
+            replace(
+                _without_strays(student, wanted, handed_in),
+                label=labels[student.id],
+                stem=stems[student.id],
+            )
+            for student in students
+        ),
+        chosen,
+        seed,
+        due,
+        left_out,
+    )
+
+
+def common_exercises(handed_in: Iterable[Iterable[str]]) -> set[str]:
+    """Return the exercises that count where nobody says which: those that a class has in common.
+
+    An exercise counts if at least 2 students, and a tenth of those with marks, handed it in. In a
+    class where no two students did the same exercise, all count.
+
+    Parameters
+    ----------
+    handed_in : iterable of iterables of str
+        The exercises of each student.
+
+    Examples
+    --------
+    >>> sorted(common_exercises([["01"], ["01", "02"]])), sorted(common_exercises([["01", "02"]]))
+    (['01'], ['01', '02'])
+    """
+    each = [names for exercises in handed_in if (names := set(exercises))]
+    counts = Counter(name for names in each for name in names)
+    common = {n for n, count in counts.items() if count >= max(FEWEST, SHARE * len(each))}
+    return common or set(counts)
+
+
+def _without_strays(student: Student, wanted: set[str], handed_in: Counter[str]) -> Student:
+    """Return a student's marks without the exercises that do not count; a problem names each."""
+    strays = [report for name, report in student.reports.items() if name not in wanted]
+    problems = [
+        f"{visible(report['submission'])}: answers {report['exercise']}, which does not count: "
+        f"handed in by {handed_in[report['exercise']]} of the class; "
+        "--exercise says which exercises count"
+        for report in strays
+    ]
+    kept = {name: report for name, report in student.reports.items() if name in wanted}
+    return replace(student, reports=kept, problems=(*student.problems, *problems))
 
 
 def _student(hand_in: HandIn, marks: Mapping[str, Marks], due: datetime | None) -> Student:
-    """Return one student's marks; of two files for one exercise the better counts."""
+    """Return one student's marks."""
     found = [(p, marks.get(key_of(p), {"problem": "has not been graded"})) for p in hand_in.papers]
-    reports: dict[str, Marks] = {}
-    notes: list[str] = []
-    for report in (report for _, report in found if "problem" not in report):
-        before = reports.setdefault(report["exercise"], report)
-        if before is not report:
-            better = max(before, report, key=lambda one: int(one["points"]))
-            reports[report["exercise"]] = better
-            notes.append(f"{report['exercise']} came more than once; the better file counts")
-    problems = list(hand_in.problems)
+    answers: dict[str, list[tuple[Paper, Marks]]] = {}
+    for paper, report in found:
+        if "problem" not in report:
+            answers.setdefault(report["exercise"], []).append((paper, report))
+    problems, notes = list(hand_in.problems), list(hand_in.notes)
+    reports = {
+        name: counted
+        for name in sorted(answers)
+        if (counted := _counting(name, answers[name], problems, notes))
+    }
     for paper, report in found:
         if "problem" in report and report.get("is_other") and reports:
-            notes.append(f"{shown(paper.name)}: left out, it answers no exercise")
+            notes.append(f"{visible(paper.name)}: left out, it answers no exercise")
         elif "problem" in report:
-            problems.append(f"{shown(paper.name)}: {report['problem']}")
-    if not hand_in.on_roster:
-        notes.append("not on the roster")
+            problems.append(f"{visible(paper.name)}: {report['problem']}")
     limit = hand_in.student.due or due
     late = tuple(
         _late(paper, limit) for paper in hand_in.papers if limit and _is_late(paper, limit)
     )
-    ordered = {name: reports[name] for name in sorted(reports)}
-    return Student(hand_in, ordered, tuple(problems), tuple(dict.fromkeys(notes)), late)
+    return Student(hand_in, reports, tuple(problems), tuple(notes), late)
+
+
+def _counting(
+    exercise: str, answers: list[tuple[Paper, Marks]], problems: list[str], notes: list[str]
+) -> Marks | None:
+    """Return the marks of the file that counts for an exercise, and name the others.
+
+    That is the one that was changed last, to the second: more files are no more attempts. Files
+    that only may be answers, since nothing in them tells, give way to one that is. Two different
+    files that were changed last in the same second leave open which is meant: neither counts.
+    """
+    sure = [answer for answer in answers if not answer[1].get("is_assumed")]
+    for paper, report in answers:
+        if sure and report.get("is_assumed"):
+            why = "; ".join(report["notes"])
+            said = problems if why else notes
+            said.append(f"{visible(paper.name)}: {why or 'left out, it answers no exercise'}")
+    ranked = sorted(sure or answers, key=lambda answer: answer[0].handed_in, reverse=True)
+    last = [answer for answer in ranked if answer[0].handed_in == ranked[0][0].handed_in]
+    names = [visible(paper.name) for paper, _ in ranked]
+    if len({paper.digest for paper, _ in last}) > 1:
+        tied = listed(names[: len(last)])
+        older = f"; older: {listed(names[len(last) :])}" if names[len(last) :] else ""
+        problems.append(
+            f"{exercise}: no file counts, since {len(last)} were changed last in the same second: "
+            f"{tied}{older}; keep the one that is meant"
+        )
+        return None
+    if len(ranked) > 1:
+        notes.append(f"{exercise}: {names[0]} counts, the newest; left out: {listed(names[1:])}")
+    return ranked[0][1]
 
 
 def _is_late(paper: Paper, limit: datetime) -> bool:
@@ -192,7 +290,7 @@ def _late(paper: Paper, limit: datetime) -> str:
     """Return in a line how late a file is."""
     minutes = int((paper.handed_in - limit).total_seconds() // 60)
     days, hours = minutes // 1440, minutes % 1440 // 60
-    return f"{shown(paper.name)}: {days} d {hours} h {minutes % 60} min late"
+    return f"{visible(paper.name)}: {days} d {hours} h {minutes % 60} min late"
 
 
 def _summary(students: Sequence[Student], exercise: Exercise, task: Task) -> TaskSummary:

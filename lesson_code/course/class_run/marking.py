@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.course.class_run.journal import Marks
+from lesson_code.course.class_run.names import encodable
 from lesson_code.course.grading.exercises import exercise_of
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.submission import SubmissionError, read_submission
@@ -76,31 +77,35 @@ def _warm_grader(isolation: str | None) -> Grader:
 def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
     """Return what the file at a path has earned; it is called by its name in the class's folder."""
     try:
-        exercise = _exercise(path, terms.exercises) if terms.exercises else None
+        exercise, is_assumed = (
+            _exercise(path, terms.exercises) if terms.exercises else (None, False)
+        )
         report = grader.grade(path, exercise=exercise, seed=terms.seed)
     except SubmissionError as error:
         return {"problem": _told(str(error), path)}
     except ValueError as error:  # nothing in it tells which exercise it is
         broken = read_submission(path).unreadable
-        return {"problem": "; ".join(broken) or _told(str(error), path), "is_other": not broken}
+        problem = "; ".join(broken) or _told(str(error), path)
+        return {"problem": problem, "is_other": not broken}
     except OSError as error:
         return {"problem": f"cannot be read ({error.strerror})"}
     marks = report.as_dict() | {"submission": name}
-    return {key: _without_addresses(value) for key, value in marks.items()}
+    marks |= {"is_assumed": is_assumed}
+    return {key: _fit_to_show(value) for key, value in marks.items()}
 
 
-def _exercise(path: Path, only: tuple[str, ...]) -> str:
-    """Return which exercise a file answers, if it is one of those that count."""
+def _exercise(path: Path, only: tuple[str, ...]) -> tuple[str, bool]:
+    """Return which exercise a file answers, and whether that is assumed: only one counts."""
     submission = read_submission(path)
     try:
         found = exercise_of(submission).name
     except ValueError:
         if len(only) == 1:
-            return only[0]
+            return only[0], True
         raise
     if found not in only:
         raise SubmissionError(f"answers {found}, which is not graded here")
-    return found
+    return found, False
 
 
 def _told(message: str, path: Path) -> str:
@@ -108,14 +113,14 @@ def _told(message: str, path: Path) -> str:
     return message.removeprefix(f"{path}: ").replace(str(path), path.name)
 
 
-def _without_addresses(value: Any) -> Any:
-    """Return a plain value with places in memory taken out of its texts."""
+def _fit_to_show(value: Any) -> Any:
+    """Return a plain value whose texts name no places in memory and can be written in UTF-8."""
     if isinstance(value, str):
-        return ADDRESS.sub("0x...", value)
+        return encodable(ADDRESS.sub("0x...", value))
     if isinstance(value, list):
-        return [_without_addresses(item) for item in value]
+        return [_fit_to_show(item) for item in value]
     if isinstance(value, dict):
-        return {key: _without_addresses(item) for key, item in value.items()}
+        return {key: _fit_to_show(item) for key, item in value.items()}
     return value
 
 

@@ -1,7 +1,7 @@
 """Names that students choose: shown so that they forge nothing, and safe for files and sheets.
 
 A name may hold path separators, formulas, line ends, marks that turn the direction of writing, or
-bytes that are no text. It is kept as it is in JSON; everywhere else one of these forms stands.
+bytes that are no text. JSON keeps all but the last; everywhere else one of these forms stands.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import re
 import unicodedata
+from collections.abc import Callable, Iterable
 
 LONGEST_SHOWN = 80
 """Characters of a name that are shown."""
@@ -44,6 +45,37 @@ def shown(name: str) -> str:
     return line if len(line) <= LONGEST_SHOWN else f"{line[: LONGEST_SHOWN - 3]}..."
 
 
+def encodable(text: str) -> str:
+    r"""Return a text that UTF-8 can write: bytes that are no text are written out.
+
+    >>> encodable("Zo\u00eb\udcff")
+    'Zoë<U+DCFF>'
+    """
+    return "".join(f"<U+{ord(c):04X}>" if "\ud800" <= c <= "\udfff" else c for c in text)
+
+
+def told_apart(names: Iterable[str], form: Callable[[str], str]) -> dict[str, str]:
+    """Return a form of each name, no two of them the same.
+
+    A name that is its own form keeps it; of others with one form, the later have a number.
+
+    Examples
+    --------
+    >>> told_apart(["ADA", "Ada", "ada"], str.lower)
+    {'ADA': 'ada-2', 'Ada': 'ada-3', 'ada': 'ada'}
+    """
+    forms = {name: form(name) for name in names}
+    taken = {name for name, written in forms.items() if written == name}
+    for name, written in forms.items():
+        number, free = 1, written
+        while name != written and free in taken:
+            number += 1
+            free = f"{written}-{number}"
+        taken.add(free)
+        forms[name] = free
+    return forms
+
+
 def visible(text: str) -> str:
     r"""Return a text of any length in one line, with all that cannot be seen written out.
 
@@ -54,7 +86,9 @@ def visible(text: str) -> str:
 
 
 def file_stem(name: str) -> str:
-    """Return a name for a file that belongs to a student: plain letters, and never that of another.
+    """Return a name for a file that belongs to a student: plain letters, with a short digest.
+
+    Two names may share it; :func:`told_apart` gives the second of them a number.
 
     Examples
     --------

@@ -11,9 +11,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from lesson_code.course.class_run.exports import feedback_name, remarks_of
+from lesson_code.course.class_run.exports import feedback_name, handed_in_as, remarks_of
 from lesson_code.course.class_run.gradebook import Gradebook, Misconception, Student, TaskSummary
-from lesson_code.course.class_run.names import shown
+from lesson_code.course.class_run.names import visible
 
 MOST_TO_TEACH = 10
 """Misconceptions that are listed as what to teach next."""
@@ -27,7 +27,7 @@ def student_page(student: Student, book: Gradebook) -> str:
     return _page(
         "student.html",
         student=student,
-        name=shown(student.hand_in.student.name or student.id),
+        name=visible(student.hand_in.student.name) or student.label,
         remarks=remarks_of(student),
         exercises=[exercise for exercise in book.exercises if exercise.name in student.reports],
         not_handed_in=[e for e in book.exercises if e.name not in student.reports],
@@ -43,7 +43,7 @@ def class_page(book: Gradebook) -> str:
         to_teach=to_teach(book),
         students=[_row(student) for student in book.students],
         remarks=[
-            (shown(student.id), remarks)
+            (student.label, remarks)
             for student in book.students
             if (remarks := remarks_of(student))
         ],
@@ -68,9 +68,10 @@ def write_pages(book: Gradebook, folder: Path) -> None:
 def _row(student: Student) -> dict[str, Any]:
     """Return what the class's page says of a student."""
     return {
-        "id": shown(student.id),
-        "name": shown(student.hand_in.student.name),
+        "id": student.label,
+        "name": visible(student.hand_in.student.name),
         "status": student.status,
+        "handed_in_as": handed_in_as(student),
         "points": student.points,
         "page": feedback_name(student),
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import secrets
 from collections.abc import Callable, Sequence
 from contextlib import closing, suppress
@@ -64,7 +65,8 @@ def grade_class(
     roster : Path, optional
         A CSV file with the students of the class.
     exercises : sequence of str
-        Names or numbers of the exercises that count; by default all that anybody handed in.
+        Names or numbers of the exercises that count; by default those that
+        :func:`.gradebook.common_exercises` finds.
     seed : int, optional
         Draws the inputs, the same ones for everybody. By default that of the journal, or one drawn
         now.
@@ -88,7 +90,8 @@ def grade_class(
     """
     names = tuple(exercise_by_name(name).name for name in exercises)
     class_list = None if roster is None else read_roster(roster)
-    hand_ins = collect(folder, class_list, without={p.resolve() for p in (out, roster) if p})
+    own = {os.path.realpath(path) for path in (out, roster) if path}
+    hand_ins, left_out = collect(folder, class_list, without=own)
     if hands is None or hands.cluster is None:
         with Grader(isolation=isolation) as grader:  # refuses before anything is read or written
             told(f"isolation: {grader.isolation}")
@@ -105,7 +108,7 @@ def grade_class(
     with Journal(out / JOURNAL, head, drawn={"seed": secrets.randbelow(LARGEST_SEED)}) as journal:
         terms = Terms(journal.head["seed"], names, isolation, journal.head["grader"])
         marks = _graded(hand_ins, journal, terms, hands or Hands(), told)
-    book = gradebook(hand_ins, marks, exercises=names, seed=terms.seed, due=due)
+    book = gradebook(hand_ins, marks, exercises=names, seed=terms.seed, due=due, left_out=left_out)
     write_exports(book, out)
     write_pages(book, out)
     return book

@@ -6,8 +6,10 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from lesson_code.course.class_run.collect import HandIn, Paper
-from lesson_code.course.class_run.gradebook import Gradebook, gradebook
+from lesson_code.course.class_run.gradebook import Gradebook, common_exercises, gradebook
 from lesson_code.course.class_run.journal import key_of
 from lesson_code.course.class_run.pages import to_teach
 from lesson_code.course.class_run.roster import Enrolled
@@ -17,9 +19,9 @@ NOON = datetime(2026, 11, 20, 12, tzinfo=UTC)
 ONE = exercise_by_name("01")
 
 
-def paper(name: str, handed_in: datetime = NOON) -> Paper:
+def paper(name: str, handed_in: datetime = NOON, digest: str = "digest") -> Paper:
     """Return a file that was handed in."""
-    return Paper(name, Path(name), "digest", handed_in)
+    return Paper(name, Path(name), digest, handed_in)
 
 
 def marks(*points: int, model: str | None = None, message: str = "wrong") -> dict[str, Any]:
@@ -78,16 +80,42 @@ def test_students_without_marks_say_why() -> None:
     assert not book.is_complete
 
 
-def test_better_of_two_files_counts_whichever_comes_first() -> None:
-    """Nobody loses by handing in again, and a note says what was done."""
-    for order in (("a.py", "b.py"), ("b.py", "a.py")):
+def test_newest_of_two_files_counts_whichever_comes_first() -> None:
+    """Not the better one: more files are no more attempts. The other is named."""
+    for order in ((0, 1), (1, 0)):
+        files = [paper("a.py", NOON), paper("b.py", NOON + timedelta(seconds=1))]
         book = book_of(
-            hand_in("ada", *map(paper, order)),
+            hand_in("ada", *(files[n] for n in order)),
             marks_of={"a.py": marks(4, 3, 3), "b.py": marks(0, 0, 3)},
         )
         (ada,) = book.students
-        assert ada.points == 10
-        assert ada.notes == ("01_one_dimension came more than once; the better file counts",)
+        assert (ada.points, ada.problems) == (3, ())
+        assert ada.notes == ("01_one_dimension: b.py counts, the newest; left out: a.py",)
+
+
+def test_files_changed_last_in_the_same_second_do_not_count() -> None:
+    """Nothing says which is meant: a problem names them, and the older one does not step in."""
+    files = [paper(name, digest=name) for name in ("a.py", "b.py")]
+    older = paper("c.py", NOON - timedelta(days=1))
+    all_right = dict.fromkeys(("a.py", "b.py", "c.py"), marks(4, 3, 3))
+    book = book_of(hand_in("ada", older, *files), marks_of=all_right)
+    (ada,) = book.students
+    assert (ada.points, ada.status) == (0, "not gradable")
+    assert ada.problems == (
+        "01_one_dimension: no file counts, since 2 were changed last in the same second: "
+        "a.py, b.py; older: c.py; keep the one that is meant",
+    )
+    copies = book_of(hand_in("ada", paper("a.py"), paper("b.py")), marks_of=all_right)
+    assert copies.students[0].points == 10
+
+
+def test_broken_file_of_no_known_exercise_is_a_problem() -> None:
+    """Beside an answer it does not count, and what is broken in it is said."""
+    broken = marks(0, 0, 0) | {"is_assumed": True, "notes": ["line 1: invalid syntax"]}
+    files = paper("a.py"), paper("b.py", NOON + timedelta(days=1))
+    book = book_of(hand_in("ada", *files), marks_of={"a.py": marks(4, 3, 3), "b.py": broken})
+    assert book.students[0].points == 10
+    assert book.students[0].problems == ("b.py: line 1: invalid syntax",)
 
 
 def test_file_of_helpers_beside_an_answer_is_no_problem() -> None:
@@ -122,12 +150,32 @@ def test_late_is_after_the_students_own_time() -> None:
 
 
 def test_full_mark_is_that_of_the_exercises_that_are_graded() -> None:
-    """Those that were asked for; if none were, those that anybody handed in."""
+    """Those that were asked for; if none were, those that the class has in common."""
     ada = hand_in("ada", paper("a.py"))
     handed_in = {"a.py": marks(4, 3, 3)}
     assert book_of(ada, marks_of=handed_in).full_points == 10
     two = book_of(ada, marks_of=handed_in, exercises=["01_one_dimension", "02_restitution"])
     assert two.full_points == 23
+
+
+@pytest.mark.parametrize(
+    ("handed_in", "count"),
+    [
+        ([["01"]], {"01"}),
+        ([["01"], ["02"]], {"01", "02"}),
+        ([["01"], ["01", "02"]], {"01"}),
+        ([["01", "02"], ["01", "02"], ["03"]], {"01", "02"}),
+        ([["01"]] * 18 + [["02"]] * 2, {"01", "02"}),
+        ([["01"]] * 19 + [["02"]] * 2, {"01"}),
+        ([["01"], ["01", "02"], ["02"], [], []], {"01", "02"}),
+        ([[], []], set()),
+    ],
+)
+def test_exercise_counts_if_the_class_has_it_in_common(
+    handed_in: list[list[str]], count: set[str]
+) -> None:
+    """At least two students and a tenth of those with marks; if no two share one, all count."""
+    assert common_exercises(handed_in) == count
 
 
 def test_summary_counts_what_a_class_believes() -> None:

@@ -4,12 +4,22 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Callable
+from contextlib import suppress
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lesson_code.course.class_run.names import file_stem, same_name, sheet_text, shown
+from lesson_code.course.class_run.names import (
+    encodable,
+    file_stem,
+    same_name,
+    sheet_text,
+    shown,
+    told_apart,
+    visible,
+)
 
 NAMES = [
     "ada",
@@ -47,6 +57,32 @@ def test_file_stem_is_safe_and_tells_students_apart(one: str, other: str) -> Non
     assert set(stem) <= set("abcdefghijklmnopqrstuvwxyz0123456789-")
     assert len(stem) <= 50
     assert (file_stem(other) == stem) == (one == other)
+
+
+@pytest.mark.parametrize("form", [file_stem, visible, encodable, lambda _: "one"])
+@given(names=st.lists(st.text(max_size=8), unique=True, max_size=8))
+def test_told_apart_no_two_names_have_one_form(
+    form: Callable[[str], str], names: list[str]
+) -> None:
+    """Not even where all forms are the same; a name that is its own form keeps it."""
+    apart = told_apart(names, form)
+    assert len(set(apart.values())) == len(names)
+    assert all(apart[name] == name for name in names if form(name) == name)
+
+
+def test_told_apart_a_made_up_number_is_nobody_elses() -> None:
+    """Who calls a folder as the second of two is called does not get that file."""
+    apart = told_apart(["A", "a", "a-2", "\u00e1"], str.casefold)
+    assert apart == {"A": "a-3", "a": "a", "a-2": "a-2", "\u00e1": "\u00e1"}
+
+
+@given(st.text(alphabet=st.characters(), max_size=20))
+def test_encodable_can_be_written_and_keeps_all_else(text: str) -> None:
+    """UTF-8 takes it; a text that is one already stays as it is."""
+    encodable(text).encode("utf-8")
+    with suppress(UnicodeEncodeError):
+        text.encode("utf-8")
+        assert encodable(text) == text
 
 
 def test_file_stem_that_a_student_makes_up_is_nobody_elses() -> None:
