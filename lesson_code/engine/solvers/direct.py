@@ -71,7 +71,6 @@ from lesson_code.engine.solvers.contact_problem import (
     BACKWARD,
     FORWARD,
     OPEN,
-    RANK,
     ROUNDING,
     STICK,
     UNKNOWN,
@@ -83,6 +82,7 @@ from lesson_code.engine.solvers.impact_rules import (
     gravity_of,
     quiet_speed,
 )
+from lesson_code.engine.solvers.pivoting import least_solution
 
 NEW = -1.0
 """What stands in a contact's impulse until the memory has been asked."""
@@ -311,12 +311,15 @@ def settle(island: Island, quiet: float) -> None:
     held = np.array(rests + sticks, dtype=int)
     if u[held].any():
         d = np.concatenate((island.scale, island.scale))[held]
-        along = np.zeros((2 * m, len(held)))
-        along[held, np.arange(len(held))] = d
-        for i, k in enumerate(rests):
-            along[m + k, i] = SIDE.get(contacts[k].case, 0.0) * contacts[k].friction * d[i]
-        matrix = d[:, np.newaxis] * (island.delassus[held] @ along)
-        x = along @ np.linalg.lstsq(matrix, -d * u[held], rcond=RANK)[0]
+        rows = island.delassus[held] * d[:, np.newaxis]
+        sides = np.array([SIDE.get(contacts[k].case, 0.0) for k in rests])
+        edge = sides * island.friction[rests]
+        equations = rows[:, held] * d
+        equations[:, : len(rests)] += rows[:, m + held[: len(rests)]] * (d[: len(rests)] * edge)
+        y = d * least_solution(equations, d * u[held])
+        x = np.zeros(2 * m)
+        x[held] = y
+        x[m + held[: len(rests)]] += edge * y[: len(rests)]
         apply_impulses(island, x)
         apply_pseudo_impulses(island, -x)
 

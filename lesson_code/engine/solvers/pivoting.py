@@ -28,6 +28,7 @@ from lesson_code.engine.solvers.contact_problem import (
     RANK,
     ROUNDING,
     SOLVED,
+    SPRINGS,
     STICK,
     UNKNOWN,
     Answer,
@@ -114,8 +115,7 @@ def _solve_cases(problem: Problem, cases: Cases, centre: Floats, *, exact: bool 
     equations[:, : len(closed)] = of_rows[:, closed] + of_rows[:, m + closed] * edge
     equations[:, len(closed) :] = of_rows[:, m + sticks]
     start = np.concatenate((centre[closed], centre[m + sticks]))
-    sprung = equations.copy()
-    sprung.flat[:: len(rows) + 1] += spring_of(problem)
+    sprung = _with_springs(equations, spring_of(problem))
     y = start - _solution(sprung, b[rows] + equations @ start)
     if exact:
         y = _without_springs(equations, sprung, b[rows], y)
@@ -124,6 +124,22 @@ def _solve_cases(problem: Problem, cases: Cases, centre: Floats, *, exact: bool 
     x[m + closed] = edge * y[: len(closed)]
     x[m + sticks] = y[len(closed) :]
     return x
+
+
+def least_solution(equations: Floats, b: Floats) -> Floats:
+    """Return the y with the least sum of squares that makes b + equations y as small as can be.
+
+    The equations must have a scale in which their diagonal is about 1.
+    """
+    sprung = _with_springs(equations, SPRINGS[1])
+    return _without_springs(equations, sprung, b, -_solution(sprung, b))
+
+
+def _with_springs(equations: Floats, stiffness: float) -> Floats:
+    """Return the equations with a spring at each contact, 1/kg on the diagonal."""
+    sprung = equations.copy()
+    sprung.flat[:: len(sprung) + 1] += stiffness
+    return sprung
 
 
 def _without_springs(equations: Floats, sprung: Floats, b: Floats, y: Floats) -> Floats:
