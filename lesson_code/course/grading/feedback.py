@@ -15,6 +15,7 @@ from lesson_code.course.grading.compare import shortened, told_apart, written
 from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.tried import TriedCall, of_any_answer
 from lesson_code.course.isolation.call_outcome import CallOutcome
+from lesson_code.course.isolation.inside.imports import THE_LIST
 
 NOT_WRITTEN = "not written yet"
 
@@ -28,7 +29,6 @@ QUESTIONS = {
     "IndexError": "How many entries are there? Counting starts at 0.",
     "TypeError": "Is each of these a number or a vector, as the task says?",
     "RecursionError": "When does the function stop calling itself?",
-    "ModuleNotFoundError": "Answers can use Python's own modules and NumPy.",
 }
 """What to ask oneself after an error, by its name."""
 
@@ -119,11 +119,14 @@ def left_out_name(text: str, left_out: dict[str, str]) -> str:
 
     >>> left_out_name("NameError: name 'mtv' is not defined", {"mtv": "import of lesson_code"})
     'mtv comes from an import of lesson_code, which is left out: an answer stands on its own'
+    >>> left_out_name("NameError: name 'plt' is not defined", {"plt": "import of matplotlib"})
+    "plt comes from an import of matplotlib, which is left out: answers can use Python's own ..."
     """
     name = text.removeprefix("NameError: name '").partition("'")[0]
     if not text.startswith("NameError") or name not in left_out:
         return ""
-    return f"{name} comes from an {left_out[name]}, which is left out: an answer stands on its own"
+    rule = "an answer stands on its own" if left_out[name].endswith("lesson_code") else THE_LIST
+    return f"{name} comes from an {left_out[name]}, which is left out: {rule}"
 
 
 def missing_function(function: str, others: Iterable[str], lost: dict[str, str]) -> str:

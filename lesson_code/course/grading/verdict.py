@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from random import Random
 from typing import Any, TypeAlias
@@ -15,6 +15,8 @@ from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongMod
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
+
+CONSTANT = "It returned the same for every call, which is right here only by chance."
 
 Call: TypeAlias = Callable[[str, Arguments], CallOutcome]
 """Calls a student's function by name: in this process, or across the wall."""
@@ -118,12 +120,25 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
     may_be_none = any(
         expected is None for each in task.criteria for _, expected in drawn(task, each, seed)
     )
-    return Verdict(
-        task,
-        tuple(_mark(task, criterion, some, hide_inputs, may_be_none) for criterion, some in tried),
-        diagnoses(task, [call for _, calls in tried for call in calls], seed),
-        seed,
-    )
+    calls = [call for _, calls in tried for call in calls]
+    marks = [_mark(task, criterion, some, hide_inputs, may_be_none) for criterion, some in tried]
+    if _is_constant(calls):
+        marks = [mark if mark.message else _by_chance(mark) for mark in marks]
+    return Verdict(task, tuple(marks), diagnoses(task, calls, seed), seed)
+
+
+def _is_constant(calls: list[TriedCall]) -> bool:
+    """Return whether an answer does not depend on its inputs, where what is expected does."""
+    first = calls[0]
+    return all(
+        call.outcome.kind == "returned" and call.outcome.value == first.outcome.value
+        for call in calls
+    ) and any(call.expected != first.expected for call in calls)
+
+
+def _by_chance(mark: CriterionVerdict) -> CriterionVerdict:
+    """Return the marks for what a constant got right: none."""
+    return replace(mark, points=0, message=CONSTANT, reason=CONSTANT)
 
 
 def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[TriedCall]:

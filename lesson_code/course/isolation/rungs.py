@@ -1,8 +1,8 @@
 """The ladder of isolation: what a system may allow, the best first, and which it does allow.
 
 What a rung is worth is not taken from its name. Before anything of a student runs, a child tries
-behind the wall to reach a file, the network and a process of the parent's: the level is "full" only
-if all of that fails.
+behind the wall to reach files, copies of the workbook, the network, descriptors, and a process of
+the parent's: the level is "full" only if all of that fails. No submission ever runs as root.
 """
 
 from __future__ import annotations
@@ -54,9 +54,13 @@ class Children(Protocol):
 
 @dataclass(frozen=True)
 class Rung:
-    """A way to keep a submission apart: what it consists of, what it needs, how it is made."""
+    """A way to keep a submission apart: what it consists of, what it needs, how it is made.
+
+    Its level is the most that it can give, however little a child is able to do.
+    """
 
     name: str
+    level: Level
     parts: tuple[str, ...]
     make: Callable[[Limits], Children]
     missing: Callable[[], str | None] = lambda: None
@@ -82,17 +86,7 @@ def _needs_seccomp() -> str | None:
 def _needs_bubblewrap() -> str | None:
     """Return why a server cannot be started by bubblewrap here."""
     found = shutil.which("bwrap")
-    return _needs_landlock() or (None if found else "bubblewrap (bwrap) is not installed")
-
-
-def _needs_landlock() -> str | None:
-    """Return why files cannot be kept away by the kernel alone."""
-    if missing := _needs_seccomp():
-        return missing
-    newest = landlock.version()
-    if newest < landlock.OLDEST_VERSION:
-        return f"needs Landlock {landlock.OLDEST_VERSION} (Linux 6.2), this kernel has {newest}"
-    return None
+    return _needs_seccomp() or (None if found else "bubblewrap (bwrap) is not installed")
 
 
 def _needs_a_readable_python() -> str | None:
@@ -104,9 +98,9 @@ def _needs_a_readable_python() -> str | None:
     return None
 
 
-def _needs_a_readable_python_and_seccomp() -> str | None:
-    """Return why another user could not run this Python with its system calls restricted."""
-    return _needs_seccomp() or _needs_a_readable_python()
+def _needs_another_user() -> str | None:
+    """Return why a Python of this user's own would be too much."""
+    return "root's rights are never given to a submission" if _is_root() else None
 
 
 def _namespaces(limits: Limits) -> Children:
@@ -117,82 +111,83 @@ def _namespaces(limits: Limits) -> Children:
 def _bubblewrap(limits: Limits) -> Children:
     """Return a server that bubblewrap has put into namespaces."""
     return WarmServer(
-        "landlock", limits, wrapper=_bubblewrap_command(), folder=namespaces.WORKING_FOLDER
+        "layers",
+        limits,
+        drop_user=_is_root(),
+        wrapper=_bubblewrap_command(),
+        folder=namespaces.WORKING_FOLDER,
     )
 
 
 def _bubblewrap_command() -> tuple[str, ...]:
-    """Return the command that starts a program with nothing but Python in sight."""
-    seen = [*paths.readable(), *paths.to_start_python()]
+    """Return the command that starts a program with nothing but Python in sight.
+
+    For root, children become another user, which none could in a user namespace of bubblewrap's.
+    """
+    start = [(path, False) for path in paths.to_start_python()]
+    mounts = sorted([*paths.mounts(), *start], key=lambda entry: len(Path(entry[0]).parts))
     inside = str(paths.FOLDER / "inside")
+    emptied = [path for path, is_hidden in mounts if is_hidden and Path(path).is_dir()]
+    rights = ("CAP_SETUID", "CAP_SETGID", "CAP_CHOWN", "CAP_KILL", "CAP_DAC_OVERRIDE")
+    above = {str(p) for path in (inside, *(m[0] for m in mounts)) for p in Path(path).parents}
+    apart = ("--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts")
     return (
         shutil.which("bwrap") or "bwrap",
-        "--unshare-all",
-        "--unshare-user",
+        *(apart if _is_root() else ("--unshare-all", "--unshare-user")),
         "--die-with-parent",
         "--new-session",
-        *(word for path in seen for word in ("--ro-bind", path, path)),
-        *(word for path in _hidden_within(seen) for word in ("--tmpfs", path)),
+        *("--cap-drop", "ALL"),
+        *(word for right in rights if _is_root() for word in ("--cap-add", right)),
+        *(word for path in sorted(above) for word in ("--perms", "0755", "--dir", path)),
+        *(word for path, is_hidden in mounts for word in _mounting(path, is_hidden)),
         *("--ro-bind", inside, inside),
+        *(word for path in emptied for word in ("--remount-ro", path)),
         *("--dev-bind", os.devnull, os.devnull, "--dev-bind", "/dev/urandom", "/dev/urandom"),
         *("--size", str(disk.MOST_BYTES), "--tmpfs", namespaces.WORKING_FOLDER),
         "--",
     )
 
 
-def _hidden_within(seen: list[str]) -> Iterator[str]:
-    """Yield what is hidden and would be seen."""
-    for path in paths.hidden():
-        if any(Path(path).is_relative_to(outer) for outer in seen):
-            yield path
+def _mounting(path: str, is_hidden: bool) -> tuple[str, ...]:
+    """Return bubblewrap's words for what can be read, or is hidden."""
+    if not is_hidden:
+        return ("--ro-bind", path, path)
+    return ("--tmpfs", path) if Path(path).is_dir() else ("--ro-bind", os.devnull, path)
+
+
+def _limits(limits: Limits) -> Children:
+    """Return a server with what limits and layers there are; for root, children of another user."""
+    return WarmServer("layers", limits, drop_user=_is_root())
 
 
 _PROCESS_PARTS = ("a process of its own, wall clock limited",) + (
     ("time, memory, file size and open files limited",) if os.name == "posix" else ()
 )
 
+LAYERS = tuple(
+    name
+    for name, is_there in (
+        ("system calls restricted to computing (seccomp)", _needs_seccomp() is None),
+        ("files kept away by Landlock", sys.platform == "linux" and landlock.is_strong()),
+    )
+    if is_there
+)
+"""What this kernel adds within each rung."""
 
-def _warm(kind: str) -> Callable[[Limits], Children]:
-    """Return a function that makes a server of this kind; for root, children of another user."""
-
-    def make(limits: Limits) -> Children:
-        return WarmServer(kind, limits, drop_user=_is_root() and paths.is_readable_by_others())
-
-    return make
-
-
-CALLS = "system calls restricted to computing"
-LIMITS = "time, memory, files and processes limited"
-NO_PRIVILEGES = "no privileges"
+INNER = (*LAYERS, "no privileges", "time, memory, files and processes limited")
 OWN_MACHINE = "files, network and processes of its own"
 
 RUNGS = (
-    Rung("namespaces", (OWN_MACHINE, CALLS, NO_PRIVILEGES, LIMITS), _namespaces, _needs_seccomp),
+    Rung("namespaces", "full", (OWN_MACHINE, *INNER), _namespaces, _needs_seccomp),
     Rung(
         "bubblewrap",
-        (f"{OWN_MACHINE}, by bubblewrap", CALLS, NO_PRIVILEGES, LIMITS),
+        "full",
+        (f"{OWN_MACHINE}, by bubblewrap", *INNER),
         _bubblewrap,
         _needs_bubblewrap,
     ),
-    Rung(
-        "landlock",
-        ("files kept away by Landlock", CALLS, NO_PRIVILEGES, LIMITS),
-        _warm("landlock"),
-        _needs_landlock,
-    ),
-    Rung(
-        "seccomp",
-        (CALLS, NO_PRIVILEGES, LIMITS, "files can be read"),
-        _warm("seccomp"),
-        _needs_a_readable_python_and_seccomp,
-    ),
-    Rung(
-        "limits",
-        (NO_PRIVILEGES, LIMITS, "files can be read, the network can be used"),
-        _warm("limits"),
-        _needs_a_readable_python,
-    ),
-    Rung("process", _PROCESS_PARTS, FreshProcess),
+    Rung("limits", "limits", INNER, _limits, _needs_a_readable_python),
+    Rung("process", "limits", _PROCESS_PARTS, FreshProcess, _needs_another_user),
 )
 """From the best to the least."""
 
@@ -251,27 +246,37 @@ def opened(rung: Rung, limits: Limits) -> tuple[Children, InForce]:
     children = rung.make(limits)
     try:
         children.open()
-        level = _level_of(children)
+        level = _level_of(children, rung)
     except BaseException:
         children.close()
         raise
     return children, InForce(level, rung.name, rung.parts)
 
 
-def _level_of(children: Children) -> Level:
+def _level_of(children: Children, rung: Rung) -> Level:
     """Return the level that a rung gives: full if a child can do none of the forbidden deeds."""
     if not isinstance(children, WarmServer):
-        return "limits" if os.name == "posix" and not _is_root() else "none"
+        return "limits" if os.name == "posix" else "none"
     with _target() as target:
-        return "limits" if any(children.possible(target).values()) else "full"
+        possible = children.possible(target)
+    if possible["be root"]:
+        raise IsolationError("a child would have root's rights")
+    return "limits" if any(possible.values()) else rung.level
 
 
 @contextmanager
 def _target() -> Iterator[dict[str, Any]]:
-    """Yield a file, a port and a process of ours for a child to reach, if it can."""
+    """Yield what a child is to try to reach: files, a port, a process and packages of ours."""
     with tempfile.TemporaryDirectory() as folder, socket.create_server(("127.0.0.1", 0)) as server:
         Path(folder).chmod(0o777)
         canary = Path(folder) / "canary"
         canary.write_text("canary")
         canary.chmod(0o666)
-        yield {"folder": folder, "port": server.getsockname()[1], "process": os.getpid()}
+        yield {
+            "folder": folder,
+            "port": server.getsockname()[1],
+            "process": os.getpid(),
+            "shared": os.__file__,
+            "copies": paths.copies(),
+            "packages": paths.other_packages(),
+        }

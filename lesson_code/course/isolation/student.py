@@ -6,6 +6,7 @@ a :class:`CallOutcome` that says so, and earns nothing.
 
 from __future__ import annotations
 
+import builtins
 import json
 import time
 from collections import Counter
@@ -14,7 +15,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from lesson_code.course.grading.task import Arguments
-from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome, one_line
+from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome
 from lesson_code.course.isolation.channel import Channel
 from lesson_code.course.isolation.inside.answers import MOST_LOAD_ERRORS
 from lesson_code.course.isolation.limits import PATIENCE, Limits
@@ -31,6 +32,14 @@ takes less is charged by the clock. It is also the shortest wait between two suc
 MOST_HANGS = 2
 """Calls of a function that may be cut off; after them it is called no more, so that it does not use
 up the time of the submission's other functions."""
+
+
+ERRORS = frozenset(
+    name
+    for name, kind in vars(builtins).items()
+    if isinstance(kind, type) and issubclass(kind, BaseException)
+)
+"""Python's own errors, by name."""
 
 
 class StudentProcess:
@@ -107,8 +116,21 @@ class StudentProcess:
         elif not self._is_loaded:  # a second child could tell what the first was called with
             self._is_loaded = True
             errors = reply.get("loaded")
-            lines = errors[:MOST_LOAD_ERRORS] if isinstance(errors, list) else []
-            self.load_errors += [one_line(line) for line in lines if isinstance(line, str)]
+            told = errors[:MOST_LOAD_ERRORS] if isinstance(errors, list) else []
+            self.load_errors += filter(None, map(self._load_error, told))
+
+    def _load_error(self, told: Any) -> str | None:
+        """Return in our own words what a child says went wrong: a known error, and its place.
+
+        The words of the error itself may be anything that the code could read on its way.
+        """
+        match told:
+            case [int() as place, int() as index, str() as kind] if 0 <= place < len(
+                self._units
+            ) and 0 <= index < len(self._units[place].lines):
+                known = kind if kind in ERRORS else "an error of its own"
+                return f"{known} ({self._units[place].place_of(index)})"
+        return None
 
     def _shorten(self) -> None:
         """Keep only the units that stand before the statements that do not finish."""

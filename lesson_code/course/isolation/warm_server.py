@@ -114,8 +114,7 @@ class WarmServer:
         """Return what the server is to do."""
         return Orders(
             kind=self._kind,
-            readable=paths.readable(),
-            hidden=paths.hidden(),
+            mounts=tuple(paths.mounts()),
             folder=self._folder_inside or self._folder,
             user=None if self._user is None else self._user.id,
             cpu_seconds=self._limits.seconds_a_child,
@@ -206,7 +205,6 @@ def environment() -> dict[str, str]:
     """Return the whole environment of a server: nothing of the parent's but what it must have."""
     needed = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
     return needed | {
-        "MPLBACKEND": "agg",
         "OPENBLAS_NUM_THREADS": "1",
         "PYGAME_HIDE_SUPPORT_PROMPT": "1",
         "SDL_AUDIODRIVER": "dummy",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import io
 import json
 import os
@@ -129,26 +128,8 @@ def test_read_refuses_many_cells(write: Write, monkeypatch: pytest.MonkeyPatch) 
         read_submission(write("four.ipynb", *["x = 1"] * 4))
 
 
-@pytest.mark.parametrize("name", ["code.py", "code.ipynb"])
-def test_read_refuses_much_code(write: Write, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
-    """Code above the limit is refused before it is parsed."""
-    monkeypatch.setattr(submission_module, "MOST_CODE", 10)
-    monkeypatch.setattr(submission_module, "parsed", lambda _: pytest.fail("parsed"))
-    with pytest.raises(SubmissionError, match="holds more than 10 characters of code"):
-        read_submission(write(name, "x = 1\n" * 10))
-
-
-@pytest.mark.parametrize("name", ["code.py", "code.ipynb"])
-def test_read_refuses_many_braces(write: Write, name: str) -> None:
-    """Code with more expressions in f-strings than can be read soon is refused unread."""
-    most = submission_module.MOST_BRACES
-    read_submission(write(name, f'x = f"{"{a}" * most}"'))
-    with pytest.raises(SubmissionError, match="holds more than 2,000 curly brackets in its code"):
-        read_submission(write(name, f'x = f"{"{a}" * (most + 1)}"'))
-
-
 LONG = 90_000
-"""Characters: nearly as many as may be read."""
+"""Characters: twenty times those of a chapter's answers."""
 
 
 @pytest.mark.parametrize(
@@ -164,15 +145,24 @@ LONG = 90_000
     ],
     ids=["198 kB", "long before", "between", "wrong", "format", "nested", "lines"],
 )
-def test_read_of_f_strings_costs_little(write: Write, source: str) -> None:
-    """Whatever stands in f-strings, the grader reads or refuses it in half a second."""
+def test_read_of_f_strings_costs_the_grader_nothing(write: Write, source: str) -> None:
+    """Whatever stands in f-strings, the grader's own processor time is a fraction of a second."""
     path = write("code.py", source)
     began = time.process_time()
-    with contextlib.suppress(SubmissionError):
-        submission = read_submission(path)
-        assert submission.functions == ()
-        assert submission.left_out == {}
+    submission = read_submission(path)
+    assert submission.functions == ()
+    assert submission.left_out == {}
     assert time.process_time() - began < 0.5
+
+
+def test_read_names_what_takes_too_long_and_reads_the_rest(write: Write) -> None:
+    """A cell that no parser gets through in time is named, and the functions lost with it."""
+    slow = 'x = f"' + "{a}" * 200_000 + '"\n' + INELASTIC
+    path = write("answer.ipynb", ELASTIC, slow)
+    read = read_submission(path)
+    assert read.unreadable == ("your cell 2: takes too much time or memory to read",)
+    assert list(read.lost) == ["inelastic_1d"]
+    assert read.functions == ("elastic_1d",)
 
 
 def test_read_of_long_program_is_graded(write: Write) -> None:
@@ -204,18 +194,63 @@ def test_read_keeps_definitions_imports_and_assignments(write: Write) -> None:
         "import lesson_code.formulas as f",
         "from lesson_code import formulas",
         "from lesson_code.formulas import *",
-        "import numpy, lesson_code",
+        "import pymunk",
+        "import matplotlib.pyplot as plt, scipy",
+        "from pymunk.vec2d import Vec2d",
+        "import lesson_codes",
     ],
 )
-def test_read_leaves_out_imports_of_lesson_code(write: Write, statement: str) -> None:
-    """Each form of an import of lesson_code is left out."""
+def test_read_leaves_out_imports_that_are_not_on_the_list(write: Write, statement: str) -> None:
+    """Each form of an import of lesson_code, and of any package that is not listed, is left out."""
     assert kept(read_submission(write("answer.py", f"{statement}\nx = 1"))) == ["x = 1"]
 
 
-@pytest.mark.parametrize("statement", ["import lesson_codes", "from . import lesson_code"])
-def test_read_keeps_other_imports(write: Write, statement: str) -> None:
-    """A module that is only called in a similar way stays."""
-    assert kept(read_submission(write("answer.py", statement))) == [statement]
+@pytest.mark.parametrize(
+    ("statement", "stays"),
+    [
+        ("import numpy as np, pymunk", "import numpy as np"),
+        ("import numpy.linalg", "import numpy.linalg"),
+        ("from pygame import Vector2", "from pygame import Vector2"),
+        ("from math import *", "from math import *"),
+        ("from . import lesson_code", "from . import lesson_code"),
+    ],
+)
+def test_read_keeps_imports_on_the_list(write: Write, statement: str, stays: str) -> None:
+    """Python's own modules, NumPy and pygame stay, also where one statement imports others too."""
+    assert kept(read_submission(write("answer.py", statement))) == [stays]
+
+
+PLOTS = """\
+import numpy as np
+import matplotlib.pyplot as plt
+from numba import njit
+figure, axes = plt.subplots()
+axis = axes[0]
+axis.set_title("mine")
+for height in range(3):
+    axis.plot(height)
+speeds = np.zeros(2)
+@njit
+"""
+
+
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+def test_read_leaves_out_plots_and_compilers_and_keeps_the_answer(write: Write, name: str) -> None:
+    """What needs an import that is left out goes with it; the answer beside it earns its marks."""
+    path = write(name, PLOTS + ELASTIC.replace("m1,", "m1: plt.Axes,"))
+    text = "\n".join(kept(read_submission(path)))
+    assert not any(word in text for word in ("plt", "axis", "figure", "njit"))
+    assert "speeds = np.zeros(2)" in text
+    report = grade(path, exercise="01", seed=1)
+    assert report.verdicts[0].is_full
+    assert report.notes == ()
+
+
+def test_read_name_of_an_import_that_is_defined_again_is_not_missing(write: Write) -> None:
+    """Whoever imports ours and then writes their own is graded for their own."""
+    source = f"from lesson_code.formulas import elastic_1d, tau\nfrom math import tau\n{ELASTIC}"
+    answer = "turn = tau\nswapped = elastic_1d(1, 2, 1, 3)\n"
+    assert "\n".join(kept(read_submission(write("a.py", source + answer)))).endswith(answer.strip())
 
 
 def test_read_syntax_error_in_one_cell_leaves_the_others(write: Write) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from lesson_code.course.grading.submission import Unit, parsed
+from lesson_code.course.grading.submission import Unit
 from lesson_code.course.isolation import (
     RUNGS,
     Children,
@@ -16,13 +16,15 @@ from lesson_code.course.isolation import (
     isolated,
     opened,
 )
+from lesson_code.course.isolation.inside.reading import parsed
 
 BY_NAME = {rung.name: rung for rung in RUNGS}
 
 
 def units(source: str) -> tuple[Unit, ...]:
     """Return code as a submission that keeps all of its statements in one group."""
-    return (Unit("your test", source, (tuple(range(len(parsed(source)))),)),)
+    lines = tuple(statement.lineno for statement in parsed(source))
+    return (Unit("your test", source, (tuple(range(len(lines))),), lines),)
 
 
 def open_or_skip(rung: Rung, limits: Limits) -> Children:

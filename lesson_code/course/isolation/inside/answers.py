@@ -2,9 +2,10 @@
 
 The parent writes one JSON request a line, the child answers each with one JSON line:
 
-    {"load": [{"name", "source", "groups"}, ...]}  ->  {"loaded": [error, ...]}
-    {"call": function, "arguments": [...]}         ->  {"kind": "returned", "value": ...}
-                                                       or {"kind": "raised" | ..., "text": ...}
+    {"load": [{"name", "source", "groups", "missing"}, ...]}
+                                            ->  {"loaded": [[unit, statement, error], ...]}
+    {"call": function, "arguments": [...]}  ->  {"kind": "returned", "value": ...}
+                                                or {"kind": "raised" | ..., "text": ...}
 
 Each request has a "number", and its answer the same one.
 """
@@ -22,6 +23,8 @@ from collections.abc import Iterable, Iterator
 from typing import Any, BinaryIO
 
 import numpy as np
+
+from .reading import kept_part, parsed
 
 MOST_NUMBERS = 10_000
 """Numbers and letters in an answer at most; no task asks for more than a thousand."""
@@ -112,21 +115,26 @@ def arguments_from(values: Iterable[Any]) -> list[Any]:
     ]
 
 
-def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[str]:
-    """Run the kept statements of all units; yield what went wrong.
+def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[list[Any]]:
+    """Run the kept statements of all units; yield what went wrong: unit, statement, kind of error.
+
+    No word of an error is passed on, since code that is loaded may say anything in it.
 
     A ``from __future__`` import holds from there on, as it does in a notebook and in a file.
     """
     compiler = codeop.Compile()
-    for unit in units:
-        body = ast.parse(unit["source"]).body
+    for place, unit in enumerate(units):
+        body = parsed(unit["source"])
         for group in unit["groups"]:
-            tree = ast.Module([body[index] for index in group], type_ignores=[])
-            try:
-                code = compiler(tree, unit["name"], "exec")  # type: ignore[arg-type] # takes trees
-                exec(code, namespace)  # noqa: S102 - what this is for
-            except STOPPED as error:
-                yield _described(error)
+            for index in group:
+                part = kept_part(body[index], unit["missing"]) or body[index]
+                tree = ast.Module([part], type_ignores=[])
+                try:
+                    code = compiler(tree, unit["name"], "exec")  # type: ignore[arg-type] # a tree
+                    exec(code, namespace)  # noqa: S102 - what this is for
+                except STOPPED as error:
+                    yield [place, index, type(error).__name__]
+                    break
 
 
 def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict[str, Any]:

@@ -9,6 +9,7 @@ import ctypes
 import os
 import struct
 from collections.abc import Iterable
+from functools import cache
 
 from . import system
 
@@ -29,12 +30,18 @@ RULE_PATH_BENEATH = 1
 VERSION_FLAG = 1
 
 
+@cache
 def version() -> int:
     """Return which version of Landlock the kernel offers; 0 if none."""
     try:
         return system.syscall("landlock", system.LANDLOCK_CREATE_RULESET, None, 0, VERSION_FLAG)
     except OSError:
         return 0
+
+
+def is_strong() -> bool:
+    """Return whether the kernel's Landlock keeps files away and lets nobody cut one off."""
+    return version() >= OLDEST_VERSION
 
 
 def restrict(rules: Iterable[tuple[str, int]], handled: int = READ | ALL_WRITES) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from pathlib import Path
 from types import ModuleType
 
@@ -35,6 +36,21 @@ def lower(cpu_seconds: int, bytes_of_memory: int, processes: int | None = None) 
         _, hard = resource.getrlimit(what)
         allowed = most if hard == resource.RLIM_INFINITY else min(most, hard)
         resource.setrlimit(what, (allowed, allowed))
+
+
+def lower_memory(most: int) -> None:
+    """Lower the memory of this process alone, in bytes."""
+    if resource is not None:
+        resource.setrlimit(resource.RLIMIT_AS, (most, most))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def bound_time_from_now(seconds: int) -> None:
+    """Have the system end this process after some more seconds of the processor's time."""
+    if resource is not None:
+        _, hard = resource.getrlimit(resource.RLIMIT_CPU)
+        last = int(time.process_time()) + 1 + seconds
+        resource.setrlimit(resource.RLIMIT_CPU, (last, hard))
 
 
 def processes_of(user: int) -> int:

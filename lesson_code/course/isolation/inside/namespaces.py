@@ -43,15 +43,14 @@ class ProcessNamespaces:
         system.unshare(system.CLONE_NEWPID)
 
 
-def enter(readable: Iterable[str], hidden: Iterable[str], root: str) -> ProcessNamespaces:
+def enter(mounts: Iterable[tuple[str, bool]], root: str) -> ProcessNamespaces:
     """Move this process into namespaces of its own, and return those of its children.
 
     Parameters
     ----------
-    readable : iterable of paths
-        What can be read afterwards.
-    hidden : iterable of paths
-        Folders that are empty afterwards, should they lie in a readable one.
+    mounts : iterable of (path, bool)
+        What can be read afterwards, and where True stands, what is empty afterwards; outer folders
+        come before those within them.
     root : path
         An empty folder; the new root is mounted on it.
 
@@ -61,12 +60,11 @@ def enter(readable: Iterable[str], hidden: Iterable[str], root: str) -> ProcessN
         The system does not allow it.
     """
     _unshare()
-    _mount_root(readable, hidden, root)
+    _mount_root(list(mounts), root)
     _go_on_as_first_process()
     apart = ProcessNamespaces()
     system.pivot_root(root)
-    protect = system.MS_RDONLY | system.MS_NOSUID | system.MS_NODEV
-    system.mount("", "/", "", system.MS_REMOUNT | system.MS_BIND | protect)
+    _protect("/")
     return apart
 
 
@@ -85,31 +83,45 @@ def _unshare() -> None:
 def _go_on_as_first_process() -> None:
     """Go on in the first process of the new process namespace; this one waits for its end."""
     if first := os.fork():
-        os.closerange(3, 256)
+        system.close_from(3)
         os.waitpid(first, 0)
         os._exit(0)
     system.prctl(system.PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
-def _mount_root(readable: Iterable[str], hidden: Iterable[str], root: str) -> None:
+def _protect(place: str) -> None:
+    """Make one mount read-only."""
+    protect = system.MS_RDONLY | system.MS_NOSUID | system.MS_NODEV
+    system.mount("", place, "", system.MS_REMOUNT | system.MS_BIND | protect)
+
+
+def _mount_root(mounts: list[tuple[str, bool]], root: str) -> None:
     """Mount an empty root, and in it what can be read."""
     system.mount("", "/", "", system.MS_REC | system.MS_PRIVATE)
     system.mount("tmpfs", root, "tmpfs", system.MS_NOSUID | system.MS_NODEV, "mode=0755,size=1m")
-    for path in readable:
-        place = _place(root, path)
-        system.mount(path, place, "", system.MS_BIND | system.MS_REC)
-        system.protect_tree(place)
     for path in DEVICES:
         system.mount(path, _place(root, path), "", system.MS_BIND)
-    for path in hidden:
-        if os.path.isdir(root + path):  # noqa: PTH112 - one path put behind another
-            system.mount("tmpfs", root + path, "tmpfs", system.MS_RDONLY, "size=4k")
+    for path, is_hidden in mounts:
+        place = _place(root, path)
+        if not is_hidden:
+            system.mount(path, place, "", system.MS_BIND | system.MS_REC)
+            system.protect_tree(place)
+        elif os.path.isdir(place):  # noqa: PTH112 - paths are texts on this side
+            flags = system.MS_NOSUID | system.MS_NODEV
+            system.mount("tmpfs", place, "tmpfs", flags, "mode=0755,size=64k")
+        else:
+            system.mount(DEVICES[0], place, "", system.MS_BIND)
+    for path, is_hidden in mounts:
+        if is_hidden:
+            _protect(root + path)
     os.mkdir(root + WORKING_FOLDER)  # noqa: PTH102
 
 
 def _place(root: str, path: str) -> str:
     """Return where a path is to be mounted, made there as what it is: a folder, or a file."""
     place = Path(root + path)
+    if place.exists():
+        return str(place)
     place.parent.mkdir(parents=True, exist_ok=True)
     if stat.S_ISDIR(os.stat(path).st_mode):  # noqa: PTH116
         place.mkdir(exist_ok=True)

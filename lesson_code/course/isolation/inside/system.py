@@ -25,8 +25,11 @@ PR_SET_CHILD_SUBREAPER, PR_SET_NO_NEW_PRIVS = 36, 38
 
 PIVOT_ROOT = {"x86_64": 155, "aarch64": 41}
 MOUNT_SETATTR = 442
+CLOSE_RANGE = 436
 LANDLOCK_CREATE_RULESET, LANDLOCK_ADD_RULE, LANDLOCK_RESTRICT_SELF = 444, 445, 446
 """Numbers of system calls; those above 424 are the same on every machine."""
+
+LARGEST_DESCRIPTOR = 0xFFFF_FFFF
 
 AT_FDCWD, AT_RECURSIVE = -100, 0x8000
 MOUNT_ATTR_RDONLY, MOUNT_ATTR_NOSUID, MOUNT_ATTR_NODEV = 1, 2, 4
@@ -105,6 +108,14 @@ def pivot_root(root: str) -> None:
     syscall("pivot_root", PIVOT_ROOT[MACHINE], b".", b".")
     unmount(".")
     os.chdir("/")
+
+
+def close_from(first: int) -> None:
+    """Close every descriptor from a number on, however many are open."""
+    try:
+        syscall("close_range", CLOSE_RANGE, first, LARGEST_DESCRIPTOR, 0)
+    except OSError:  # a kernel before 5.9
+        os.closerange(first, os.sysconf("SC_OPEN_MAX"))
 
 
 def processor_time(process: int) -> float | None:

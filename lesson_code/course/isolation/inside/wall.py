@@ -19,11 +19,13 @@ from . import disk, landlock, limits, namespaces, seccomp, system
 
 @dataclass(frozen=True)
 class Orders:
-    """What the parent has decided about the wall."""
+    """What the parent has decided about the wall.
+
+    `mounts` has what is readable and, where True stands, what is hidden in it, from the outside in.
+    """
 
     kind: str
-    readable: tuple[str, ...]
-    hidden: tuple[str, ...]
+    mounts: tuple[tuple[str, bool], ...]
     folder: str
     user: int | None
     cpu_seconds: int
@@ -32,12 +34,25 @@ class Orders:
     @classmethod
     def from_dict(cls, sent: dict[str, Any]) -> Orders:
         """Return orders as they have come over a pipe."""
-        readable, hidden = tuple(sent["readable"]), tuple(sent["hidden"])
-        return cls(**{**sent, "readable": readable, "hidden": hidden})
+        return cls(**{**sent, "mounts": tuple((path, hides) for path, hides in sent["mounts"])})
+
+    @property
+    def readable(self) -> tuple[str, ...]:
+        """What can be read, but for what is hidden in it."""
+        return tuple(path for path, is_hidden in self.mounts if not is_hidden)
+
+    @property
+    def hidden(self) -> tuple[str, ...]:
+        """What lies in a readable folder, and cannot be read."""
+        return tuple(path for path, is_hidden in self.mounts if is_hidden)
 
 
 class Wall:
-    """Limits and, for root, another user: all that systems without walls offer."""
+    """Limits, for root another user, and the layers of the kernel: Landlock and seccomp.
+
+    Landlock keeps files away, seccomp all system calls but those of computing. Where the kernel
+    lacks one of them, the wall stands without it.
+    """
 
     def __init__(self, orders: Orders) -> None:
         self.orders = orders
@@ -54,6 +69,9 @@ class Wall:
         """Put up what stands for as long as the server runs."""
         system.prctl(system.PR_SET_DUMPABLE, 0)  # no process of this user can look into it
         system.prctl(system.PR_SET_CHILD_SUBREAPER, 1)
+        seccomp.prepare()
+        if landlock.is_strong():
+            landlock.restrict(_rules_of_the_server(self.orders))
 
     def before_fork(self) -> None:
         """Make the next child's folder."""
@@ -71,7 +89,10 @@ class Wall:
         limits.lower(self.orders.cpu_seconds, self.orders.bytes_of_memory, self._processes)
         self._become_nobody()
         system.prctl(system.PR_SET_PDEATHSIG, signal.SIGKILL)
-        self._close_more()
+        if landlock.is_strong():
+            writable = [(path, landlock.ALL_WRITES) for path in (self.folder, os.devnull)]
+            landlock.restrict([("/", landlock.READ), *writable])
+        seccomp.restrict()
 
     def _become_nobody(self) -> None:
         """Become another user, if this one is root, and give up every privilege."""
@@ -80,9 +101,6 @@ class Wall:
             os.setgid(user)
             os.setuid(user)
         system.drop_capabilities()
-
-    def _close_more(self) -> None:
-        """Add what this kind of wall has beyond limits."""
 
     def is_overfull(self) -> bool:
         """Return whether the child has written more than it may."""
@@ -94,37 +112,13 @@ class Wall:
         disk.remove(self.folder)
 
 
-class SeccompWall(Wall):
-    """Limits, and no system calls but those of computing: no network, no other processes."""
-
-    def build(self) -> None:
-        """Make the filter ready."""
-        super().build()
-        seccomp.prepare()
-
-    def _close_more(self) -> None:
-        """Restrict the system calls."""
-        seccomp.restrict()
-
-
-class LandlockWall(SeccompWall):
-    """The same, and no files but those of Python and of the submission's own folder."""
-
-    def build(self) -> None:
-        """Restrict the server itself to what it and its children need."""
-        super().build()
-        everything = landlock.READ | landlock.ALL_WRITES
-        rules = [(path, landlock.READ) for path in _around(self.orders)]
-        rules += [(path, landlock.READ_FOLDER) for path in self.orders.readable]
-        rules += [(path, everything) for path in (self.orders.folder, os.devnull)]
-        rules += [(path, landlock.READ) for path in namespaces.DEVICES]
-        landlock.restrict(rules)
-
-    def _close_more(self) -> None:
-        """Restrict what can be written to the child's own folder, then the system calls."""
-        writable = [(path, landlock.ALL_WRITES) for path in (self.folder, os.devnull)]
-        landlock.restrict(writable, handled=landlock.ALL_WRITES)
-        super()._close_more()
+def _rules_of_the_server(orders: Orders) -> list[tuple[str, int]]:
+    """Return what a server and its children need of the machine's files."""
+    everything = landlock.READ | landlock.ALL_WRITES
+    rules = [(path, landlock.READ) for path in _around(orders)]
+    rules += [(path, landlock.READ_FOLDER) for path in orders.readable]
+    rules += [(path, everything) for path in (orders.folder, os.devnull)]
+    return rules + [(path, landlock.READ) for path in namespaces.DEVICES]
 
 
 def _around(orders: Orders) -> list[str]:
@@ -147,14 +141,13 @@ def _siblings(top: Path, hidden: Path) -> list[Path]:
     return found
 
 
-class NamespaceWall(SeccompWall):
-    """System calls restricted, in a machine of its own: own files, network and processes."""
+class NamespaceWall(Wall):
+    """The same layers in a machine of its own: own files, network and processes."""
 
     def build(self) -> None:
         """Move the server into namespaces of its own."""
         seccomp.prepare()
-        orders = self.orders
-        self._apart = namespaces.enter(orders.readable, orders.hidden, orders.folder)
+        self._apart = namespaces.enter(self.orders.mounts, self.orders.folder)
         system.prctl(system.PR_SET_DUMPABLE, 0)
 
     @property
@@ -178,12 +171,7 @@ class NamespaceWall(SeccompWall):
         namespaces.unmount_folder(self.folder)
 
 
-KINDS: dict[str, Callable[[Orders], Wall]] = {
-    "namespaces": NamespaceWall,
-    "landlock": LandlockWall,
-    "seccomp": SeccompWall,
-    "limits": Wall,
-}
+KINDS: dict[str, Callable[[Orders], Wall]] = {"namespaces": NamespaceWall, "layers": Wall}
 
 
 def _end_orphans() -> None:
