@@ -56,7 +56,8 @@ def grade(
         Path | None, typer.Option(help="A class: where the marks go; by default FOLDER-marks.")
     ] = None,
     roster: Annotated[
-        Path | None, typer.Option(help="A class: CSV with columns id, and name, email, due.")
+        Path | None,
+        typer.Option(help="A class: CSV; also an export of Canvas or Moodle."),
     ] = None,
     due: Annotated[
         str | None, typer.Option(help="A class: later is late, such as 2026-11-20T23:59.")
@@ -68,11 +69,15 @@ def grade(
         str | None, typer.Option(help='A class: a dask scheduler\'s address, or "local".')
     ] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="A class: forget an earlier run.")] = False,
+    variant: Annotated[
+        bool, typer.Option("--variant", help="A class: draw inputs for each student.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Grade one submission, or a folder with one file or folder a student.
 
-    A class that is interrupted goes on where it stopped when the command is given again.
+    A class that is interrupted goes on where it stopped when the command is given again. What you
+    write into changes.csv, beside its marks, counts from the next run on.
     """
     names = exercise or []
     with clear_errors():
@@ -82,7 +87,17 @@ def grade(
             place = out or submission.resolve().with_name(f"{submission.resolve().name}-marks")
             hands = Hands(workers, cluster)
             _grade_class(
-                submission, place, roster, names, seed, due, isolation, hands, fresh, as_json
+                submission,
+                place,
+                roster,
+                names,
+                seed,
+                due,
+                isolation,
+                hands,
+                fresh,
+                variant,
+                as_json,
             )
         for option, given in (
             ("--out", out),
@@ -91,6 +106,7 @@ def grade(
             ("--workers", workers),
             ("--cluster", cluster),
             ("--fresh", fresh or None),
+            ("--variant", variant or None),
         ):
             if given is not None:
                 raise ValueError(f"{option} is for a class, and {submission} is no folder")
@@ -126,12 +142,13 @@ def _grade_class(
     isolation: str | None,
     hands: Any,
     fresh: bool,
+    variant: bool,
     as_json: bool,
 ) -> NoReturn:
     """Grade a class; exit code 1 says that some of what was handed in has no marks."""
     from lesson_code.course.class_run import exports, grade_class
     from lesson_code.course.class_run.names import visible
-    from lesson_code.course.class_run.roster import read_time
+    from lesson_code.course.class_run.sheets import read_time
 
     try:
         book = grade_class(
@@ -144,6 +161,7 @@ def _grade_class(
             isolation=isolation or CLASS_ISOLATION,
             hands=hands,
             fresh=fresh,
+            variant=variant,
             told=say_error,
         )
     except KeyboardInterrupt:
@@ -169,7 +187,7 @@ def _print_class(book: Gradebook) -> None:
         table.add_row(
             summary.task.id,
             summary.task.function,
-            f"{summary.mean:.1f}/{summary.task.points}",
+            f"{summary.mean:.1f}/{summary.full_points}",
             f"{summary.full} of {summary.handed_in}",
             str(summary.not_written),
         )

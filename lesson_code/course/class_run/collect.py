@@ -5,12 +5,18 @@ from __future__ import annotations
 import hashlib
 import os
 from collections import Counter
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 from typing import NamedTuple
 
+from lesson_code.course.class_run.downloads import (
+    GRADESCOPE_LIST,
+    Submitters,
+    named,
+    read_gradescope_list,
+)
 from lesson_code.course.class_run.matching import owners
 from lesson_code.course.class_run.names import encodable, same_name, visible
 from lesson_code.course.class_run.roster import Enrolled
@@ -37,6 +43,7 @@ graded whatever it is called, and all that is left out is named.
 DOT, TOOLS = "the name begins with a dot", "a folder of tools or of the workbook"
 OTHER_KIND, LINK = "no .ipynb or .py file", "a link to a folder"
 OWN = "the roster or the marks of this run"
+LIST = "Gradescope's list of submissions"
 
 
 @dataclass(frozen=True)
@@ -44,12 +51,21 @@ class Paper:
     """A file that a student handed in.
 
     `name` is its path within the class's folder, with slashes; `digest` says what stands in it.
+    `handed_in` is None where a download says no more than whether it is late: `is_late`. `number`
+    is that of the file in a download, which grows with time.
     """
 
     name: str
     path: Path
     digest: str
-    handed_in: datetime
+    handed_in: datetime | None
+    is_late: bool = False
+    number: int = 0
+
+    @property
+    def age(self) -> tuple[int, float]:
+        """What grows with the time at which it was handed in."""
+        return self.number, self.handed_in.timestamp() if self.handed_in else 0.0
 
 
 @dataclass(frozen=True)
@@ -111,14 +127,22 @@ def collect(
     """
     if not folder.is_dir():
         raise ValueError(f"{folder}: there is no such folder")
+    inside = [entry for entry in folder.iterdir() if not entry.name.startswith(".")]
+    if len(inside) == 1 and (inside[0] / GRADESCOPE_LIST).is_file():
+        raise ValueError(f"{folder}: holds a download of Gradescope's; grade {inside[0]}")
     enrolled = {student.id: student for student in roster or ()}
+    submitters = read_gradescope_list(folder)
     entries, left_out = _entries(folder, set(map(same_name, enrolled)), without)
     if not entries:
         raise ValueError("; ".join((f"{folder}: nothing has been handed in", *left_out)))
     whose: dict[tuple[str, str], list[Path]] = {(name, ""): [] for name in enrolled}
-    found = owners([_called(entry) for entry in entries], roster)
-    for entry, owner in zip(entries, found, strict=True):
-        whose.setdefault((owner.id, owner.unmatched), []).append(entry)
+    found = owners([_called(entry) for entry in entries], roster, submitters)
+    for entry, its_owners in zip(entries, found, strict=True):
+        for owner in its_owners:
+            whose.setdefault((owner.id, owner.unmatched), []).append(entry)
+            if owner.listed:
+                enrolled.setdefault(owner.id, owner.listed)
+    shared = _shared(roster or (), whose)
     alike = Counter(same_name(name) for name, _ in whose)
     hand_ins = []
     for (name, unmatched), own in sorted(whose.items()):
@@ -126,8 +150,31 @@ def collect(
         if alike[same_name(name)] > 1:
             remarks.append(f"{visible(name)}: another's name differs only in how it is written")
         student = enrolled.get(name, Enrolled(name))
-        hand_ins.append(_hand_in(folder, student, own, unmatched, remarks))
+        of_others = shared.get(name, []) if not unmatched else []
+        remarks += [f"{visible(entry.name)}: handed in by {who}" for entry, who in of_others]
+        all_ = sorted({*own, *(entry for entry, _ in of_others)})
+        hand_ins.append(_hand_in(folder, student, all_, unmatched, remarks, submitters))
     return Collected(hand_ins, left_out)
+
+
+def _shared(
+    roster: Sequence[Enrolled], whose: Mapping[tuple[str, str], list[Path]]
+) -> dict[str, list[tuple[Path, str]]]:
+    """Return what each student of a team has from the others of it, and from whom."""
+    teams: dict[str, list[str]] = {}
+    for student in roster:
+        if student.team:
+            teams.setdefault(same_name(student.team), []).append(student.id)
+    return {
+        name: [
+            (entry, visible(other))
+            for other in members
+            for entry in whose[other, ""]
+            if entry not in whose[name, ""]
+        ]
+        for members in teams.values()
+        for name in members
+    }
 
 
 def _entries(
@@ -138,7 +185,8 @@ def _entries(
     left_out: list[tuple[str, str]] = []
     for entry in sorted(folder.iterdir()):
         reason = OWN if os.path.realpath(entry) in without else _reason(entry.name)
-        if reason and (reason == OWN or same_name(_called(entry)) not in listed):
+        reason = LIST if entry.name == GRADESCOPE_LIST else reason
+        if reason and (reason in (OWN, LIST) or same_name(_called(entry)) not in listed):
             left_out.append((reason, entry.name))
         else:
             entries.append(entry)
@@ -178,7 +226,12 @@ def listed(names: Sequence[str]) -> str:
 
 
 def _hand_in(
-    folder: Path, student: Enrolled, entries: list[Path], unmatched: str, remarks: list[str]
+    folder: Path,
+    student: Enrolled,
+    entries: list[Path],
+    unmatched: str,
+    remarks: list[str],
+    submitters: Mapping[str, Submitters],
 ) -> HandIn:
     """Return what one student handed in."""
     problems: list[str] = []
@@ -189,7 +242,8 @@ def _hand_in(
         files = _files_in(folder, entry, problems, left_out)
         if not files and len(problems) == before:
             problems.append(f"{visible(entry.name)}: holds no .ipynb or .py file")
-        papers += [_paper(folder, path) for path in files[:MOST_FILES]]
+        times = submitters.get(_called(entry))
+        papers += [_paper(folder, path, entry, times) for path in files[:MOST_FILES]]
         if rest := [_name(folder, path) for path in files[MOST_FILES:]]:
             problems.append(
                 f"{visible(entry.name)}: holds more than {MOST_FILES} files; only the first "
@@ -248,14 +302,18 @@ def _is_gradable(name: str) -> bool:
     return _suffix(name).lower() in GRADABLE
 
 
-def _paper(folder: Path, path: Path) -> Paper:
-    """Return a file as what was handed in."""
+def _paper(folder: Path, path: Path, entry: Path, listed: Submitters | None) -> Paper:
+    """Return a file as what was handed in, when the download or else the file itself says."""
+    name, digest = path.relative_to(folder).as_posix(), _digest(path)
+    if listed:
+        return Paper(name, path, digest, listed.handed_in)
+    if (made := named(_called(entry))) and made.system == "canvas":
+        return Paper(name, path, digest, None, made.is_late, made.file)
     try:
         modified = path.lstat().st_mtime
     except OSError:
         modified = 0.0
-    when = datetime.fromtimestamp(int(modified)).astimezone()
-    return Paper(path.relative_to(folder).as_posix(), path, _digest(path), when)
+    return Paper(name, path, digest, datetime.fromtimestamp(int(modified)).astimezone())
 
 
 def _digest(path: Path) -> str:

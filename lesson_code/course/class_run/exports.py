@@ -1,4 +1,4 @@
-"""The marks of a class as files: CSV, JSON, and Gradescope's results.json.
+"""The marks of a class as files: a sheet, and JSON with all there is to say.
 
 Everything is written in the order of the students' ids and holds no clock, so that the same marks
 are the same bytes.
@@ -13,11 +13,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from lesson_code.course.class_run.gradebook import Gradebook, Student, TaskSummary
+from lesson_code.course.class_run.gradebook import Gradebook
 from lesson_code.course.class_run.names import encodable, sheet_text, told_apart, visible
+from lesson_code.course.class_run.student import Student
+from lesson_code.course.class_run.summary import TaskSummary, percent
 from lesson_code.course.grading.exercises import Exercise
 
-VERSION = 2
+VERSION = 3
 """Version of the form of grades.json; it grows when a key changes."""
 
 
@@ -25,18 +27,23 @@ def as_csv(book: Gradebook) -> str:
     """Return a table with a line a student, which no spreadsheet takes for formulas.
 
     Points of an exercise that was not handed in are 0, so that a sum over a row is the mark; the
-    columns `status` and `remarks` say why.
+    columns `status` and `remarks` say why. An exercise is the sum of its tasks, unless points were
+    taken off for lateness or given by hand, as the remarks say.
     """
     text = io.StringIO(newline="")
     rows = csv.writer(text, lineterminator="\r\n")
-    rows.writerow(["id", "name", "email", "status", *_columns(book), "total", "full", "remarks"])
+    ends = ["total", "full", "percent", "remarks"]
+    rows.writerow(["id", "name", "email", "status", *_columns(book), *ends])
     ids = told_apart((student.id for student in book.students), _cell)
     for student in book.students:
         enrolled = student.hand_in.student
         words = [ids[student.id], *map(_cell, (enrolled.name, enrolled.email, student.status))]
         marks = [points for exercise in book.exercises for points in _points(student, exercise)]
         remarks = "; ".join(remarks_of(student))
-        rows.writerow([*words, *marks, student.points, book.full_points, sheet_text(remarks)])
+        share = round(percent(student.points, book.full_points), 1)
+        rows.writerow(
+            [*words, *marks, student.points, book.full_points, share, sheet_text(remarks)]
+        )
     return text.getvalue()
 
 
@@ -54,18 +61,31 @@ def _columns(book: Gradebook) -> list[str]:
     ]
 
 
-def _points(student: Student, exercise: Exercise) -> Iterator[int]:
+def _points(student: Student, exercise: Exercise) -> Iterator[int | float]:
     """Yield a student's points in an exercise, and in each of its tasks."""
-    entries = [student.of_task(exercise, task) for task in exercise.tasks]
-    points = [0 if entry is None else int(entry["points"]) for entry in entries]
-    yield sum(points)
-    yield from points
+    report = student.reports.get(exercise.name)
+    yield report["points"] if report else 0
+    for task in exercise.tasks:
+        entry = student.of_task(exercise, task)
+        yield entry["points"] if entry else 0
 
 
 def remarks_of(student: Student) -> list[str]:
     """Return what there is to say of what a student handed in, a line each."""
     missing = ["nothing was handed in"] if student.hand_in.is_missing else []
-    return [visible(r) for r in (*missing, *student.problems, *student.late, *student.notes)]
+    said = [*missing, *student.problems, *student.late, *student.notes, *_by_hand(student)]
+    return list(map(visible, said))
+
+
+def _by_hand(student: Student) -> Iterator[str]:
+    """Yield the marks that were given by hand."""
+    for name, report in student.reports.items():
+        if report["is_by_hand"]:
+            yield f"{name}: {report['points']} of {report['full_points']} points, given by hand"
+        for entry in report["tasks"]:
+            if entry["is_by_hand"]:
+                mark = f"{entry['points']} of {entry['full_points']} points"
+                yield f"{entry['task']} {entry['function']}: {mark}, given by hand"
 
 
 def credits_of(book: Gradebook) -> list[str]:
@@ -89,10 +109,11 @@ def as_dict(book: Gradebook) -> dict[str, Any]:
         "version": VERSION,
         "command": "grade",
         "seed": book.seed,
+        "variant": book.is_variant,
         "isolation": book.isolation,
         "due": book.due.isoformat() if book.due else None,
         "full_points": book.full_points,
-        "exercises": [{"name": e.name, "full_points": e.points} for e in book.exercises],
+        "exercises": [{"name": e.name, "full_points": book.full_of(e)} for e in book.exercises],
         "left_out": list(book.left_out),
         "students": [_student_as_dict(s, ids[s.id]) for s in book.students],
         "tasks": [_summary_as_dict(summary) for summary in book.summary],
@@ -110,6 +131,7 @@ def _student_as_dict(student: Student, name: str) -> dict[str, Any]:
         "email": enrolled.email,
         "status": student.status,
         "points": student.points,
+        "team": enrolled.team,
         "feedback": feedback_name(student),
         "remarks": remarks_of(student),
         "exercises": list(student.reports.values()),
@@ -126,9 +148,19 @@ def _summary_as_dict(summary: TaskSummary) -> dict[str, Any]:
         "full_marks": summary.full,
         "not_written": summary.not_written,
         "mean_points": round(summary.mean, 3),
-        "full_points": summary.task.points,
+        "full_points": summary.full_points,
         "failed_criteria": dict(summary.failed),
-        "misconceptions": [vars(found) for found in summary.misconceptions],
+        "misconceptions": [
+            {
+                "name": found.name,
+                "says": found.says,
+                "hint": found.hint,
+                "students": found.students,
+                "who": [student.label for student in found.who],
+            }
+            for found in summary.misconceptions
+        ],
+        "unexplained": [student.label for student in summary.unexplained.who],
     }
 
 
@@ -137,53 +169,18 @@ def feedback_name(student: Student) -> str:
     return f"feedback/{student.stem}.html"
 
 
-def gradescope(student: Student, book: Gradebook) -> dict[str, Any]:
-    """Return one student's marks as Gradescope's results.json.
-
-    A test a criterion, visible to the student, with the message and the hint. What a student may
-    not see is not in it.
-    """
-    return {
-        "score": student.points,
-        "visibility": "visible",
-        "stdout_visibility": "hidden",
-        "output": "\n".join(remarks_of(student)),
-        "output_format": "text",
-        "tests": [test for exercise in book.exercises for test in _tests(student, exercise)],
-    }
-
-
-def _tests(student: Student, exercise: Exercise) -> Iterator[dict[str, Any]]:
-    """Yield a Gradescope test for each task of an exercise."""
-    for task in exercise.tasks:
-        entry = student.of_task(exercise, task)
-        yield {
-            "name": task.title,
-            "number": task.id,
-            "score": entry["points"] if entry else 0,
-            "max_score": task.points,
-            "output": "\n".join(lines_of(entry)) if entry else "not handed in",
-            "output_format": "text",
-            "visibility": "visible",
-        }
-
-
 def lines_of(entry: dict[str, Any]) -> list[str]:
     """Return what there is to say of a task, a line each: what is right, what is not, the hint."""
     right = [f"right: {c['name']}" for c in entry["criteria"] if c["points"] == c["full_points"]]
     wrong = [f"{c['name']}: {c['message']}" for c in entry["criteria"] if c["message"]]
-    hint = [f"hint: {entry['wrong_model']['hint']}"] if entry["wrong_model"] else []
-    return [*right, *wrong, *hint]
+    hints = [f"hint: {found['hint']}" for found in entry["diagnoses"]]
+    return [*right, *wrong, *hints, *map(visible, entry["comments"])]
 
 
 def write_exports(book: Gradebook, folder: Path) -> None:
-    """Write grades.csv, grades.json and a results.json a student into a folder."""
+    """Write grades.csv and grades.json into a folder."""
     (folder / "grades.csv").write_text(as_csv(book), encoding="utf-8-sig", newline="")
     write_json(folder / "grades.json", as_dict(book))
-    for student in book.students:
-        place = folder / "gradescope" / student.stem
-        place.mkdir(parents=True, exist_ok=True)
-        write_json(place / "results.json", gradescope(student, book))
 
 
 def write_json(path: Path, value: dict[str, Any]) -> None:

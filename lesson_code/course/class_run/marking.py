@@ -10,12 +10,14 @@ import functools
 import hashlib
 import re
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from lesson_code.course.class_run.answers import answer_in
 from lesson_code.course.class_run.journal import Marks
 from lesson_code.course.class_run.names import encodable
+from lesson_code.course.grading.check_task import LARGEST_SEED
 from lesson_code.course.grading.exercises import exercise_of
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.submission import SubmissionError, read_submission
@@ -40,11 +42,15 @@ class Terms:
 
 @dataclass(frozen=True)
 class Job:
-    """A file to grade: where it stands, or what stands in it where a worker cannot read it."""
+    """A file to grade: where it stands, or what stands in it where a worker cannot read it.
+
+    `variant` tells a student from all others, where each has inputs of his or her own.
+    """
 
     name: str
     path: Path
     content: bytes | None = None
+    variant: str = ""
 
 
 def mark(job: Job, terms: Terms) -> Marks:
@@ -60,12 +66,25 @@ def mark(job: Job, terms: Terms) -> Marks:
     if grader_version() != terms.grader:
         raise RuntimeError("this worker has another version of the workbook")
     grader = _warm_grader(terms.isolation)  # where there is too little isolation, this raises
+    terms = replace(terms, seed=seed_of(job.variant, terms.seed))
     if job.content is None:
         return _mark(job.path, job.name, terms, grader)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / job.path.name
         path.write_bytes(job.content)
         return _mark(path, job.name, terms, grader)
+
+
+def seed_of(variant: str, seed: int) -> int:
+    """Return what a student's inputs are drawn with: the run's seed where all have the same.
+
+    >>> seed_of("", 7), seed_of("ada", 7) == seed_of("bob", 7)
+    (7, False)
+    """
+    if not variant:
+        return seed
+    digest = hashlib.sha256(f"{seed} {variant}".encode("utf-8", "surrogatepass")).digest()
+    return int.from_bytes(digest[:8], "big") % LARGEST_SEED
 
 
 @functools.cache
@@ -89,8 +108,18 @@ def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
         return {"problem": problem, "is_other": not broken}
     except OSError as error:
         return {"problem": f"cannot be read ({error.strerror})"}
-    marks = report.as_dict() | {"submission": name}
-    marks |= {"is_assumed": is_assumed}
+    marks = report.as_dict() | {"submission": name, "is_assumed": is_assumed}
+    for entry, verdict in zip(marks["tasks"], report.verdicts, strict=True):
+        entry["diagnoses"] = [
+            {"name": found.name, "says": found.misconception, "hint": found.hint}
+            for found in verdict.diagnoses
+        ]
+    sources = [unit.source for unit in report.submission.units]
+    marks["answers"] = {
+        verdict.task.id: answer_in(sources, verdict.task.function)
+        for verdict in report.verdicts
+        if not verdict.is_full
+    }
     return {key: _fit_to_show(value) for key, value in marks.items()}
 
 

@@ -1,15 +1,22 @@
 """Whose a folder or a file is: one line of the roster fits the whole name, or nobody is guessed.
 
 A name is an id or a name of the roster, or an id followed by an exercise, a number or "late", or
-what Moodle makes of a name: ``Ada Byron_123_assignsubmission_file``.
+what Canvas or Moodle makes of a name; of a folder of Gradescope's, its list says whose it is.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from lesson_code.course.class_run.downloads import (
+    MOODLE_MARK,
+    Named,
+    Submitters,
+    canvas_forms,
+    named,
+)
 from lesson_code.course.class_run.names import same_name, visible
 from lesson_code.course.class_run.roster import Enrolled
 from lesson_code.course.grading.exercises import exercises
@@ -17,48 +24,64 @@ from lesson_code.course.grading.exercises import exercises
 SEPARATORS = "_-. "
 """What stands between a student's id and the rest of a file's name."""
 
-MOODLE_MARK = "_assignsubmission_"
-
-MOODLE = re.compile(
-    rf"(?P<person>.+)_(?P<number>\d+){MOODLE_MARK}[a-z]+(_.*)?", re.DOTALL | re.IGNORECASE
-)
-"""A folder or a file as Moodle names it: full name, participant's number, kind, file."""
-
 
 @dataclass(frozen=True)
 class Owner:
-    """Whose an entry is; `unmatched` says why it is nobody's of the roster."""
+    """Whose an entry is; `unmatched` says why it is nobody's of the roster.
+
+    `listed` is what a download says of a student whom no roster names.
+    """
 
     id: str
     unmatched: str = ""
+    listed: Enrolled | None = None
 
 
-def owners(names: Sequence[str], roster: Sequence[Enrolled] | None) -> list[Owner]:
-    """Return the owner of each name.
+def owners(
+    names: Sequence[str],
+    roster: Sequence[Enrolled] | None,
+    submitters: Mapping[str, Submitters] | None = None,
+) -> list[list[Owner]]:
+    """Return the owners of each name: more than one only of what Gradescope lists for a group.
 
     Without a roster a student is what the name says: all of it but an exercise at its end, and
-    with Moodle's number, which tells two students of one name apart. With a roster, a name that
-    no line fits, or more than one, keeps all of it as its id. So do the folders of students whom
-    Moodle numbers differently, where the same line fits them.
+    with the number of the course system, which tells two students of one name apart. With a
+    roster, a name that no line fits, or more than one, keeps all of it as its id. So do the files
+    of students to whom the course system gives different numbers, where the same line fits them.
     """
+    listed = {name: its for name, its in (submitters or {}).items() if its.students}
     if roster is None:
-        return [Owner(_by_itself(name)) for name in names]
+        return [
+            _listed_by_itself(name, listed[name]) if name in listed else [_by_itself(name)]
+            for name in names
+        ]
     lines = _Lines(roster)
-    fitting = [lines.fitting(name) for name in names]
+    fitting = [[] if name in listed else lines.fitting(name) for name in names]
     numbers: dict[str, set[str]] = {}
     for name, ids in zip(names, fitting, strict=True):
-        if len(ids) == 1 and (number := lines.moodle_number(name)):
+        if len(ids) == 1 and (number := lines.number(name)):
             numbers.setdefault(ids[0], set()).add(number)
+    found: list[list[Owner]] = []
+    for name, ids in zip(names, fitting, strict=True):
+        if name in listed:
+            found.append(_submitting(name, listed[name], lines))
+        else:
+            same_line = numbers.get(ids[0], set()) if ids and lines.number(name) else set()
+            found.append([_owner(name, ids, same_line)])
+    return found
+
+
+def _submitting(name: str, submitters: Submitters, lines: _Lines) -> list[Owner]:
+    """Return the owners of a folder of Gradescope's; who fits no line is called by both names."""
+    is_group = len(submitters.students) > 1
     return [
-        _owner(
-            name, ids, numbers.get(ids[0], set()) if ids and lines.moodle_number(name) else set()
-        )
-        for name, ids in zip(names, fitting, strict=True)
+        _owner(f"{name}, {one[0]}" if is_group else name, lines.submitting(*one), set())
+        for one in submitters.students
     ]
 
 
 def _owner(name: str, ids: Sequence[str], numbers: set[str]) -> Owner:
-    """Return the owner of a name, from the lines that fit and Moodle's numbers at its line."""
+    """Return the owner of a name, from the lines that fit and the numbers at its line."""
     if not ids:
         return Owner(name, "fits no line of the roster")
     listed = ", ".join(map(visible, ids))
@@ -71,46 +94,69 @@ def _owner(name: str, ids: Sequence[str], numbers: set[str]) -> Owner:
 
 
 class _Lines:
-    """The lines of a roster, found by id and by name."""
+    """The lines of a roster, found by id, by name, by the numbers of course systems."""
 
     def __init__(self, roster: Sequence[Enrolled]) -> None:
         self._by_id = {same_name(student.id): student.id for student in roster}
+        self._also: dict[str, list[str]] = {}
         self._by_name: dict[str, list[str]] = {}
+        self._by_form: dict[str, list[str]] = {}
         for student in roster:
+            for other in student.also:
+                self._also.setdefault(same_name(other), []).append(student.id)
             if student.name.strip():
                 self._by_name.setdefault(same_name(student.name), []).append(student.id)
+                for form in canvas_forms(student.name):
+                    self._by_form.setdefault(same_name(form), []).append(student.id)
+        self._by_number = {
+            (system, number): student.id
+            for student in roster
+            for system, number in (("canvas", student.canvas), ("moodle", student.moodle))
+            if number
+        }
+        self._numbering = {system for system, _ in self._by_number}
 
     def fitting(self, name: str) -> list[str]:
         """Return the ids of the lines that fit a name."""
         written = same_name(name)
         if written in self._by_id:
             return [self._by_id[written]]
+        made = named(name)
+        if made and made.system in self._numbering:
+            found = self._by_number.get((made.system, made.number))
+            return [found] if found else []
         if MOODLE_MARK in written:
-            person = same_name(moodle["person"]) if (moodle := _moodle(name)) else ""
-            by_id = [self._by_id[person]] if person in self._by_id else []
-            return sorted({*by_id, *self._by_name.get(person, ())})
-        if written in self._by_name:
-            return self._by_name[written]
+            return self._of_moodle(made) if made else []
+        if found_by := self._also.get(written) or self._by_name.get(written):
+            return found_by
         ends = (place for place, letter in enumerate(written) if letter in SEPARATORS)
-        return [
+        begins = [
             self._by_id[written[:end]]
             for end in ends
             if written[:end] in self._by_id and _names_no_person(written[end:])
         ]
+        return begins or (self._by_form.get(same_name(made.person), []) if made else [])
 
-    def moodle_number(self, name: str) -> str:
-        """Return the number that Moodle gives a student, where the name is not an id itself."""
-        moodle = None if same_name(name) in self._by_id else _moodle(name)
-        return moodle["number"] if moodle else ""
+    def submitting(self, name: str, number: str, email: str) -> list[str]:
+        """Return the ids of the lines that fit a student of Gradescope's list."""
+        for said in (number, email):
+            written = same_name(said)
+            if written in self._by_id:
+                return [self._by_id[written]]
+            if written in self._also:
+                return self._also[written]
+        return self._by_name.get(same_name(name), [])
 
+    def number(self, name: str) -> str:
+        """Return the number that a course system gives, where the name is not an id itself."""
+        made = None if same_name(name) in self._by_id else named(name)
+        return made.number if made else ""
 
-def _moodle(name: str) -> re.Match[str] | None:
-    """Return the parts of a name that Moodle made.
-
-    Where its mark stands twice, a student wrote one of them, and all before the last is the person:
-    that is nobody's name, so a made-up name or file leads to no other student.
-    """
-    return MOODLE.fullmatch(name)
+    def _of_moodle(self, made: Named) -> list[str]:
+        """Return the ids of the lines that fit a name that Moodle made."""
+        person = same_name(made.person)
+        by_id = [self._by_id[person]] if person in self._by_id else []
+        return sorted({*by_id, *self._by_name.get(person, ())})
 
 
 def _names_no_person(rest: str) -> bool:
@@ -120,12 +166,23 @@ def _names_no_person(rest: str) -> bool:
     return bool(re.fullmatch(rf"{gap}*((\(?\d+\)?|late|{known})({gap}.*)?)?", rest, re.DOTALL))
 
 
-def _by_itself(name: str) -> str:
+def _listed_by_itself(folder: str, submitters: Submitters) -> list[Owner]:
+    """Return the students that Gradescope lists for a folder, where there is no roster."""
+    return [
+        Owner(id_, listed=Enrolled(id_, name, email, also=(email,) if email else ()))
+        for name, number, email in submitters.students
+        for id_ in [number or email or name or folder]
+    ]
+
+
+def _by_itself(name: str) -> Owner:
     """Return the student that a name says where there is no roster."""
-    if moodle := _moodle(name):
-        return f"{moodle['person']}_{moodle['number']}"
+    if made := named(name):
+        id_ = f"{made.person}_{made.number}"
+        canvas, moodle = ("", made.number) if made.system == "moodle" else (made.number, "")
+        return Owner(id_, listed=Enrolled(id_, made.person, canvas=canvas, moodle=moodle))
     for exercise in exercises():
         rest = name.removesuffix(exercise.name).rstrip(SEPARATORS)
         if rest and len(rest) < len(name) - len(exercise.name):
-            return rest
-    return name
+            return Owner(rest)
+    return Owner(name)

@@ -1,133 +1,163 @@
-"""The roster: who belongs to the class, read from a CSV file.
+"""The roster: who belongs to the class, read from a sheet.
 
-Its first line names the columns. `id` is needed: what a student's folder or file is called, or
-begins with. `name`, `email` and `due` (for students with more time) may be there; other columns are
-left alone.
+Its first line names the columns, in many words: those that people write, those of Canvas's exported
+gradebook, of Moodle's grading worksheet and of Gradescope's roster. A column that tells students
+apart is needed. `name`, `email`, `due` (for students with more time) and `team` (students with the
+same team share what one of them handed in) may be there; other columns are left alone.
 """
 
 from __future__ import annotations
 
-import csv
-import io
-from collections.abc import Iterator
-from dataclasses import dataclass
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 
 from lesson_code.course.class_run.names import same_name, shown
+from lesson_code.course.class_run.sheets import (
+    Row,
+    SheetError,
+    plain_heading,
+    read_sheet,
+    read_time,
+)
 
-MOST_STUDENTS = 100_000
-LARGEST_ROSTER = 20_000_000
-"""Bytes."""
+IDS = (
+    *("id", "studentid", "studentnumber", "sid", "identifier", "sisuserid", "sisloginid"),
+    *("idnumber", "matriculationnumber", "orgdefinedid", "netid", "username", "userid", "login"),
+    *("email", "emailaddress", "mail"),
+)
+"""Headings of what tells students apart, the best first: it is called the id, and so is a student's
+folder or file. The others of a row fit a folder's name, too."""
 
-MOST_ERRORS = 10
-"""Lines of a bad roster that are told at once."""
+NAMES = ("name", "fullname", "student", "studentname")
+FIRST_NAMES = ("firstname", "givenname", "forename")
+LAST_NAMES = ("lastname", "surname", "familyname")
+EMAILS = ("email", "emailaddress", "mail")
+DUE = ("due", "duedate", "extension", "extendedto")
+TEAMS = ("team",)
+KNOWN = frozenset((*IDS, *NAMES, *FIRST_NAMES, *LAST_NAMES, *DUE, *TEAMS))
 
+CANVAS = frozenset(("student", "id", "section"))
+MOODLE = frozenset(("identifier", "grade", "lastmodifiedgrade"))
+"""Headings that make a roster Canvas's gradebook, or Moodle's worksheet."""
 
-class RosterError(ValueError):
-    """A roster that cannot be used; the message names the file and the lines."""
+POINTS_POSSIBLE = "Points Possible"
+NO_STUDENT = re.compile(r"(muted|manual posting.*|\(read only\))?", re.IGNORECASE)
+"""The cells of a row in which Canvas says something of the columns."""
+
+NUMBER = re.compile(r"\D*(\d+)")
+"""What Moodle calls a student in its worksheet: Participant 123."""
 
 
 @dataclass(frozen=True)
 class Enrolled:
-    """A student of the class."""
+    """A student of the class.
+
+    `also` holds what else tells the student apart, such as a login; `canvas` and `moodle` the
+    numbers that these give the student; `cells` the row of the roster as it stands there.
+    """
 
     id: str
     name: str = ""
     email: str = ""
     due: datetime | None = None
+    team: str = ""
+    also: tuple[str, ...] = ()
+    canvas: str = ""
+    moodle: str = ""
+    cells: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
 
-def read_roster(path: Path) -> tuple[Enrolled, ...]:
-    """Return the students in a roster, in the order of the file.
+@dataclass(frozen=True)
+class Roster:
+    """A class, in the order of its file, and what else the file says.
+
+    `system` is the course system whose file it is; `full_points` are the full marks of Canvas's
+    columns, where they are numbers.
+    """
+
+    students: tuple[Enrolled, ...]
+    headings: tuple[str, ...] = ()
+    system: str = ""
+    full_points: Mapping[str, str] = field(default_factory=dict)
+
+
+def read_roster(path: Path) -> Roster:
+    """Return the students in a roster.
 
     Raises
     ------
-    RosterError
-        The file is missing, too large, no CSV in UTF-8 or without a column `id`; an id is empty,
+    SheetError
+        The file is no sheet, or no column or more than one tells students apart; an id is empty,
         stands twice or holds a path separator; a time cannot be read. Every bad line is named.
     """
-    rows = list(_rows(path, _text(path)))
-    students = [_student(row) for _, row in rows]
-    errors = [error for (line, row) in rows for error in _errors(line, row)]
-    errors += _repeated([line for line, _ in rows], students)
-    if errors:
-        more = f"; and {len(errors) - MOST_ERRORS} more" if len(errors) > MOST_ERRORS else ""
-        raise RosterError(f"{path}: {'; '.join(errors[:MOST_ERRORS])}{more}")
-    return tuple(students)
+    sheet = read_sheet(path, KNOWN)
+    plain = [plain_heading(heading) for heading in sheet.headings]
+    columns = dict(zip(reversed(plain), reversed(sheet.headings), strict=True))
+    best = next((heading for heading in IDS if heading in columns), "id")
+    if plain.count(best) != 1:
+        listed = ", ".join(map(repr, sheet.headings))
+        raise SheetError(f"{path}: needs one column named id, and has {listed}")
+    system = next(
+        (name for name, its in (("canvas", CANVAS), ("moodle", MOODLE)) if its <= set(plain)), ""
+    )
+    first = sheet.headings[0]
+    rows = [row for row in sheet.rows if not (system == "canvas" and _is_no_student(row, first))]
+    students = [_student(row, columns, best, system) for row in rows]
+    errors = [e for row, s in zip(rows, students, strict=True) for e in _errors(row, s, columns)]
+    sheet.refuse([*errors, *_repeated([row.line for row in rows], students)])
+    full = next((row.cells for row in sheet.rows if POINTS_POSSIBLE in row.cells[first]), {})
+    return Roster(tuple(students), sheet.headings, system, full)
 
 
-def read_time(text: str) -> datetime:
-    """Return a time such as 2026-11-20T23:59, of this machine's own zone unless it names one.
-
-    Raises
-    ------
-    ValueError
-        It is no such time.
-    """
-    try:
-        return datetime.fromisoformat(text.strip()).astimezone()
-    except (ValueError, OverflowError, OSError):
-        raise ValueError(f"a time must be like 2026-11-20T23:59, got {text!r}") from None
+def _is_no_student(row: Row, first: str) -> bool:
+    """Return whether a row of Canvas's gradebook says something of the columns."""
+    return POINTS_POSSIBLE in row.cells[first] or all(
+        NO_STUDENT.fullmatch(cell) for cell in row.cells.values()
+    )
 
 
-def _text(path: Path) -> str:
-    """Return the text of a roster, or say why it is none."""
-    if not path.is_file():
-        raise RosterError(f"{path}: there is no such roster")
-    if path.stat().st_size > LARGEST_ROSTER:
-        raise RosterError(f"{path}: larger than {LARGEST_ROSTER // 1_000_000} MB")
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise RosterError(f"{path}: is not text in UTF-8; save it as CSV UTF-8") from None
-    if not text.strip():
-        raise RosterError(f"{path}: is empty")
-    return text
-
-
-def _rows(path: Path, text: str) -> Iterator[tuple[int, dict[str, str]]]:
-    """Yield the rows that hold anything, each with the number of its line."""
-    delimiter = ";" if ";" in text.splitlines()[0] else ","
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
-    try:
-        columns = [column.strip().lower() for column in next(reader)]
-        if columns.count("id") != 1:
-            listed = ", ".join(map(repr, columns))
-            raise RosterError(f"{path}: needs one column named id, and has {listed}")
-        count = 0
-        for cells in reader:
-            if any(cell.strip() for cell in cells):
-                count += 1
-                if count > MOST_STUDENTS:
-                    raise RosterError(f"{path}: lists more than {MOST_STUDENTS:,} students")
-                row = dict(zip(columns, map(str.strip, cells), strict=False))
-                yield reader.line_num, row | {"": "" if len(cells) == len(columns) else "wrong"}
-    except csv.Error as error:
-        raise RosterError(f"{path}: line {reader.line_num} is no CSV ({error})") from None
-
-
-def _student(row: dict[str, str]) -> Enrolled:
+def _student(row: Row, columns: Mapping[str, str], best: str, system: str) -> Enrolled:
     """Return the student of a row, which may be wrong."""
+
+    def cell(*headings: str) -> str:
+        return next((row.cells[columns[h]] for h in headings if h in columns), "")
+
     try:
-        due = read_time(row["due"]) if row.get("due") else None
+        due = read_time(cell(*DUE)) if cell(*DUE) else None
     except ValueError:
         due = None
-    return Enrolled(row.get("id", ""), row.get("name", ""), row.get("email", ""), due)
+    name = cell(*NAMES) or " ".join(filter(None, (cell(*FIRST_NAMES), cell(*LAST_NAMES))))
+    own = cell(best)
+    also = tuple(dict.fromkeys(other for h in IDS if (other := cell(h)) and other != own))
+    email = cell(*EMAILS) or next((other for other in (own, *also) if "@" in other), "")
+    number = NUMBER.fullmatch(cell("identifier")) if system == "moodle" else None
+    return Enrolled(
+        own,
+        name,
+        email,
+        due,
+        cell(*TEAMS),
+        also,
+        canvas=own if system == "canvas" else "",
+        moodle=number[1] if number else "",
+        cells=row.cells,
+    )
 
 
-def _errors(line: int, row: dict[str, str]) -> Iterator[str]:
+def _errors(row: Row, student: Enrolled, columns: Mapping[str, str]) -> Iterator[str]:
     """Yield what is wrong with a row by itself."""
-    if row[""]:
-        yield f"line {line} has another number of cells than the first line"
-    if not row.get("id"):
-        yield f"line {line} has no id"
-    if set(row.get("id", "")) & set("/\\\0"):
-        yield f"line {line}: an id names a file, and cannot hold / or \\, got {shown(row['id'])}"
+    if not student.id:
+        yield f"line {row.line} has no id"
+    if set(student.id) & set("/\\\0"):
+        got = shown(student.id)
+        yield f"line {row.line}: an id names a file, and cannot hold / or \\, got {got}"
     try:
-        read_time(row.get("due") or "2026-01-01")
+        read_time(next((row.cells[columns[h]] for h in DUE if h in columns), "") or "2026-01-01")
     except ValueError as error:
-        yield f"line {line}: {error}"
+        yield f"line {row.line}: {error}"
 
 
 def _repeated(lines: list[int], students: list[Enrolled]) -> Iterator[str]:

@@ -11,9 +11,11 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
+from lesson_code.course.class_run.changes import read_changes
 from lesson_code.course.class_run.collect import HandIn, Paper, collect
 from lesson_code.course.class_run.exports import write_exports
 from lesson_code.course.class_run.gradebook import Gradebook, gradebook
+from lesson_code.course.class_run.imports import write_imports
 from lesson_code.course.class_run.journal import Journal, Marks, key_of
 from lesson_code.course.class_run.marking import Job, Terms, grader_version, mark
 from lesson_code.course.class_run.names import shown
@@ -49,6 +51,7 @@ def grade_class(
     isolation: str | None = None,
     hands: Hands | None = None,
     fresh: bool = False,
+    variant: bool = False,
     told: Callable[[str], None] = lambda _: None,
 ) -> Gradebook:
     """Grade a class, and write marks, feedback and an overview into a folder.
@@ -63,7 +66,7 @@ def grade_class(
     out : Path
         Is made if it is not there.
     roster : Path, optional
-        A CSV file with the students of the class.
+        A sheet with the students of the class.
     exercises : sequence of str
         Names or numbers of the exercises that count; by default those that
         :func:`.gradebook.common_exercises` finds.
@@ -78,24 +81,28 @@ def grade_class(
         Who does the work; by default one process for each core.
     fresh : bool
         Forget an earlier run.
+    variant : bool
+        Draw inputs for each student, from the seed and the id; a team's are those of its first.
     told : callable
         Receives progress messages, one line each.
 
     Raises
     ------
     ValueError
-        The folder, the roster, an exercise or the journal cannot be used; nothing has been graded.
+        The folder, the roster, the changes, an exercise or the journal cannot be used; nothing has
+        been graded.
     OSError
         The results cannot be written, or no cluster answers.
     """
     names = tuple(exercise_by_name(name).name for name in exercises)
-    class_list = None if roster is None else read_roster(roster)
+    enrolled = None if roster is None else read_roster(roster)
     own = {os.path.realpath(path) for path in (out, roster) if path}
-    hand_ins, left_out = collect(folder, class_list, without=own)
+    hand_ins, left_out = collect(folder, enrolled.students if enrolled else None, without=own)
     if hands is None or hands.cluster is None:
         with Grader(isolation=isolation) as grader:  # refuses before anything is read or written
             told(f"isolation: {grader.isolation}")
     out.mkdir(parents=True, exist_ok=True)
+    changes = read_changes(out, hand_ins)
     if fresh:
         (out / JOURNAL).unlink(missing_ok=True)
     head = {
@@ -103,13 +110,25 @@ def grade_class(
         "seed": seed,
         "exercises": list(names),
         "isolation": isolation,
+        "variant": variant,
         "grader": grader_version(),
     }
     with Journal(out / JOURNAL, head, drawn={"seed": secrets.randbelow(LARGEST_SEED)}) as journal:
         terms = Terms(journal.head["seed"], names, isolation, journal.head["grader"])
-        marks = _graded(hand_ins, journal, terms, hands or Hands(), told)
-    book = gradebook(hand_ins, marks, exercises=names, seed=terms.seed, due=due, left_out=left_out)
+        marks = _graded(hand_ins, journal, terms, hands or Hands(), variant, told)
+    book = gradebook(
+        hand_ins,
+        marks,
+        exercises=names,
+        seed=terms.seed,
+        due=due,
+        left_out=left_out,
+        changes=changes,
+        roster=enrolled,
+        is_variant=variant,
+    )
     write_exports(book, out)
+    write_imports(book, out)
     write_pages(book, out)
     return book
 
@@ -119,17 +138,23 @@ def _graded(
     journal: Journal,
     terms: Terms,
     hands: Hands,
+    is_variant: bool,
     told: Callable[[str], None],
 ) -> dict[str, Marks]:
     """Return the marks of every file, those that the journal lacks worked out now."""
-    papers = [paper for hand_in in hand_ins for paper in hand_in.papers]
+    whose: dict[str, str] = {}
+    papers: list[Paper] = []
+    for hand_in in hand_ins:
+        for paper in (paper for paper in hand_in.papers if key_of(paper) not in whose):
+            whose[key_of(paper)] = hand_in.student.id
+            papers.append(paper)
     waiting = [paper for paper in papers if key_of(paper) not in journal.done]
     if len(waiting) < len(papers):
         told(f"{len(papers) - len(waiting)} of {len(papers)} files are graded already")
     failed: dict[str, Marks] = {}
     done = iter_tasks(
         partial(mark, terms=terms),
-        [_job(paper, hands) for paper in waiting],
+        [_job(p, hands, whose[key_of(p)] if is_variant else "") for p in waiting],
         workers=hands.workers,
         cluster=hands.cluster,
         names=[shown(paper.name) for paper in waiting],
@@ -145,15 +170,15 @@ def _graded(
     return {**journal.done, **failed}
 
 
-def _job(paper: Paper, hands: Hands) -> Job:
+def _job(paper: Paper, hands: Hands, variant: str) -> Job:
     """Return a file as a task; workers on other machines are sent what stands in it."""
     if hands.cluster is None or paper.path.is_symlink() or not paper.path.is_file():
-        return Job(paper.name, paper.path)
+        return Job(paper.name, paper.path, variant=variant)
     if paper.path.stat().st_size > LARGEST_FILE:
-        return Job(paper.name, paper.path)
+        return Job(paper.name, paper.path, variant=variant)
     with suppress(OSError):
-        return Job(paper.name, paper.path, paper.path.read_bytes())
-    return Job(paper.name, paper.path)
+        return Job(paper.name, paper.path, paper.path.read_bytes(), variant)
+    return Job(paper.name, paper.path, variant=variant)
 
 
 def _lost(error: BaseException) -> str:

@@ -29,6 +29,7 @@ def marks(*points: int, model: str | None = None, message: str = "wrong") -> dic
     tasks = [
         {
             "task": task.id,
+            "function": task.function,
             "points": earned,
             "full_points": task.points,
             "criteria": [
@@ -41,10 +42,19 @@ def marks(*points: int, model: str | None = None, message: str = "wrong") -> dic
                 for criterion in task.criteria
             ],
             "wrong_model": {"name": model, "hint": "?"} if model and task.id == "1.1" else None,
+            "diagnoses": [{"name": model, "says": model, "hint": "?"}]
+            if model and task.id == "1.1"
+            else [],
         }
         for task, earned in zip(ONE.tasks, points, strict=True)
     ]
-    return {"exercise": ONE.name, "points": sum(points), "isolation": "full", "tasks": tasks}
+    return {
+        "exercise": ONE.name,
+        "points": sum(points),
+        "isolation": "full",
+        "tasks": tasks,
+        "notes": [],
+    }
 
 
 def book_of(*hand_ins: HandIn, marks_of: dict[str, Any], **options: Any) -> Gradebook:
@@ -195,5 +205,5 @@ def test_summary_counts_what_a_class_believes() -> None:
         ("always_swaps", 2),
         ("target_at_rest", 1),
     ]
-    assert first.misconceptions[0].says == ONE.tasks[0].wrong_models[0].misconception
+    assert [who.id for who in first.misconceptions[0].who] == ["b", "c"]
     assert [(s.task.id, m.students) for s, m in to_teach(book)] == [("1.1", 2), ("1.1", 1)]

@@ -20,7 +20,7 @@ ROSTER = [
 
 def owner(name: str) -> Owner:
     """Return the owner of one name."""
-    (found,) = owners([name], ROSTER)
+    ((found,),) = owners([name], ROSTER)
     return found
 
 
@@ -71,14 +71,14 @@ def test_name_that_no_line_fits_or_several_is_nobodys(name: str, why: str) -> No
 def test_two_moodle_numbers_of_one_name_are_two_students() -> None:
     """One line of the roster cannot be both, so neither folder is credited to it."""
     names = [f"Ada Byron_{n}_assignsubmission_file" for n in (1, 2)]
-    for name, found in zip(names, owners(names, ROSTER), strict=True):
+    for name, (found,) in zip(names, owners(names, ROSTER), strict=True):
         assert found.id == name
         assert "as another student's does (numbers 1, 2)" in found.unmatched
-    assert [found.id for found in owners(names, None)] == ["Ada Byron_1", "Ada Byron_2"]
+    assert [found.id for (found,) in owners(names, None)] == ["Ada Byron_1", "Ada Byron_2"]
 
 
 def test_files_of_one_moodle_number_are_one_students() -> None:
     """The folder of files and that of the text typed in belong together, with a roster or not."""
     names = [f"Ada Byron_1_assignsubmission_{kind}" for kind in ("file", "onlinetext")]
-    assert [found.id for found in owners(names, ROSTER)] == ["b7", "b7"]
-    assert [found.id for found in owners(names, None)] == ["Ada Byron_1", "Ada Byron_1"]
+    assert [found.id for (found,) in owners(names, ROSTER)] == ["b7", "b7"]
+    assert [found.id for (found,) in owners(names, None)] == ["Ada Byron_1", "Ada Byron_1"]

@@ -57,6 +57,23 @@ def test_one_worker_and_two_write_the_same_bytes(make_class: MakeClass, tmp_path
     assert "grades.csv" in contents_of(tmp_path / "1")
 
 
+def test_variant_draws_for_each_student_and_the_same_again(
+    make_class: MakeClass, tmp_path: Path
+) -> None:
+    """Two students have two seeds, whoever does the work; each repeats a file's calls."""
+    folder = make_class({"ada.py": RIGHT, "bob.py": RIGHT})
+    for workers in (1, 2):
+        out = tmp_path / f"out{workers}"
+        book = grade_class(folder, out, seed=7, hands=Hands(workers), variant=True)
+        assert [student.points for student in book.students] == [10, 10]
+    seeds = {report["seed"] for student in book.students for report in student.reports.values()}
+    assert len(seeds) == 2
+    assert 7 not in seeds
+    assert contents_of(tmp_path / "out1") == contents_of(tmp_path / "out2")
+    with pytest.raises(ValueError, match=r"variant was True and is False now"):
+        grade_class(folder, out, seed=7, hands=Hands(1))
+
+
 def test_interrupted_run_goes_on_and_writes_the_same_bytes(
     make_class: MakeClass, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -215,7 +232,7 @@ def test_grader_that_fails_loses_nobody(
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--roster", "none.csv"], "there is no such roster"),
+        (["--roster", "none.csv"], "there is no such file"),
         (["--exercise", "77"], "exercise must be one of"),
         (["--due", "tomorrow"], "a time must be like"),
         (["--isolation", "much"], "isolation must be"),
