@@ -3,8 +3,8 @@
 What to do
     Write the three functions below. Their docstrings say exactly what they take and return.
 How to run it
-    ``python exercises/asteroids.py`` opens the field with *your* bursts and shots in it; what is
-    not written yet is lent by the workbook. The panel shows a sum that has to stay as it is.
+    ``python exercises/asteroids.py`` opens the field with *your* bursts and shots in it; the
+    window says what is not written yet. The panel shows a sum that has to stay as it is.
 How to check it
     ``workbook grade exercises/asteroids.py``
 

@@ -4,8 +4,8 @@ What to do
     Write the three functions below. Their docstrings say exactly what they take and return. The
     constants are given.
 How to run it
-    ``python exercises/pool.py`` opens the table with *your* rack and stroke in it; what is not
-    written yet is lent by the workbook. Drag back from the ball to strike it.
+    ``python exercises/pool.py`` opens the table with *your* rack and stroke in it; the window
+    says what is not written yet. Drag back from the ball to strike it.
 How to check it
     ``workbook grade exercises/pool.py``
 

@@ -5,7 +5,7 @@ What to do
     say exactly what they take and return. The constants are given.
 How to run it
     ``python exercises/soft_body.py`` opens a ring that *your* fourth function moves; until it is
-    written, the workbook lends its own.
+    written, nothing moves.
 How to check it
     ``workbook grade exercises/soft_body.py``
 

@@ -5,7 +5,7 @@ What to do
     constants are given.
 How to run it
     ``python exercises/breakout.py`` opens the game with *your* paddle in it; until it is written,
-    the workbook lends its own.
+    every ball leaves straight up.
 How to check it
     ``workbook grade exercises/breakout.py``
 

@@ -5,7 +5,7 @@ What to do
     constants are given.
 How to run it
     ``python exercises/cradle.py`` opens a cradle that *your* third function moves; until it is
-    written, the workbook lends its own.
+    written, nothing moves.
 How to check it
     ``workbook grade exercises/cradle.py``
 

@@ -1,10 +1,20 @@
-"""The programs: the chapters that hold a game. None is loaded before it is played."""
+"""The programs: the chapters that hold a game. None is loaded before it is played.
+
+A student's copy plays them with the rules that the student has written: where the instructor's has
+an answer to an exercise, there stands an :func:`own_answer`.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from functools import cache
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 from lesson_code.course.chapters import chapters_with
+from lesson_code.course.notebooks.root import find_root
 
 if TYPE_CHECKING:
     from lesson_code.view.pygame.program import Program
@@ -28,3 +38,35 @@ def load(name: str) -> Program:
         raise ValueError(f"program must be one of {', '.join(programs)}, got {name!r}")
     program: Program = programs[name].module("game").PROGRAM
     return program
+
+
+def own_answer(exercise: str, function: str) -> Callable[..., Any]:
+    """Return a function of a student's exercise; the file is read when it is first called.
+
+    It raises a NotImplementedError that names the file while the function is not written, and a
+    ValueError where the file cannot be read.
+    """
+
+    def answer(*arguments: Any) -> Any:
+        path = find_root() / "exercises" / f"{exercise}.py"
+        try:
+            return getattr(_module(path), function)(*arguments)
+        except NotImplementedError as missing:
+            raise NotImplementedError(f"{missing}, in exercises/{path.name}") from missing
+
+    answer.__name__ = function
+    return answer
+
+
+@cache
+def _module(path: Path) -> ModuleType:
+    """Return a student's file as a module."""
+    spec = spec_from_file_location(f"exercise_{path.stem}", path)
+    if spec is None or spec.loader is None:
+        raise ValueError(f"{path}: is no Python file")
+    module = module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:  # what a student writes may fail in any way
+        raise ValueError(f"{path}: cannot be read: {error!r}") from error
+    return module

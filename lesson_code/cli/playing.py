@@ -92,6 +92,8 @@ def _play(
         f"95 % within {1e3 * outcome.within(0.95):.2f} ms",
         highlight=False,
     )
+    for missing in outcome.game.missing.values():
+        console.print(f"Not written yet: {missing}", markup=False, highlight=False)
     if outcome.film is not None:
         film = outcome.film
         end = ", the most that a film takes" if film.is_full else ""

@@ -317,27 +317,26 @@ check("velocities after, ours and pymunk's", np.subtract(ours, theirs), 0, toler
 # Everything of this chapter in one program: four cushions, and a bumper at 45 degrees that is a
 # short wall with two sides and round ends. In every step: move, look for contacts, **separate
 # first**, then **bounce**. Corners meet two cushions in one step. This table is measured in
-# pixels, and y points down.
+# pixels, and y points down. The program itself is your exercise; here the workbook's engine plays
+# the first shot, from one collision to the next.
 
 # %%
-from lesson_code.chapters.billiards import rules as billiards_table
+from lesson_code import simulate
+from lesson_code.chapters.billiards.rules import TABLE
+from lesson_code.chapters.ch03_reflection.scenes import CUSHIONS, billiard_table
 
-position, velocity = billiards_table.LAUNCH
-track, hits = [position], []
-for _ in range(8 * 60):
-    position, velocity, new_hits = billiards_table.step(position, velocity)
-    track.append(position)
-    hits += new_hits
+run = simulate(billiard_table(), duration=8.0)
+track = run.positions[:, -1]
+hits = [CUSHIONS[body] for body in run.contacts.body_a]
 print("in 8 s:", {name: hits.count(name) for name in sorted(set(hits))})
 check("all four cushions and the bumper", len(set(hits)), 5)
 
 # %%
-table = billiards_table.TABLE
-bumper = zip(table.bumper_start, table.bumper_end, strict=True)
+bumper = zip(TABLE.bumper_start, TABLE.bumper_end, strict=True)
 fig, ax = style.figure(width=7, height=4.8)
 plots.path(ax, track, "the ball's centre", style.BLUE)
 ax.plot(*bumper, color=style.VERMILION, linewidth=8, solid_capstyle="round")
-ax.set(xlim=(0, table.width), ylim=(table.height, 0), xlabel="x, px", ylabel="y, px (down)")
+ax.set(xlim=(0, TABLE.width), ylim=(TABLE.height, 0), xlabel="x, px", ylabel="y, px (down)")
 ax.grid(False)
 show(
     fig,
@@ -346,8 +345,8 @@ show(
 )
 
 # %% [markdown]
-# Play it: `workbook play billiards` opens the window. Write it:
-# [exercises/billiards.py](../exercises/billiards.py) has five functions for you to fill in.
+# Write it: [exercises/billiards.py](../exercises/billiards.py) has five functions for you to fill
+# in. Play it: `workbook play billiards` opens the window, with your functions in it.
 #
 # ## 9 Quiz
 

@@ -18,7 +18,6 @@ from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.geometry.shapes import Circle, Polygon
-from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Flashes, Sparks
 from lesson_code.view.pygame.picture import Camera, Picture
 from lesson_code.view.pygame.program import (
@@ -76,7 +75,7 @@ class Asteroids(Game):
     """A ship among asteroids."""
 
     def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
-        self._split, self._fire = lent(rules.split, split), lent(rules.fire, fire)
+        self._split, self._fire = rules.split, rules.fire
         super().__init__(seed)
 
     def reset(self) -> None:
@@ -179,10 +178,13 @@ class Asteroids(Game):
         """Fire a shot ahead; the ship recoils. The shot's mass comes from the ship's stores."""
         if self.world.steps - self._last_shot < RELOAD_STEPS:
             return
-        self._last_shot = self.world.steps
         angle = self.world.angle(self.ship)
         velocity = self.world.velocity(self.ship)
-        ship, shot = self._fire(velocity, SHIP_MASS, SHOT_MASS, MUZZLE, angle)
+        guns = SHIP_MASS, SHOT_MASS, MUZZLE, angle
+        after = self.ask(self._fire, velocity, *guns, otherwise=None)
+        if after is None:
+            return
+        self._last_shot, (ship, shot) = self.world.steps, after
         # The stores are outside of the ledger: the shot's mass joins with the ship's velocity.
         self._carry_away((-SHOT_MASS * velocity[0], -SHOT_MASS * velocity[1]))
         self.world.throw(self.ship, (float(ship[0]), float(ship[1])))
@@ -233,8 +235,10 @@ class Asteroids(Game):
         self.world.remove(rock)
         headings = [drawn + 2 * math.pi * k / HEADINGS for k in range(HEADINGS)]
         heading = min(headings, key=lambda h: self._overlap(around(place, reach, h), radii))
-        velocities = np.asarray(self._split(velocity, masses, BURST_SPEED, heading)).tolist()
-        for away, radius, v in zip(around(place, reach, heading), radii, velocities, strict=True):
+        burst = velocity, masses, BURST_SPEED, heading
+        velocities = np.asarray(self.ask(self._split, *burst, otherwise=[velocity] * PIECES))
+        places = around(place, reach, heading)
+        for away, radius, v in zip(places, radii, velocities.tolist(), strict=True):
             self._add_rock(away, radius, (v[0], v[1]))
 
     def _overlap(self, places: list[XY], radii: list[float]) -> float:

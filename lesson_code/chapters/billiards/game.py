@@ -50,6 +50,9 @@ MOST_LEFT_OVER = 0.25
 BALL, MASS = len(CUSHIONS), 1.0
 """The ball's number, after those of the cushions; and its mass, kg, for the sound of an impact."""
 
+NOTHING_MOVES = object()
+"""Stands for an answer while `advance` is not written; None would be a wrong one."""
+
 RAIL, CUSHION = 28.0, 12.0
 """px: width of the frame round the table, and of the cushions, its inner part."""
 
@@ -95,13 +98,7 @@ class Billiards(Game):
         self._advance = advance
         self._first = _checked_launch(first_shot(seed) if launch is None else launch)
         self.shows_velocity = self.shows_normals = False
-        self._missing = ""
         super().__init__(seed)
-
-    @property
-    def notice(self) -> str:
-        """What a student has still to write."""
-        return f"not written yet: {self._missing}" if self._missing else ""
 
     def reset(self) -> None:
         """Play the first shot again."""
@@ -149,14 +146,12 @@ class Billiards(Game):
         if self.aim is not None:
             return
         elapsed = min(self.left_over, MOST_LEFT_OVER) + TIME_STEP
-        try:
-            answer = self._advance(self.position.copy(), self.velocity.copy(), elapsed)
-        except NotImplementedError as missing:
-            self._missing = str(missing) or "advance"
-            return
         before = self.velocity
+        ball = self.position, self.velocity
+        answer = self.ask(self._advance, *ball, elapsed, otherwise=NOTHING_MOVES)
+        if answer is NOTHING_MOVES:
+            return
         self.position, self.velocity, hits, self.left_over = _checked_answer(answer)
-        self._missing = ""
         self.time += elapsed - self.left_over
         self.trail.append(as_place(self.position))
         self._count(hits, before)

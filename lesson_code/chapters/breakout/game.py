@@ -17,7 +17,6 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.formulas import bounce
 from lesson_code.geometry.shapes import Circle, Polygon
-from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Sparks, Trails
 from lesson_code.view.pygame.picture import Camera, Picture
 from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
@@ -67,7 +66,7 @@ class Breakout(Game):
     """A ball, a paddle and bricks."""
 
     def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
-        self._paddle_bounce = lent(rules.paddle_bounce, paddle_bounce)
+        self._paddle_bounce = rules.paddle_bounce
         super().__init__(seed)
 
     def reset(self) -> None:
@@ -114,9 +113,9 @@ class Breakout(Game):
 
     @property
     def notice(self) -> str:
-        """What the end of the game was."""
+        """What is not written yet, and what the end of the game was."""
         if not self.is_over:
-            return ""
+            return super().notice
         return "All levels done: R plays again" if self.lives else "Game over: R plays again"
 
     def press(self, key: str) -> None:
@@ -137,9 +136,13 @@ class Breakout(Game):
         """Launch the ball, a little to one side."""
         if self.serves and not self.is_over:
             self.serves = False
-            self.world.throw(
-                self.ball, self._paddle_bounce(self.random.uniform(-0.5, 0.5), self.speed), 0.0
-            )
+            self.world.throw(self.ball, self._from_paddle(self.random.uniform(-0.5, 0.5)), 0.0)
+
+    def _from_paddle(self, offset: float) -> XY:
+        """Return the velocity of a ball that leaves the paddle: straight up without the rule."""
+        straight = 0.0, self.speed
+        x, y = self.ask(self._paddle_bounce, offset, self.speed, otherwise=straight)
+        return x, y
 
     def step(self) -> None:
         """Make one step: paddle, ball, and what it has hit."""
@@ -202,7 +205,7 @@ class Breakout(Game):
         for impact in impacts:
             if impact.body == self.paddle and self.world.position(self.ball)[1] > PADDLE_Y:
                 offset = (impact.x - self.world.position(self.paddle)[0]) / (PADDLE[0] / 2)
-                velocity = self._paddle_bounce(offset, self.speed)
+                velocity = self._from_paddle(offset)
         for impact in impacts:
             velocity = bounce(velocity, impact.normal, 1.0)
         return float(velocity[0]), float(velocity[1])

@@ -38,7 +38,8 @@ class OwnCradle(OwnWorld):
 
     def moved(self, first: Any, second: Any) -> Any:
         """Return the state after one step."""
-        return self._move(first, second, LENGTH, TIME_STEP / PARTS, PARTS)
+        parts = LENGTH, TIME_STEP / PARTS, PARTS
+        return self.ask(self._move, first, second, *parts, otherwise=(first, second))
 
 
 def draw_cradle(game: OwnCradle, picture: Picture, effects: ImpactEffects) -> None:

@@ -96,11 +96,11 @@ class Dominoes(Game):
 
     def push(self) -> None:
         """Give the first domino just enough, and a little more."""
-        if self.pushed:
+        least = self.ask(toppling_rate, *SIZE, otherwise=None)
+        if self.pushed or least is None:
             return
         self.pushed = True
-        rate = -NUDGE * toppling_rate(*SIZE)
-        first = self.below[0]
+        rate, first = -NUDGE * least, self.below[0]
         self.world.throw(first, (-rate * SIZE[1] / 2, 0.0), rate)
 
     def down(self, place: XY) -> None:
@@ -125,8 +125,11 @@ class Dominoes(Game):
 
     def has_fallen(self, number: int) -> bool:
         """Return whether a domino leans beyond its tipping angle."""
-        size = TALL if number == self.tall else SIZE
-        return abs(self.world.angle(number)) > tipping_angle(*size)
+        return abs(self.world.angle(number)) > self.leans(TALL if number == self.tall else SIZE)
+
+    def leans(self, size: XY) -> float:
+        """Return how far a domino can lean before it has fallen, rad: any way without the rule."""
+        return float(self.ask(tipping_angle, *size, otherwise=math.inf))
 
 
 def draw(game: Dominoes, picture: Picture, effects: ImpactEffects) -> None:
@@ -153,7 +156,7 @@ def readings(game: Dominoes) -> Readings:
         ("fallen", f"{len(game.order)} of {len(game.dominoes)}"),
         ("on the floor", f"{sum(n in game.below for n in game.order)} of {len(game.below)}"),
         ("on the shelf", f"{sum(n in game.above for n in game.order)} of {len(game.above)}"),
-        ("tipping angle", f"{math.degrees(tipping_angle(*SIZE)):.1f} degrees"),
+        ("tipping angle", f"{math.degrees(game.leans(SIZE)):.1f} degrees"),
         ("kinetic energy", f"{game.world.kinetic_energy():.2f} J"),
     ]
 

@@ -36,7 +36,8 @@ class OwnDominoes(OwnWorld):
 
     def moved(self, first: Any, second: Any) -> Any:
         """Return the state after one step."""
-        return self._move(first, second, HEIGHT, SPACING, TIME_STEP / PARTS, PARTS)
+        parts = HEIGHT, SPACING, TIME_STEP / PARTS, PARTS
+        return self.ask(self._move, first, second, *parts, otherwise=(first, second))
 
 
 def draw_dominoes(game: OwnDominoes, picture: Picture, effects: ImpactEffects) -> None:

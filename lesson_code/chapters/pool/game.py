@@ -17,7 +17,6 @@ from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.formulas import disc_inertia
 from lesson_code.geometry import time_of_impact
 from lesson_code.geometry.shapes import Circle, Segment
-from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.effects import Flashes, Trails
 from lesson_code.view.pygame.picture import COLOURS, Camera, Picture
 from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
@@ -77,7 +76,7 @@ class Pool(Game):
     """Fifteen balls in a rack, and a cue ball."""
 
     def __init__(self, seed: int = 0, rules: Rules = Rules()) -> None:
-        self._rack, self._strike = lent(rules.rack, rack), lent(rules.strike, strike)
+        self._rack, self._strike = rules.rack, rules.strike
         super().__init__(seed)
 
     def reset(self) -> None:
@@ -86,7 +85,7 @@ class Pool(Game):
         self.aim: XY | None = None
         self.potted: list[int] = []
         self.strokes = self.fouls = 0
-        places = [HEAD, *self._rack(FOOT, RADIUS, GAP)]
+        places = [HEAD, *self.ask(self._rack, FOOT, RADIUS, GAP, otherwise=())]
         self.world = LiveWorld(
             [self._ball(place) for place in places] + cushions(),
             iterations=SWEEPS,
@@ -151,9 +150,11 @@ class Pool(Game):
 
     def strike(self, impulse: XY) -> None:
         """Strike the cue ball."""
-        velocity, spin = self._strike(impulse, self.offset * RADIUS, MASS, RADIUS)
-        self.world.throw(self.cue, velocity, spin)
-        self.strokes += 1
+        stroke = impulse, self.offset * RADIUS, MASS, RADIUS
+        after = self.ask(self._strike, *stroke, otherwise=None)
+        if after is not None:
+            self.world.throw(self.cue, *after)
+            self.strokes += 1
 
     def step(self) -> None:
         """Make one step: impacts, cloth, pockets."""

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.chapters.soft_body.rules import pressure_forces, ring_area, spring_forces
+from lesson_code.chapters.soft_body.rules import pressure_forces, ring_area, ring_forces
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle, Segment
@@ -41,7 +41,7 @@ BEAD = 0.95 * RADIUS * math.sin(math.pi / MASSES)
 BEAD_MASS = 0.1
 """kg."""
 
-STIFFNESS, DAMPING, PRESSURE = 220.0, 1.2, 60.0
+STIFFNESS, DAMPING, PRESSURE = 220.0, 1.2, 100.0
 """N/m, N s/m and N/m."""
 
 SUBSTEPS = 6
@@ -65,11 +65,11 @@ GRIP = 30.0
 """1/s^2: how hard the mouse pulls, for 1 kg and 1 m."""
 
 
-SPRINGS = np.array(
-    [(k, (k + step) % MASSES) for step in (1, 2) for k in range(MASSES)]
-    + [(k, k + MASSES // 2) for k in range(MASSES // 2)]
-)
-"""The masses that each spring of a body ties: to the next, to the next but one, and across."""
+STRIDES = (1, 2, 4)
+"""Springs tie a mass to the next one, the next but one, and the fourth: rings within the ring."""
+
+SPRINGS = np.array([(k, (k + stride) % MASSES) for stride in STRIDES for k in range(MASSES)])
+"""The masses that each spring of a body ties."""
 
 
 class SoftBody(Game):
@@ -78,8 +78,7 @@ class SoftBody(Game):
     def reset(self) -> None:
         """Put the bodies back to where they fall from."""
         self.rings: list[list[int]] = []  # the numbers of their masses
-        self._springs = np.empty((0, 2), dtype=int)  # of all bodies, one after the other
-        self._lengths, self._areas = np.empty(0), np.empty(0)
+        self._areas: list[float] = []
         self.grip: tuple[int, XY] | None = None
         ledges = [((0.0, 0.9), (2.2, 0.5)), ((6.0, 0.7), (8.0, 0.7))]
         self.world = LiveWorld(
@@ -103,10 +102,7 @@ class SoftBody(Game):
             self.world.add(Body(Circle(BEAD), position=(x, y), mass=BEAD_MASS, material=RUBBER))
             for x, y in points.tolist()
         ]
-        lengths = [math.dist(points[a], points[b]) for a, b in SPRINGS]
-        self._springs = np.concatenate([self._springs, SPRINGS + MASSES * len(self.rings)])
-        self._lengths = np.concatenate([self._lengths, lengths])
-        self._areas = np.append(self._areas, ring_area(points))
+        self._areas.append(self._area(points))
         self.rings.append(beads)
 
     def press(self, key: str) -> None:
@@ -152,9 +148,9 @@ class SoftBody(Game):
         states = self.world.states()
         forces = np.zeros((len(states), 2))
         p, v = states[len(self.walls) :, 0:2], states[len(self.walls) :, 3:5]
-        pulls = spring_forces(p, v, self._springs, self._lengths, STIFFNESS, DAMPING)
-        pushes = pressure_forces(p.reshape(-1, MASSES, 2), self._areas, PRESSURE)
-        forces[len(self.walls) :] = pulls + pushes.reshape(-1, 2)
+        rings = zip(p.reshape(-1, MASSES, 2), v.reshape(-1, MASSES, 2), self._areas, strict=True)
+        inner = [self._pulls(ring, speeds) + self._push(ring, area) for ring, speeds, area in rings]
+        forces[len(self.walls) :] = np.concatenate(inner)
         if self.grip is not None:
             bead, place = self.grip
             x, y = self.world.position(bead)
@@ -162,13 +158,33 @@ class SoftBody(Game):
             forces[self.world.numbers.index(bead)] += pull * (place[0] - x), pull * (place[1] - y)
         return forces
 
+    def _pulls(self, points: Any, velocities: Any) -> Any:
+        """Return the forces of a body's springs; without the rule it has none."""
+        forces = np.zeros((MASSES, 2))
+        for stride in STRIDES:
+            spring = 2 * RADIUS * math.sin(math.pi * stride / MASSES), STIFFNESS, DAMPING
+            for first in range(stride):
+                ring = points[first::stride], velocities[first::stride]
+                forces[first::stride] += self.ask(ring_forces, *ring, *spring, otherwise=0.0)
+        return forces
+
+    def _push(self, points: Any, area: float) -> Any:
+        """Return the forces of a body's gas; without the rules it has none."""
+        if math.isnan(area):
+            return 0.0
+        return np.asarray(self.ask(pressure_forces, points, area, PRESSURE, otherwise=0.0))
+
+    def _area(self, points: Any) -> float:
+        """Return the area of a body, m^2; without the rule it is not known."""
+        return float(self.ask(ring_area, points, otherwise=math.nan))
+
     def points(self) -> Any:
         """Return where the masses of all bodies are, m, shape (bodies, MASSES, 2)."""
         return self.world.states()[len(self.walls) :, 0:2].reshape(-1, MASSES, 2)
 
     def area_ratios(self) -> Any:
         """Return the areas of all bodies as parts of that at rest, shape (bodies,)."""
-        return ring_area(self.points()) / self._areas
+        return np.array([self._area(ring) for ring in self.points()]) / self._areas
 
 
 def draw(game: SoftBody, picture: Picture, effects: ImpactEffects) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,60 +11,15 @@ from numpy.typing import NDArray
 from lesson_code.formulas.validation import Vector
 
 
-def spring_forces(
-    positions: Vector,
-    velocities: Vector,
-    springs: Sequence[tuple[int, int]] | NDArray[np.int64],
-    lengths: Vector,
-    stiffness: float,
-    damping: float,
-) -> Any:
-    """Return the forces of damped springs on their masses, N, shape (N, 2).
-
-    Along u, the direction from a to b, a is pulled by
-
-    F = stiffness (distance - length) + damping (v_b - v_a) . u
-
-    and b by the opposite.
-
-    Parameters
-    ----------
-    positions, velocities : array_like, shape (N, 2)
-        m and m/s.
-    springs : sequence of (int, int), or ndarray of shape (S, 2)
-        The masses a and b of each.
-    lengths : array_like, shape (S,)
-        m, at rest.
-    stiffness, damping : float
-        N/m and N s/m.
-
-    Examples
-    --------
-    >>> spring_forces([(0, 0), (3, 0)], [(0, 0), (0, 0)], [(0, 1)], [2.0], 5.0, 1.0).tolist()
-    [[5.0, 0.0], [-5.0, 0.0]]
-    """
-    p, v = np.asarray(positions, dtype=float), np.asarray(velocities, dtype=float)
-    a, b = np.asarray(springs, dtype=int).reshape(-1, 2).T
-    along = p[b] - p[a]
-    distance = np.hypot(along[:, 0], along[:, 1])
-    u = along / np.where(distance > 0, distance, 1.0)[:, None]
-    stretch = stiffness * (distance - np.asarray(lengths, dtype=float))
-    pull = (stretch + damping * ((v[b] - v[a]) * u).sum(axis=1))[:, None] * u
-    forces = np.zeros_like(p)
-    np.add.at(forces, a, pull)
-    np.subtract.at(forces, b, pull)
-    return forces
-
-
-def ring_area(positions: Vector) -> Any:
+def ring_area(positions: Vector) -> float:
     """Return the area inside a ring of points, m^2; positive counter-clockwise.
 
     area = 1/2 sum(x_k y_{k+1} - x_{k+1} y_k)
 
     Parameters
     ----------
-    positions : array_like, shape (..., N, 2)
-        m; several rings give as many areas.
+    positions : array_like, shape (N, 2)
+        m.
 
     Examples
     --------
@@ -74,48 +28,29 @@ def ring_area(positions: Vector) -> Any:
     """
     p = np.asarray(positions, dtype=float)
     following = _following(p)
-    area = (p[..., 0] * following[..., 1] - following[..., 0] * p[..., 1]).sum(axis=-1) / 2
-    return area if area.ndim else float(area)
+    return float((p[:, 0] * following[:, 1] - following[:, 0] * p[:, 1]).sum() / 2)
 
 
-def _following(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the next point of a ring for each of its points."""
-    return np.concatenate([points[..., 1:, :], points[..., :1, :]], axis=-2)
+def _following(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return what the next mass of a ring has, for each of its masses."""
+    return np.concatenate([values[1:], values[:1]])
 
 
-def pressure_forces(positions: Vector, area: Vector, stiffness: float) -> Any:
-    """Return the forces of a gas inside a ring of points, N, shape (..., N, 2).
-
-    The pressure is stiffness (area / ring_area - 1), and less than 0 where the ring is too large.
-    Each edge is pushed outward by pressure times its length, half of it at each end. The ring is
-    counter-clockwise.
-
-    Parameters
-    ----------
-    positions : array_like, shape (..., N, 2)
-        m; of one ring, or of several.
-    area : float, or array_like of shape (...)
-        m^2, at rest.
-    stiffness : float
-        N/m: the pressure that would halve the area.
-
-    Examples
-    --------
-    >>> pressure_forces([(0, 0), (1, 0), (1, 1), (0, 1)], 2.0, 4.0).tolist()
-    [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]
-    """
-    p = np.asarray(positions, dtype=float)
-    pressure = np.asarray(stiffness * (area / ring_area(p) - 1))
-    edges = _following(p) - p
-    outward = np.stack([edges[..., 1], -edges[..., 0]], axis=-1)
-    push = pressure[..., None, None] * outward / 2
-    return push + np.concatenate([push[..., -1:, :], push[..., :-1, :]], axis=-2)
+def _preceding(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return what the mass before it has, for each mass of a ring."""
+    return np.concatenate([values[-1:], values[:-1]])
 
 
 def ring_forces(
     positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
 ) -> Any:
-    """Return the spring forces in a closed ring, N, shape (N, 2): each mass is tied to the next.
+    """Return the forces of damped springs from each mass of a ring to the next, N, (N, 2).
+
+    Along u, the direction from a mass to the next, a spring pulls the mass by
+
+    F = stiffness (distance - length) + damping (v_next - v) . u
+
+    and the next one by the opposite.
 
     Parameters
     ----------
@@ -131,9 +66,41 @@ def ring_forces(
     >>> ring_forces([(0, 0), (3, 0), (3, 3), (0, 3)], [(0, 0)] * 4, 2.0, 5.0, 0.0)[0].tolist()
     [5.0, 5.0]
     """
-    count = len(positions)
-    springs = [(k, (k + 1) % count) for k in range(count)]
-    return spring_forces(positions, velocities, springs, [length] * count, stiffness, damping)
+    p, v = np.asarray(positions, dtype=float), np.asarray(velocities, dtype=float)
+    along = _following(p) - p
+    distance = np.hypot(along[:, 0], along[:, 1])
+    u = along / np.where(distance > 0, distance, 1.0)[:, None]
+    faster = ((_following(v) - v) * u).sum(axis=1)
+    pull = (stiffness * (distance - length) + damping * faster)[:, None] * u
+    return pull - _preceding(pull)
+
+
+def pressure_forces(positions: Vector, area: float, stiffness: float) -> Any:
+    """Return the forces of a gas inside a ring of points, N, shape (N, 2).
+
+    The pressure is stiffness (area / ring_area - 1), and less than 0 where the ring is too large.
+    Each edge is pushed outward by pressure times its length, half of it at each end. The ring is
+    counter-clockwise.
+
+    Parameters
+    ----------
+    positions : array_like, shape (N, 2)
+        m.
+    area : float
+        m^2, at rest.
+    stiffness : float
+        N/m: the pressure that would halve the area.
+
+    Examples
+    --------
+    >>> pressure_forces([(0, 0), (1, 0), (1, 1), (0, 1)], 2.0, 4.0).tolist()
+    [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]
+    """
+    p = np.asarray(positions, dtype=float)
+    pressure = stiffness * (area / ring_area(p) - 1)
+    edges = _following(p) - p
+    push = pressure * np.column_stack([edges[:, 1], -edges[:, 0]]) / 2
+    return push + _preceding(push)
 
 
 @dataclass(frozen=True)

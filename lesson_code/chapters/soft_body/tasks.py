@@ -11,8 +11,9 @@ import numpy as np
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.soft_body import rules as soft_body_rules
-from lesson_code.chapters.soft_body.rules import BLOB, ring_area
+from lesson_code.chapters.soft_body.rules import BLOB
 from lesson_code.course.grading.task import Arguments, Criterion, Task
+from lesson_code.formulas.arithmetic import cross
 
 MASSES, RADIUS = 12, 0.7
 """Masses in the ring that falls; m."""
@@ -67,7 +68,7 @@ def large_rings(stream: Random) -> Iterator[Arguments]:
 def _with_gas(stream: Random, share: float) -> Arguments:
     """Return an uneven ring whose area at rest is a share of its own."""
     ring = _ring(stream)
-    return ring, round(share * ring_area(ring), 3), round(stream.uniform(20, 90), 1)
+    return ring, round(share * soft_body_rules.ring_area(ring), 3), round(stream.uniform(20, 90), 1)
 
 
 def _ring(stream: Random) -> tuple[draws.Vector, ...]:
@@ -104,7 +105,8 @@ def _falling(stream: Random, height: float, sideways: float, steps: int) -> Argu
 def keeps_area(answer: Any) -> list[bool]:
     """Return whether the area is kept, and no mass is below the floor."""
     positions = np.asarray(answer[0], dtype=float)
-    is_kept = abs(ring_area(positions) / AREA - 1) <= KEPT
+    area = cross(positions.T, np.roll(positions, -1, axis=0).T).sum() / 2
+    is_kept = abs(area / AREA - 1) <= KEPT
     return [bool(is_kept), bool(positions[:, 1].min() >= 0)]
 
 

@@ -4,6 +4,7 @@ notebooks and exercises       as they are
 lesson_code                   as it is, but for what follows of each chapter
 tasks.py, draws.py            practice checks, and what says why an answer is wrong
 wrong_answers, right_answers  only those that a notebook shows
+rules.py                      a program's constants and helpers; for its answers, the student's own
 quiz.toml                     sealed
 README                        the students' part
 tests, solutions, sources     not at all
@@ -24,13 +25,16 @@ from lesson_code.course.grading.task import Task
 from lesson_code.course.notebooks.root import require_instructors
 from lesson_code.course.quiz.bank import QUIZ
 from lesson_code.course.quiz.sealing import seal_quiz
-from lesson_code.course.release.slicing import Names, all_needed, sliced, used_names
+from lesson_code.course.release.slicing import Names, all_needed, replaced, sliced, used_names
 
 TOP_FILES = ("pyproject.toml", "requirements.lock", "LICENSE")
 NOT_OF_THE_PACKAGE = ("__pycache__", ".mypy_cache", ".ruff_cache")
 CHAPTERS = PurePosixPath("lesson_code/chapters")
 CHECKS = ("tasks.py", "draws.py")
 """Of a chapter, and of all chapters: what is asked, with which inputs, and what is expected."""
+
+RULES = "rules.py"
+"""Of a program: what its game needs, with the answers to its exercise among it."""
 
 EARLIEST = (1980, 1, 1, 0, 0, 0)
 """The time of every file in the zip, so that the same workbook is the same bytes."""
@@ -53,6 +57,7 @@ def bundle_files(root: Path) -> Files:
         copy = exercise.student_copy(root)
         files[(KEPT_EXERCISES / copy.name).as_posix()] = copy.read_bytes()
     files |= {path: text.encode() for path, text in _taken_apart(root, files)}
+    files |= {path: text.encode() for path, text in _rules(root, files)}
     files["README.md"] = _readme((root / "README.md").read_text(encoding="utf-8")).encode()
     return dict(sorted(files.items()))
 
@@ -80,6 +85,7 @@ def _as_they_are(root: Path) -> Iterator[Path]:
             is_ours
             and not holds_checks(inside)
             and not holds_answers(inside)
+            and not holds_rules(inside)
             and not is_quiz(inside)
         ):
             yield inside
@@ -93,6 +99,11 @@ def holds_checks(path: PurePath) -> bool:
 def holds_answers(path: PurePath) -> bool:
     """Return whether a file of the workbook holds known answers, right or wrong."""
     return path.is_relative_to(CHAPTERS) and path.suffix == ".py" and path.stem in KNOWN_ANSWERS
+
+
+def holds_rules(path: PurePath) -> bool:
+    """Return whether a file of the workbook holds the rules of a program."""
+    return path.is_relative_to(CHAPTERS) and path.name == RULES
 
 
 def is_quiz(path: PurePath) -> bool:
@@ -119,6 +130,31 @@ def _taken_apart(root: Path, files: Files) -> Iterator[tuple[str, str]]:
         yield path, text + (_PRACTICE if module in tasks else "")
     for module, of_chapter in tasks.items():
         yield f"{module.replace('.', '/')}.json", practice_of(of_chapter)
+
+
+def _rules(root: Path, files: Files) -> Iterator[tuple[str, str]]:
+    """Yield path and text of the programs' rules, as far as the other files of a copy use them."""
+    paths = (path.relative_to(root) for path in (root / CHAPTERS).rglob(RULES))
+    rules = _sources(root, sorted(paths))
+    for exercise in exercises():
+        for task in exercise.tasks:
+            module, name = reference(task.expected).split(":")
+            if module in rules:
+                rules[module] = replaced(rules[module], name, _OWN_ANSWER.format(exercise, task))
+    needed: Names = {module: set() for module in rules}
+    code = [content.decode() for path, content in files.items() if path.endswith(".py")]
+    for text in (*code, *_notebook_code(files)):
+        _add(needed, used_names(text, rules))
+    rules = {module: source.replace(_FUTURE, _OWN_IMPORT, 1) for module, source in rules.items()}
+    yield from _sliced_modules(rules, needed)
+
+
+_FUTURE = "from __future__ import annotations\n"
+_OWN_IMPORT = f"{_FUTURE}\nfrom lesson_code.chapters.programs import own_answer\n"
+_OWN_ANSWER = '''\
+{1.function} = own_answer("{0.name}", "{1.function}")
+"""Task {1.id}: yours, in exercises/{0.file_name}."""'''
+"""Stands in a student's copy where the instructor's has the answer to a program's task."""
 
 
 def _tasks_module(exercise: Exercise) -> str:

@@ -1,7 +1,7 @@
 """A student's copy searched for what it must not hold: answers, hidden checks, values and keys.
 
 The lesson itself is not searched: its notebooks and modules say what the exercises ask to be
-rebuilt, and a graded answer cannot import them.
+rebuilt, and a graded answer cannot import them. The rules of programs are: they are the answers.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from lesson_code.course.grading.verdict import stream_of
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
 from lesson_code.course.quiz.bank import ChoiceQuestion, Question, load_bank
 from lesson_code.course.quiz.sealing import SECRET
-from lesson_code.course.release.bundle import holds_answers, holds_checks, is_quiz
+from lesson_code.course.release.bundle import holds_answers, holds_checks, holds_rules, is_quiz
 
 NOT_FOR_STUDENTS = ("solutions", "tests", "source", "golden")
 """Folders that stay with the instructor."""
@@ -131,13 +131,18 @@ def _hidden_checks(texts: Mapping[str, str]) -> Iterator[str]:
         function.__name__
         for task in _tasks()
         for function in (task.expected, *(criterion.cases for criterion in task.criteria))
-        if holds_checks(_path_of(function))
+        if _holds_answers_of_ours(_path_of(function))
     }
     for name, text in texts.items():
-        if holds_checks(PurePosixPath(name)):
+        if _holds_answers_of_ours(PurePosixPath(name)):
             defined = {n.name for n in ast.parse(text).body if isinstance(n, ast.FunctionDef)}
             for function in sorted(defined & hidden):
                 yield f"{name}: holds {function}, which is for the instructor alone"
+
+
+def _holds_answers_of_ours(path: PurePosixPath) -> bool:
+    """Return whether a file of the instructor's workbook holds what answers are compared with."""
+    return holds_checks(path) or holds_rules(path)
 
 
 def _path_of(function: Function) -> PurePosixPath:

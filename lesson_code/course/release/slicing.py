@@ -14,6 +14,9 @@ Names: TypeAlias = dict[str, set[str]]
 """Names that are wanted, by their module."""
 
 
+IMPORT = ("import ", "from ")
+
+
 def sliced(source: str, wanted: Iterable[str]) -> str:
     """Return those statements of a module that define some names, and what these use.
 
@@ -40,6 +43,21 @@ def sliced(source: str, wanted: Iterable[str]) -> str:
         if (text := _kept(body, i, statement, needed, source))
     ]
     return "\n".join(_spaced(kept))
+
+
+def replaced(source: str, function: str, text: str) -> str:
+    r"""Return a module with some text in place of one of its functions.
+
+    Examples
+    --------
+    >>> replaced("A = 1\ndef f():\n    return A\nB = 2", "f", "f = None").splitlines()
+    ['A = 1', 'f = None', 'B = 2']
+    """
+    lines = source.splitlines()
+    for statement in ast.parse(source).body:
+        if isinstance(statement, ast.FunctionDef) and statement.name == function:
+            lines[statement.lineno - 1 : statement.end_lineno] = [text]
+    return "\n".join(lines)
 
 
 def used_names(source: str, modules: Collection[str]) -> Names:
@@ -145,7 +163,9 @@ def _spaced(statements: list[str]) -> Iterator[str]:
     for text in statements:
         if before and (_is_definition(text) or _is_definition(before)):
             yield "\n"
-        elif before.startswith(('"""', "from __future__")):
+        elif before.startswith(('"""', "from __future__")) or (
+            before.startswith(IMPORT) and not text.startswith(IMPORT)
+        ):
             yield ""
         yield text
         before = text

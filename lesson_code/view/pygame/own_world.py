@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.live_world import TIME_STEP
-from lesson_code.view.pygame.borrowed import lent
 from lesson_code.view.pygame.program import Game, Readings
 
 PARTS = 10
@@ -29,13 +28,13 @@ class OwnWorld(Game):
     seed : int
         Nothing is drawn by lot here.
     move : callable
-        Returns the state after a number of parts of a step.
+        Returns the state after a number of parts of a step; nothing moves while it is not written.
     """
 
     ours: Callable[..., Any]
 
     def __init__(self, seed: int = 0, move: Callable[..., Any] | None = None) -> None:
-        self._move = lent(self.ours if move is None else move, self.ours)
+        self._move = self.ours if move is None else move
         super().__init__(seed)
 
     def reset(self) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from random import Random
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,6 +69,8 @@ class Game:
         The keys that are down.
     listeners : list of callable
         Called for each touch that begins; effects and sound are among them.
+    missing : dict
+        The rules that were asked and are not written yet, and what they say of it.
     """
 
     def __init__(self, seed: int = 0) -> None:
@@ -76,6 +78,7 @@ class Game:
         self.random = Random(seed)  # noqa: S311 - a game, no secret
         self.held: set[str] = set()
         self.listeners: list[Callable[[Touch], None]] = []
+        self.missing: dict[Callable[..., Any], str] = {}
         self.world = LiveWorld()
         self.reset()
 
@@ -100,10 +103,23 @@ class Game:
         else:
             {"down": self.down, "move": self.drag, "up": self.let_go}[given.kind](given.place)
 
+    def ask(self, rule: Callable[..., Any], *arguments: Any, otherwise: Any) -> Any:
+        """Return what a rule says that a player may write; while it is not written, `otherwise`.
+
+        As in a check, it is given vectors as NumPy arrays of its own.
+        """
+        try:
+            answer = rule(*map(_own, arguments))
+        except NotImplementedError as error:
+            self.missing[rule] = str(error) or rule.__name__
+            return otherwise
+        self.missing.pop(rule, None)
+        return answer
+
     @property
     def notice(self) -> str:
-        """Message to the player in the middle of the field; usually empty."""
-        return ""
+        """Message to the player in the middle of the field: usually none, or what is missing."""
+        return next((f"not written yet: {rule}" for rule in self.missing.values()), "")
 
     def step(self) -> None:
         """Let one time step pass."""
@@ -135,6 +151,12 @@ class Game:
 
     def touched(self, touch: Touch) -> None:
         """Handle two bodies that begin to touch."""
+
+
+def _own(argument: Any) -> Any:
+    """Return a vector as an array that belongs to nobody else, and a number as it is."""
+    is_vector = isinstance(argument, list | tuple | np.ndarray)
+    return np.array(argument, dtype=float) if is_vector else argument
 
 
 @dataclass(frozen=True)

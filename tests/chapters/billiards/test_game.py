@@ -109,13 +109,13 @@ def test_unfinished_task_stands_still_and_is_named() -> None:
     """The window says which function is missing, and goes on when it is there."""
     told = ["Task B.4: step", "", None]
 
-    def unfinished(position: Any, velocity: Any, elapsed: float) -> Any:
+    def advance(position: Any, velocity: Any, elapsed: float) -> Any:
         words = told.pop(0)
         if words is not None:
             raise NotImplementedError(words)
         return billiards_table.advance(position, velocity, elapsed)
 
-    one, notices = Billiards(advance=unfinished), []
+    one, notices = Billiards(advance=advance), []
     for _ in range(3):
         one.step()
         notices.append(one.notice)

@@ -76,8 +76,8 @@ def test_pool_drag_strikes_away_from_the_mouse() -> None:
     assert game.strokes == 1
 
 
-def test_pool_lends_what_a_player_has_not_written() -> None:
-    """A stub is replaced; a rule of the player's own counts."""
+def test_pool_leaves_out_what_a_player_has_not_written() -> None:
+    """Without a rack the cue ball lies alone, and the window says so; the stroke counts."""
 
     def stub(*_: object) -> None:
         raise NotImplementedError("Task P.1: rack")
@@ -86,6 +86,7 @@ def test_pool_lends_what_a_player_has_not_written() -> None:
         return (0.1, 0.0), 0.0
 
     game = Pool(0, rules=PoolRules(rack=stub, strike=weak))
-    assert len(game.balls) == 16
+    assert len(game.balls) == 1
+    assert game.notice == "not written yet: Task P.1: rack"
     game.strike((1.0, 0.0))
     assert game.world.velocity(game.cue) == (0.1, 0.0)

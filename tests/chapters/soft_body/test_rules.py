@@ -32,16 +32,6 @@ def test_ring_area_is_shapelys() -> None:
     assert ring_area(ring[::-1]) == pytest.approx(-ring_area(ring), rel=ROUNDING)
 
 
-def test_several_rings_at_once_are_each_alone() -> None:
-    """Areas and pressure forces of many rings are, to the last bit, those of one after another."""
-    rings = np.random.default_rng(8).uniform(1, 2, (3, 16, 2))
-    areas = np.array([0.2, 0.3, 0.4])
-    assert ring_area(rings).tolist() == [ring_area(ring) for ring in rings]
-    together = pressure_forces(rings, areas, 50.0)
-    for ring, area, forces in zip(rings, areas, together, strict=True):
-        assert (pressure_forces(ring, area, 50.0) == forces).all()
-
-
 def test_ring_forces_are_the_slope_of_the_springs_energy() -> None:
     """F = -dE/dx with E = sum k (d - l)^2 / 2; and they add up to nothing."""
     ring = uneven_ring()

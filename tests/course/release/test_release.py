@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from lesson_code.chapters.programs import load
 from lesson_code.cli import app
 from lesson_code.course import release
 from lesson_code.course.fresh_copies import Files, write_folder
@@ -83,6 +84,10 @@ PLANTED = {
         "holds target_at_rest, which is for the instructor alone",
         "def target_at_rest(stream): ...",
     ),
+    "lesson_code/chapters/pool/rules.py": (
+        "holds rack, which is for the instructor alone",
+        "def rack(apex, radius, gap): ...",
+    ),
     "lesson_code/chapters/ch03_reflection/wrong_answers.py": (
         "holds the solution of reflect",
         'def slides(v, normal):\n    """Wrong."""\n'
@@ -133,6 +138,62 @@ def test_copy_checks_answers_and_gives_hints(copy: Path) -> None:
     assert "Only equal masses exchange velocities." in ran.stdout
 
 
+PLAYED = """
+from lesson_code.chapters.programs import load
+from lesson_code.view.pygame.frame import play
+played = [play(load(name), frames=90, headless=True, tour=True).game for name in {names}]
+print([[game.notice] if game.missing else len(game.world) for game in played])
+"""
+
+
+def test_copy_plays_with_what_the_student_has_written(copy: Path, root: Path) -> None:
+    """What is missing is named with its file, and nothing else fails; then it is played."""
+    names = [exercise.name for exercise in exercises() if not exercise.chapter.number]
+    ran = run_there(copy, PLAYED.format(names=names))
+    assert ran.returncode == 0, ran.stderr
+    for said in (
+        "Task A.2: fire, in exercises/asteroids.py",
+        "Task B.5: advance, in exercises/billiards.py",
+        "Task K.1: paddle_bounce, in exercises/breakout.py",
+        "Task D.1: tipping_angle, in exercises/dominoes.py",
+        "Task P.1: rack, in exercises/pool.py",
+        "Task S.1: ring_area, in exercises/soft_body.py",
+    ):
+        assert f"not written yet: {said}" in ran.stdout
+    written = copy / "exercises" / "pool.py"
+    fresh = written.read_bytes()
+    written.write_bytes((root / "solutions" / "pool.py").read_bytes())
+    try:
+        ran = run_there(copy, PLAYED.format(names=["pool"]))
+        assert ran.stdout.strip() == f"[{len(load('pool').game().world)}]", ran.stderr
+        written.write_text("def rack(:", encoding="utf-8")
+        ran = workbook_there(copy, "play", "pool", "--headless", "--frames", "1")
+    finally:
+        written.write_bytes(fresh)
+    assert ran.returncode == 2
+    assert "pool.py: cannot be read: SyntaxError" in ran.stderr
+    assert "Traceback" not in ran.stderr
+
+
+OWN_WORLDS = """
+from importlib import import_module
+from lesson_code.view.pygame.frame import play
+for name in ("cradle", "dominoes", "soft_body"):
+    program = getattr(import_module(f"lesson_code.chapters.{name}.own_world"), name.upper())
+    print(play(program, frames=9, headless=True).game.notice)
+"""
+
+
+def test_copys_own_worlds_stand_still_until_they_are_written(copy: Path) -> None:
+    """Their one function is named, and so is the area that the soft ring asks for."""
+    ran = run_there(copy, OWN_WORLDS)
+    assert ran.stdout.splitlines() == [
+        "not written yet: Task C.3: cradle, in exercises/cradle.py",
+        "not written yet: Task D.3: chain, in exercises/dominoes.py",
+        "not written yet: Task S.1: ring_area, in exercises/soft_body.py",
+    ], ran.stderr
+
+
 def test_copy_grades_asks_its_quiz_and_resets(copy: Path) -> None:
     """The commands a student needs work in a fresh folder."""
     graded = workbook_there(copy, "grade", "exercises/06_sat_and_manifolds.ipynb", "--json")
@@ -154,16 +215,16 @@ def test_copy_grades_asks_its_quiz_and_resets(copy: Path) -> None:
 
 @pytest.mark.full
 def test_copys_notebook_reproduces_its_outputs(copy: Path) -> None:
-    """The one that shows wrong models and unusual answers finds them there."""
+    """Those that show wrong models, unusual answers and the billiards find them there."""
     ran = run_there(
         copy,
         "from pathlib import Path\n"
         "from lesson_code.course.notebooks.nbval_run import run_notebooks\n"
-        "paths = sorted(Path('notebooks').glob('07*.ipynb'))\n"
+        "paths = sorted(Path('notebooks').glob('0[37]*.ipynb'))\n"
         "results = run_notebooks(paths)\n"
         "print(len(paths), [r.message for r in results if not r.passed])",
     )
-    assert ran.stdout.strip() == "1 []", ran.stdout + ran.stderr
+    assert ran.stdout.strip() == "2 []", ran.stdout + ran.stderr
 
 
 @pytest.mark.parametrize(
