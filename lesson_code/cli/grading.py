@@ -269,7 +269,15 @@ def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:
 
 @grading.command(rich_help_panel=INSTRUCTORS)
 def release(
-    folder: Annotated[Path, typer.Argument(help="A folder that is new or empty.")],
+    folder: Annotated[
+        Path, typer.Argument(help="A folder that is new or empty; with --gradescope, a new zip.")
+    ],
+    gradescope: Annotated[
+        bool, typer.Option("--gradescope", help="Write an autograder for Gradescope instead.")
+    ] = False,
+    exercise: Annotated[
+        list[str] | None, typer.Option(help="An autograder: the only exercises that count.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Write the students' copy: no solutions, no hidden checks, no keys; and a zip of it."""
@@ -277,6 +285,10 @@ def release(
     from lesson_code.course.release import release as release_to
 
     with clear_errors():
+        if gradescope:
+            _release_for_gradescope(folder, exercise or [], as_json)
+        if exercise:
+            raise ValueError("--exercise is for an autograder: --gradescope")
         made = release_to(find_root(), folder)
         if as_json:
             print_json(
@@ -292,3 +304,22 @@ def release(
         else:
             line = f"{made.files} files in {made.folder} and {made.archive}; nothing leaks"
             console.print(line, soft_wrap=True, markup=False, highlight=False)
+
+
+def _release_for_gradescope(archive: Path, exercises: list[str], as_json: bool) -> NoReturn:
+    """Write the zip that Gradescope runs."""
+    from lesson_code.course.fresh_copies import zipped
+    from lesson_code.course.notebooks.root import find_root
+    from lesson_code.course.release.gradescope import gradescope_files
+
+    if archive.suffix != ".zip" or archive.exists():
+        raise ValueError(f"an autograder must be a new .zip, got {archive}")
+    files = gradescope_files(find_root(), exercises)
+    archive.write_bytes(zipped(files))
+    if as_json:
+        made = {"zip": str(archive), "files": len(files)}
+        print_json({"version": 1, "command": "release --gradescope", **made})
+    else:
+        line = f"{len(files)} files in {archive}, hidden checks among them: for Gradescope alone"
+        console.print(line, soft_wrap=True, markup=False, highlight=False)
+    raise typer.Exit(0)

@@ -6,6 +6,8 @@ a checkout the notebooks stand beside ``lesson_code``, and an exercise is made f
 
 from __future__ import annotations
 
+import io
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TypeAlias
@@ -21,6 +23,9 @@ KEPT_EXERCISES = KEPT / "exercises"
 
 Files: TypeAlias = dict[str, bytes]
 """What stands in some files, by their paths with slashes."""
+
+EARLIEST = (1980, 1, 1, 0, 0, 0)
+"""The time of every file in a zip, so that the same files are the same bytes."""
 
 
 def start(folder: Path) -> int:
@@ -77,6 +82,19 @@ def write_folder(files: Files, folder: Path) -> None:
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
+
+
+def zipped(files: Files) -> bytes:
+    """Return a zip of some files; what begins as a program may be run."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, inside in files.items():
+            entry = zipfile.ZipInfo(name, EARLIEST)
+            entry.create_system = 3  # Unix, also where this runs on Windows
+            entry.external_attr = (0o100755 if inside.startswith(b"#!") else 0o100644) << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, inside)
+    return content.getvalue()
 
 
 def _notebooks() -> Iterator[tuple[str, bytes]]:

@@ -17,8 +17,7 @@ import csv
 import html
 import io
 import json
-import zipfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any
@@ -30,6 +29,7 @@ from lesson_code.course.class_run.names import same_name, sheet_text, visible
 from lesson_code.course.class_run.roster import POINTS_POSSIBLE, Enrolled
 from lesson_code.course.class_run.sheets import plain_heading
 from lesson_code.course.class_run.student import Student
+from lesson_code.course.fresh_copies import zipped
 from lesson_code.course.grading.exercises import Exercise
 
 CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
@@ -39,9 +39,6 @@ MOODLE_COLUMNS = (
 )
 NO_GRADE_YET = "-"
 """How Moodle writes a time that is none."""
-
-ALWAYS = (2026, 1, 1, 0, 0, 0)
-"""The time of everything in a zip: the same marks are the same bytes."""
 
 SETUP = """\
 #!/usr/bin/env bash
@@ -88,7 +85,8 @@ def write_imports(book: Gradebook, folder: Path) -> None:
     (folder / "moodle.csv").write_text(moodle(book), encoding="utf-8", newline="")
     marks = json.dumps(gradescope_marks(book), indent=1) + "\n"
     files = {"setup.sh": SETUP, "run_autograder": LOOK_UP, "marks.json": marks}
-    (folder / "gradescope.zip").write_bytes(zipped(files))
+    archive = zipped({name: text.encode() for name, text in files.items()})
+    (folder / "gradescope.zip").write_bytes(archive)
 
 
 def canvas(book: Gradebook) -> str:
@@ -225,19 +223,6 @@ def _tests(student: Student, exercise: Exercise, book: Gradebook) -> Iterator[di
             "output_format": "text",
             "visibility": "visible",
         }
-
-
-def zipped(files: Mapping[str, str]) -> bytes:
-    """Return a zip of programs and data at its root; what begins as a program may be run."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in files.items():
-            entry = zipfile.ZipInfo(name, ALWAYS)
-            entry.create_system = 3  # Unix, also where this runs on Windows
-            entry.external_attr = (0o100755 if text.startswith("#!") else 0o100644) << 16
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, text)
-    return content.getvalue()
 
 
 def _theirs(book: Gradebook) -> list[Student]:

@@ -65,7 +65,7 @@ def mark(job: Job, terms: Terms) -> Marks:
     """
     if grader_version() != terms.grader:
         raise RuntimeError("this worker has another version of the workbook")
-    grader = _warm_grader(terms.isolation)  # where there is too little isolation, this raises
+    grader = warm_grader(terms.isolation)  # where there is too little isolation, this raises
     terms = replace(terms, seed=seed_of(job.variant, terms.seed))
     if job.content is None:
         return _mark(job.path, job.name, terms, grader)
@@ -88,7 +88,7 @@ def seed_of(variant: str, seed: int) -> int:
 
 
 @functools.cache
-def _warm_grader(isolation: str | None) -> Grader:
+def warm_grader(isolation: str | None) -> Grader:
     """Return this process's grader; it ends with the process."""
     return Grader(isolation=isolation, hide_inputs=True).__enter__()
 

@@ -14,11 +14,10 @@ from __future__ import annotations
 
 import json
 import re
-import zipfile
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path, PurePath, PurePosixPath
 
-from lesson_code.course.fresh_copies import KEPT_EXERCISES, Files
+from lesson_code.course.fresh_copies import KEPT_EXERCISES, Files, zipped
 from lesson_code.course.grading.exercises import KNOWN_ANSWERS, Exercise, exercises
 from lesson_code.course.grading.practice import practice_of, reference
 from lesson_code.course.grading.task import Task
@@ -35,9 +34,6 @@ CHECKS = ("tasks.py", "draws.py")
 
 RULES = "rules.py"
 """Of a program: what its game needs, with the answers to its exercise among it."""
-
-EARLIEST = (1980, 1, 1, 0, 0, 0)
-"""The time of every file in the zip, so that the same workbook is the same bytes."""
 
 COMMAND = re.compile(r"^python3 -m venv .*workbook open$", re.M)
 STUDENTS_PART = re.compile(r"^## For students$.*?(?=^## )", re.M | re.S)
@@ -64,12 +60,7 @@ def bundle_files(root: Path) -> Files:
 
 def write_zip(files: Files, path: Path) -> None:
     """Write a copy as a zip that holds one folder of the same name."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            entry = zipfile.ZipInfo(f"{path.stem}/{name}", EARLIEST)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            archive.writestr(entry, content)
+    path.write_bytes(zipped({f"{path.stem}/{name}": content for name, content in files.items()}))
 
 
 def _as_they_are(root: Path) -> Iterator[Path]:
@@ -78,16 +69,17 @@ def _as_they_are(root: Path) -> Iterator[Path]:
     yield from (path.relative_to(root) for path in (root / "notebooks").glob("*.ipynb"))
     for exercise in exercises():
         yield exercise.student_copy(root).relative_to(root)
+    for path in of_the_package(root):
+        secret = (holds_checks, holds_answers, holds_rules, is_quiz)
+        if not any(is_secret(path) for is_secret in secret):
+            yield path
+
+
+def of_the_package(root: Path) -> Iterator[Path]:
+    """Yield the paths of the package's files, in a workbook."""
     for path in (root / "lesson_code").rglob("*"):
         inside = path.relative_to(root)
-        is_ours = path.is_file() and not set(inside.parts) & set(NOT_OF_THE_PACKAGE)
-        if (
-            is_ours
-            and not holds_checks(inside)
-            and not holds_answers(inside)
-            and not holds_rules(inside)
-            and not is_quiz(inside)
-        ):
+        if path.is_file() and not set(inside.parts) & set(NOT_OF_THE_PACKAGE):
             yield inside
 
 
