@@ -174,7 +174,8 @@ def lines_of(entry: dict[str, Any]) -> list[str]:
     right = [f"right: {c['name']}" for c in entry["criteria"] if c["points"] == c["full_points"]]
     wrong = [f"{c['name']}: {c['message']}" for c in entry["criteria"] if c["message"]]
     hints = [f"hint: {found['hint']}" for found in entry["diagnoses"]]
-    return [*right, *wrong, *hints, *map(visible, entry["comments"])]
+    lent = [entry["lent"]] if entry["lent"] else []
+    return [*lent, *right, *wrong, *hints, *map(visible, entry["comments"])]
 
 
 def write_exports(book: Gradebook, folder: Path) -> None:

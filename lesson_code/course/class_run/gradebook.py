@@ -253,13 +253,17 @@ def _task(
         "diagnoses": [],
     }
     points = exact(graded["points"]) if given is None else given
-    return graded | {
-        "points": number(weighed(points, task, exercise, changes)),
-        "full_points": number(full_points_of_task(task, exercise, changes)),
-        "is_full": points == task.points,
-        "is_by_hand": given is not None,
-        "comments": changes.comments(student, task),
-    }
+    return (
+        {"lent": ""}
+        | graded
+        | {
+            "points": number(weighed(points, task, exercise, changes)),
+            "full_points": number(full_points_of_task(task, exercise, changes)),
+            "is_full": points == task.points,
+            "is_by_hand": given is not None,
+            "comments": changes.comments(student, task),
+        }
+    )
 
 
 def _by_hand_alone(exercise: Exercise) -> Marks:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import secrets
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 
 from lesson_code.course.grading.check_task import LARGEST_SEED
 from lesson_code.course.grading.exercises import Exercise, exercise_by_name, exercise_of
 from lesson_code.course.grading.feedback import left_out_name, missing_function
+from lesson_code.course.grading.lending import Allowance, Lent
 from lesson_code.course.grading.report import Report
 from lesson_code.course.grading.submission import Submission, read_submission
-from lesson_code.course.grading.task import Arguments
-from lesson_code.course.grading.verdict import Call, judge
+from lesson_code.course.grading.task import Arguments, Task
+from lesson_code.course.grading.verdict import Call, Verdict, better, judge
 from lesson_code.course.isolation import Children, InForce, Limits, StudentProcess, isolated
 from lesson_code.course.isolation.call_outcome import CallOutcome
 
@@ -93,11 +95,25 @@ class Grader:
         drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
         with StudentProcess(submission.units, self._children, self._limits) as student:
             call = _explaining(student.call, submission, chosen)
-            verdicts = tuple(
-                judge(task, call, drawn, hide_inputs=self._hide_inputs) for task in chosen.tasks
-            )
+            verdicts: list[Verdict] = []
+            allowance = Allowance()
+            for task in chosen.tasks:
+                verdict = judge(task, call, drawn, hide_inputs=self._hide_inputs)
+                lost = [] if verdict.is_full else _lost(task, submission, verdicts)
+                if lost:
+                    lent = Lent(lost, allowance)
+                    with_ours = _explaining(partial(student.call, lender=lent), submission, chosen)
+                    again = judge(task, with_ours, drawn, hide_inputs=self._hide_inputs)
+                    verdict = better(verdict, again, lent.used)
+                verdicts.append(verdict)
             notes = (*submission.unreadable, *student.load_errors)
-        return Report(submission, chosen, verdicts, notes, drawn, self.isolation)
+        return Report(submission, chosen, tuple(verdicts), notes, drawn, self.isolation)
+
+
+def _lost(task: Task, submission: Submission, before: list[Verdict]) -> list[Task]:
+    """Return the earlier tasks whose functions a task's answer calls, and that lost points."""
+    used = submission.used_by(task.function)
+    return [v.task for v in before if not v.is_full and v.task.function in used]
 
 
 def _explaining(call: Call, submission: Submission, exercise: Exercise) -> Call:

@@ -16,7 +16,7 @@ from lesson_code.course.grading.verdict import CriterionVerdict, Verdict
 from lesson_code.course.isolation import InForce
 from lesson_code.course.isolation.call_outcome import one_line
 
-VERSION = 2
+VERSION = 3
 """Version of the form that :meth:`Report.as_dict` writes; it grows when a key changes."""
 
 
@@ -74,7 +74,7 @@ def print_report(report: Report, console: Console) -> None:
     table.add_row("", "", f"{report.points}/{report.exercise.points}", "", "", style="bold")
     console.print(table)
     for verdict in report.verdicts:
-        if not verdict.is_full:
+        if not verdict.is_full or verdict.lent:
             console.print(_to_mend(verdict))
     for note in report.notes:
         console.print(Text(f"left out: {note}"))
@@ -118,5 +118,6 @@ def _task_as_dict(verdict: Verdict) -> dict[str, Any]:
             }
             for criterion in verdict.criteria
         ],
+        "lent": verdict.said_of_lent,
         "wrong_model": None if model is None else {"name": model.name, "hint": model.hint},
     }

@@ -37,7 +37,8 @@ class Unit:
 
     Statements are kept in groups, which run one after another. A statement that fails ends its
     group: a cell is one group, as in a notebook; in a .py file each statement is its own. `lines`
-    says where each statement begins; `missing` names what an import gives that is left out.
+    says where each statement begins; `missing` names what an import gives that is left out; `uses`
+    says which names stand in a definition.
     """
 
     name: str
@@ -47,6 +48,7 @@ class Unit:
     functions: tuple[str, ...] = ()
     left_out: dict[str, str] = field(default_factory=dict)
     missing: tuple[str, ...] = ()
+    uses: dict[str, list[str]] = field(default_factory=dict)
 
     def as_request(self) -> dict[str, Any]:
         """Return the unit as the child process is sent it."""
@@ -95,6 +97,17 @@ class Submission:
     def functions(self) -> tuple[str, ...]:
         """The names of the functions it defines, in the order of the file."""
         return tuple(name for unit in self.units for name in unit.functions)
+
+    def used_by(self, function: str) -> set[str]:
+        """Return the names that a function looks up, and the functions that it calls, and so on."""
+        found: set[str] = set()
+        left = {function}
+        while left:
+            name = left.pop()
+            used = {other for unit in self.units for other in unit.uses.get(name, ())}
+            left |= used - found
+            found |= used
+        return found
 
 
 def read_submission(path: Path) -> Submission:

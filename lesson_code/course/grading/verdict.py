@@ -35,12 +35,16 @@ class CriterionVerdict:
 
 @dataclass(frozen=True)
 class Verdict:
-    """The marks for a task, criterion by criterion, and what explains the answer."""
+    """The marks for a task, criterion by criterion, and what explains the answer.
+
+    `lent` are the earlier tasks whose functions the answer was given in place of its own.
+    """
 
     task: Task
     criteria: tuple[CriterionVerdict, ...]
     diagnoses: tuple[Diagnosis, ...]
     seed: int
+    lent: tuple[Task, ...] = ()
 
     @property
     def recognised(self) -> WrongModel | None:
@@ -64,21 +68,37 @@ class Verdict:
         return f"{self.task.title}: {self.points}/{self.task.points} points"
 
     @property
+    def said_of_lent(self) -> str:
+        """That the answer was marked with some of our functions, or nothing.
+
+        >>> task = Task("4.3", "separate", "", max, (Criterion("any", iter),))
+        >>> Verdict(task, (), (), 0, (task,)).said_of_lent
+        "marked with the workbook's `separate` in place of yours, which lost points in 4.3"
+        """
+        names = " and ".join(f"`{task.function}`" for task in self.lent)
+        places = " and ".join(task.id for task in self.lent)
+        said = (
+            f"marked with the workbook's {names} in place of yours, which lost points in {places}"
+        )
+        return said if self.lent else ""
+
+    @property
     def lines(self) -> list[str]:
         """What to tell the student: the marks, what is right, what is not and why, the hint.
 
         Of failures for the same reason, or behind which the same wrong model was recognised, one
         is told, and the others are named.
         """
+        said = [f"  {self.said_of_lent}"] if self.lent else []
         if self.is_full:
-            return [self.line]
+            return [self.line, *said]
         failed = [criterion for criterion in self.criteria if criterion.message]
         messages = {criterion.message for criterion in failed}
         if messages == {NOT_WRITTEN}:
             return [f"{self.line} ({NOT_WRITTEN})"]
         if len(messages) == 1 and len(failed) == len(self.criteria) > 1:  # nothing was called
-            return [self.line, *(f"  {message}" for message in messages)]
-        lines = [self.line]
+            return [self.line, *said, *(f"  {message}" for message in messages)]
+        lines = [self.line, *said]
         lines += [f"  right: {each.name}" for each in self.criteria if not each.message]
         for first, *others in _by_reason(failed, self.diagnoses):
             lines.append(f"  {first.name}: {first.message}")
@@ -125,6 +145,14 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
     if _is_constant(calls):
         marks = [mark if mark.message else _by_chance(mark) for mark in marks]
     return Verdict(task, tuple(marks), diagnoses(task, calls, seed), seed)
+
+
+def better(theirs: Verdict, ours: Verdict, lent: tuple[Task, ...]) -> Verdict:
+    """Return the verdict that counts: with our functions in place of some, unless that is worse.
+
+    Where the points are the same, it says what is wrong with this answer, and not with another.
+    """
+    return replace(ours, lent=lent) if lent and ours.points >= theirs.points else theirs
 
 
 def _is_constant(calls: list[TriedCall]) -> bool:

@@ -10,9 +10,10 @@ import builtins
 import json
 import time
 from collections import Counter
+from collections.abc import Mapping, Sequence
 from itertools import count
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from lesson_code.course.grading.task import Arguments
 from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome
@@ -42,6 +43,20 @@ ERRORS = frozenset(
 """Python's own errors, by name."""
 
 
+class Lender(Protocol):
+    """Lends values of functions to a child, which never holds these functions."""
+
+    @property
+    def parameters(self) -> Mapping[str, Sequence[str]]:
+        """The parameters of each function that is lent, by its name."""
+
+    def reply(self, function: str, arguments: Any) -> dict[str, Any] | None:
+        """Return the value of a call in the form of ``inside.answers``, or why there is none.
+
+        None says that nothing more is lent.
+        """
+
+
 class StudentProcess:
     """A child process that holds one submission and answers calls to its functions.
 
@@ -61,7 +76,7 @@ class StudentProcess:
         self._load_failed: CallOutcome | None = None
         self._is_loaded = False
         self._is_shortened = False
-        self._hangs: Counter[str] = Counter()
+        self._hangs: Counter[tuple[str, bool]] = Counter()
         self._used_before = 0.0  # s of the processor, by children that have ended
         self._used = 0.0  # and by the current one, as far as is known
         self._last = time.monotonic() + PATIENCE * self._limits.seconds_a_submission
@@ -79,25 +94,33 @@ class StudentProcess:
     ) -> None:
         self._end()
 
-    def call(self, function: str, arguments: Arguments) -> CallOutcome:
-        """Return what came of calling a function of the submission."""
-        if self._hangs[function] == MOST_HANGS:
+    def call(
+        self, function: str, arguments: Arguments, lender: Lender | None = None
+    ) -> CallOutcome:
+        """Return what came of calling a function of the submission.
+
+        With a lender, the values of some other functions come from there in place of the student's.
+        """
+        hangs = function, lender is not None
+        if self._hangs[hangs] == MOST_HANGS:
             text = f"{function} was not called again: it did not finish in {MOST_HANGS} calls"
             return CallOutcome("not called", text=text)
-        outcome = self._called(function, arguments)
-        if outcome.kind == "timeout" and not self._hangs[function]:
-            outcome = self._called(function, arguments)
-        self._hangs[function] += outcome.kind == "timeout"
+        outcome = self._called(function, arguments, lender)
+        if outcome.kind == "timeout" and not self._hangs[hangs]:
+            outcome = self._called(function, arguments, lender)
+        self._hangs[hangs] += outcome.kind == "timeout"
         return outcome
 
-    def _called(self, function: str, arguments: Arguments) -> CallOutcome:
+    def _called(self, function: str, arguments: Arguments, lender: Lender | None) -> CallOutcome:
         """Return what came of one try of a call."""
         if self._channel is None and self._load_failed is None:
             self._start()
         if self._load_failed is not None:
             return self._load_failed
-        request = {"call": function, "arguments": arguments}
-        reply = self._ask(request, self._limits.seconds_a_call)
+        request: dict[str, Any] = {"call": function, "arguments": arguments}
+        if lender is not None:
+            request["lent"] = {name: list(names) for name, names in lender.parameters.items()}
+        reply = self._ask(request, self._limits.seconds_a_call, lender)
         return reply if isinstance(reply, CallOutcome) else call_outcome(reply)
 
     def _start(self) -> None:
@@ -148,14 +171,24 @@ class StudentProcess:
             done.append(part)
         self._end()
 
-    def _ask(self, request: dict[str, Any], seconds: float) -> dict[str, Any] | CallOutcome:
+    def _ask(
+        self, request: dict[str, Any], seconds: float, lender: Lender | None = None
+    ) -> dict[str, Any] | CallOutcome:
         """Return the child's reply, or what kept it from replying."""
         assert self._channel is not None  # noqa: S101 - _start has made it
         number = next(self._numbers)
         asked = json.dumps(request | {"number": number}).encode() + b"\n"
-        within = min(seconds, self._left())
+        within, before = min(seconds, self._left()), self._used
         line = self._answered(self._channel, asked, within) if within > 0 else None
         reply = None if line is None else _object_in(line)
+        while reply is not None and lender is not None and _borrows(reply, number, lender):
+            lent = lender.reply(reply["lend"], reply.get("arguments"))
+            if lent is None:
+                self._end()
+                return CallOutcome("not called", text="it asked for too many values of ours")
+            asked, left = json.dumps(lent).encode() + b"\n", self._left_of(within, before)
+            line = self._answered(self._channel, asked, left) if left > 0 else None
+            reply = None if line is None else _object_in(line)
         if reply is not None and reply.get("number") == number:
             return reply
         self._end()
@@ -191,6 +224,12 @@ class StudentProcess:
         spent = self._children.spent()
         return otherwise if spent is None else spent
 
+    def _left_of(self, seconds: float, before: float) -> float:
+        """Return what is left of some processor time that began when so much was used, s."""
+        if self._used - before >= seconds:  # many short requests, charged by the clock
+            self._used = self._spent(self._used)
+        return seconds - (self._used - before)
+
     def _left(self) -> float:
         """Return the processor time that the submission has left, s."""
         most = self._limits.seconds_a_submission - self._used_before
@@ -206,6 +245,12 @@ class StudentProcess:
             self._channel.close()
             self._channel = None
             self._children.end()
+
+
+def _borrows(reply: dict[str, Any], number: int, lender: Lender) -> bool:
+    """Return whether a reply asks for a value that is lent."""
+    name = reply.get("lend")
+    return reply.get("number") == number and isinstance(name, str) and name in lender.parameters
 
 
 def _object_in(line: bytes) -> dict[str, Any] | None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import sys
 from functools import partial
+from typing import Any
 
 import pytest
 
 from lesson_code.course.grading import check_task as check_task_in_notebooks
-from lesson_code.course.grading.check_task import check_task, lines_of
+from lesson_code.course.grading.check_task import check_task, left_out_of, lines_of
 from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Task
@@ -155,3 +156,92 @@ def test_check_says_which_names_grading_leaves_out(capsys: pytest.CaptureFixture
     check_task("3.1", names["reflect"])  # type: ignore[arg-type]
     last = capsys.readouterr().out.splitlines()[-1]
     assert last == "  grading leaves out imports of lesson_code, and so ours"
+
+
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        (
+            "import pymunk as pm\ndef helper(v, n): return pm.Vec2d(*v)\n"
+            "def reflect(v, n): return helper(v, n)\n",
+            "  grading leaves out imports of pymunk, and so pm; answers can use Python's own",
+        ),
+        (
+            "from matplotlib.path import Path\ndef reflect(v, n): return [Path for _ in v]\n",
+            "  grading leaves out imports of matplotlib, and so Path; answers can use Python's own",
+        ),
+        (
+            "def reflect(v, n):\n    import pymunk.vec2d\n    return pymunk.vec2d.Vec2d(*v)\n",
+            "  grading leaves out imports of pymunk; answers can use Python's own",
+        ),
+        (
+            "def reflect(v, n):\n    def inner():\n        from lesson_code import formulas\n"
+            "        return formulas\n    return inner()\n",
+            "  grading leaves out imports of lesson_code",
+        ),
+    ],
+    ids=["alias in a helper", "name", "inside a function", "inside a nested one"],
+)
+def test_check_names_imports_that_are_not_on_the_list(
+    source: str, line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What grading leaves out is named, at top level and inside a function."""
+    names: dict[str, object] = {"__name__": "__main__"}
+    exec(source, names)  # noqa: S102 - a notebook's cell
+    check_task("3.1", names["reflect"])  # type: ignore[arg-type]
+    assert capsys.readouterr().out.splitlines()[-1].startswith(line)
+
+
+def test_check_names_no_import_that_is_on_the_list() -> None:
+    """Python's own modules, NumPy, pygame and what the notebook itself defines are not named."""
+    names: dict[str, object] = {"__name__": "__main__"}
+    source = (
+        "import math, numpy as np\nfrom pygame import Vector2\nfrom functools import partial\n"
+        "from numpy.linalg import norm\nclass Own: pass\nE = Own()\n"
+        "def helper(x): return math.pi * np.abs(norm(x)) * partial(Vector2)\n"
+        "def reflect(v, n):\n    import cmath\n    return helper(v), cmath.pi, Own, E, len(v)\n"
+    )
+    exec(source, names)  # noqa: S102 - a notebook's cell
+    assert left_out_of(names["reflect"]) == []  # type: ignore[arg-type]
+
+
+def in_a_notebook(source: str) -> dict[str, Any]:
+    """Return what a notebook's cell defines."""
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec(source, names)  # noqa: S102 - a notebook's cell
+    return names
+
+
+OVERLAP = """\
+import numpy as np
+
+def resolve_circles(v1, m1, v2, m2, normal, restitution):
+    j = (1 + restitution) * max(0.0, np.dot(v1 - v2, normal)) / (1 / m1 + 1 / m2) * normal
+    return v1 - j / m1, v2 + j / m2
+
+def separate(p1, m1, p2, m2, normal, depth):
+    return p1, p2
+
+def resolve_overlap(p1, v1, m1, p2, v2, m2, normal, depth, restitution):
+    return (*separate(p1, m1, p2, m2, normal, depth),
+            *resolve_circles(v1, m1, v2, m2, normal, restitution))
+"""
+
+
+def test_check_charges_one_mistake_once(capsys: pytest.CaptureFixture[str]) -> None:
+    """What is right but for a function of an earlier task prints the line of full marks."""
+    ordered = OVERLAP.replace("return (*sep", "a, b, c, d = (*sep") + "    return a, c, b, d\n"
+    names = in_a_notebook(ordered)
+    check_task("4.4", names["resolve_overlap"], seed=3)
+    assert capsys.readouterr().out == "4.4 resolve_overlap: 4/4 points\n"
+    check_task("4.3", names["separate"], seed=3)
+    assert capsys.readouterr().out.startswith("4.3 separate: 0/4 points\n")
+
+
+def test_check_of_a_wrong_answer_names_the_wrong_functions_it_calls(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """An answer with a mistake of its own is told of the other's, too."""
+    check_task("4.4", in_a_notebook(OVERLAP)["resolve_overlap"], seed=3)
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last == "  it calls your `separate`, which lost points in 4.3"

@@ -44,7 +44,7 @@ def test_report_as_dict_is_one_json_object(report: Report) -> None:
         "version", "command", "submission", "exercise", "seed", "isolation", "points",
         "full_points", "tasks", "notes",
     ]  # fmt: skip
-    assert (value["version"], value["command"], value["seed"]) == (2, "grade", 1)
+    assert (value["version"], value["command"], value["seed"]) == (3, "grade", 1)
     assert value["submission"].endswith("answer.ipynb")
     assert value["exercise"] == "01_one_dimension"
     assert value["isolation"] == report.isolation.as_dict()
@@ -53,7 +53,7 @@ def test_report_as_dict_is_one_json_object(report: Report) -> None:
     assert [task["points"] for task in value["tasks"]] == [1, 3, 0]
     first = value["tasks"][0]
     assert list(first) == [
-        "task", "function", "points", "full_points", "criteria", "wrong_model",
+        "task", "function", "points", "full_points", "criteria", "lent", "wrong_model",
     ]  # fmt: skip
     assert first["wrong_model"]["name"] == "always_swaps"
     assert first["wrong_model"]["hint"]

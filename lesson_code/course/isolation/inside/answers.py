@@ -7,7 +7,11 @@ The parent writes one JSON request a line, the child answers each with one JSON 
     {"call": function, "arguments": [...]}  ->  {"kind": "returned", "value": ...}
                                                 or {"kind": "raised" | ..., "text": ...}
 
-Each request has a "number", and its answer the same one.
+Each request has a "number", and its answer the same one. A call may name functions that are "lent",
+each with its parameters. Where the student's code calls one of them, the parent's value is asked
+for, and its code never comes here:
+
+    {"lend": function, "arguments": [...]}  ->  {"value": ...} or {"refused": why}
 """
 
 from __future__ import annotations
@@ -19,7 +23,8 @@ import numbers
 import sys
 import traceback
 import types
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -155,6 +160,77 @@ def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict
         return {"kind": "raised", "text": _described(error)}
 
 
+def lendable(value: Any) -> Any:
+    """Return a value so that JSON tells its arrays, and the vectors in its tuples, from tuples.
+
+    >>> lendable((1.0, 2.0)), lendable((np.array([1.0, 2.0]), 3.0))
+    ([1.0, 2.0], [{'array': [1.0, 2.0]}, 3.0])
+    """
+    if isinstance(value, np.ndarray):
+        return {"array": plain(value)}
+    if isinstance(value, list | tuple):
+        return [{"array": plain(item)} if _is_vector(item) else lendable(item) for item in value]
+    return plain(value)
+
+
+def _is_vector(value: Any) -> bool:
+    """Return whether a value is a tuple or list of nothing but floats."""
+    return (
+        isinstance(value, list | tuple)
+        and len(value) > 0
+        and all(isinstance(item, float) for item in value)
+    )
+
+
+def _lent(value: Any) -> Any:
+    """Return the value that was lent in such a form."""
+    if isinstance(value, dict):
+        return np.array(value["array"], dtype=float)
+    return tuple(map(_lent, value)) if isinstance(value, list) else value
+
+
+class Lent:
+    """Stands in for a function of the student's: its values come from the parent."""
+
+    def __init__(
+        self,
+        name: str,
+        parameters: list[str],
+        ask: Callable[[dict[str, Any]], dict[str, Any]],
+    ) -> None:
+        self.__name__ = name
+        self._parameters = parameters
+        self._ask = ask
+
+    def __call__(self, *given: Any, **named: Any) -> Any:
+        """Return the parent's value, or raise what it says against these arguments."""
+        missing = self._parameters[len(given) :]
+        if len(given) > len(self._parameters) or set(missing) != set(named):
+            raise TypeError(f"{self.__name__} takes {', '.join(self._parameters)}")
+        arguments = plain([*given, *(named[name] for name in missing)])
+        reply = self._ask({"lend": self.__name__, "arguments": arguments})
+        if "refused" in reply:
+            raise ValueError(reply["refused"])
+        return _lent(reply["value"])
+
+
+def call_with(
+    lent: Mapping[str, Callable[..., Any]],
+    function: str,
+    arguments: list[Any],
+    namespace: dict[str, Any],
+) -> dict[str, Any]:
+    """Call a student's function while others of the same namespace are replaced."""
+    own = {name: namespace[name] for name in lent if name in namespace}
+    namespace.update(lent)
+    try:
+        return call(function, arguments, namespace)
+    finally:
+        for name in lent:
+            namespace.pop(name, None)
+        namespace.update(own)
+
+
 def _described(error: BaseException) -> str:
     """Return an error in a line, with the place in the student's own code."""
     told = traceback.TracebackException.from_exception(error, lookup_lines=False)
@@ -173,12 +249,27 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     answer_module = types.ModuleType("answer")  # dataclasses look up the module they stand in
     sys.modules["answer"] = answer_module
     namespace = vars(answer_module)
-    for line in requests:
+    while line := requests.readline():
         request = json.loads(line)
         if "load" in request:
             errors = list(load(request["load"], namespace))
             answer: dict[str, Any] = {"loaded": errors[:MOST_LOAD_ERRORS]}
         else:
-            answer = call(request["call"], request["arguments"], namespace)
+            ask = partial(_asked, requests, answers, request["number"])
+            lent = {
+                name: Lent(name, parameters, ask)
+                for name, parameters in request.get("lent", {}).items()
+            }
+            answer = call_with(lent, request["call"], request["arguments"], namespace)
         answers.write(json.dumps(answer | {"number": request["number"]}).encode() + b"\n")
         answers.flush()
+
+
+def _asked(
+    requests: BinaryIO, answers: BinaryIO, number: int, loan: dict[str, Any]
+) -> dict[str, Any]:
+    """Return what the parent says to a request for the value of a function that is lent."""
+    answers.write(json.dumps(loan | {"number": number}).encode() + b"\n")
+    answers.flush()
+    reply: dict[str, Any] = json.loads(requests.readline())
+    return reply

@@ -60,7 +60,8 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
 
     Statements are named by their place. They stand in groups; a cell is one group, and in a
     program each statement is its own. `lines` says where each statement begins, `left_out` which
-    names come from which import, and `missing` which names stand for nothing once that is gone.
+    names come from which import, `missing` which names stand for nothing once that is gone, and
+    `uses` which names stand in the definition of another.
 
     Parameters
     ----------
@@ -101,7 +102,23 @@ def _kept_of(body: list[ast.stmt], missing: set[str], *, is_cell: bool) -> dict[
         "functions": [part.name for part in body if isinstance(part, ast.FunctionDef)],
         "left_out": dict(_left_out(body)),
         "missing": sorted(missing),
+        "uses": {name: sorted(used) for name, used in _uses(body).items()},
     }
+
+
+def _uses(body: Iterable[ast.stmt]) -> dict[str, set[str]]:
+    """Return which names each definition and assignment at top level looks up, by its own name."""
+    uses: dict[str, set[str]] = {}
+    for statement in body:
+        if isinstance(statement, DEFINITIONS):
+            given = [statement.name]
+        elif isinstance(statement, ast.Assign | ast.AnnAssign):
+            given = [n.id for n in _nodes(statement, ast.Name) if isinstance(n.ctx, ast.Store)]
+        else:
+            continue
+        for name in given:
+            uses[name] = uses.get(name, set()) | _names(statement)
+    return uses
 
 
 def kept_sources(unit: dict[str, Any]) -> list[str]:
