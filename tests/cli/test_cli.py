@@ -308,7 +308,7 @@ def test_grade_ends_with_0_for_full_marks_only(folder: str, code: int) -> None:
     result = workbook("grade", str(path), "--json", "--seed", "1")
     report = json.loads(result.stdout)
     assert result.exit_code == code
-    assert report["version"] == 2
+    assert report["version"] == 3
     assert report["points"] == (report["full_points"] if folder == "solutions" else 0)
 
 
