@@ -76,11 +76,11 @@ def test_grade_of_long_path_is_not_broken_over_lines(tmp_path: Path) -> None:
     [("right_notebook.ipynb", 0, 10), ("wrong_model.ipynb", 1, 7), ("untouched.ipynb", 1, 0)],
 )
 def test_grade_exit_code_says_whether_marks_are_full(name: str, code: int, points: int) -> None:
-    """Exit code 0 for full marks and 1 otherwise; JSON is one object of version 2."""
+    """Exit code 0 for full marks and 1 otherwise; JSON is one object of version 3."""
     ran = workbook("grade", FOLDER / name, "--json")
     value = json.loads(ran.stdout)
     assert ran.exit_code == code
-    assert (value["version"], value["command"], value["points"]) == (2, "grade", points)
+    assert (value["version"], value["command"], value["points"]) == (3, "grade", points)
     assert ran.stderr == ""
 
 
