@@ -223,4 +223,5 @@ def test_two_commands_by_hand_grade_a_submission(tmp_path: Path) -> None:
         cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60,
     )  # fmt: skip
     assert testing.returncode == 1
-    assert "1 failed, 7 passed" in testing.stdout, testing.stdout
+    assert "1 failed, 8 passed" in testing.stdout, testing.stdout
+    assert 'check_task("1.1", elastic_1d)' in testing.stdout
