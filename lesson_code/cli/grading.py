@@ -275,8 +275,12 @@ def release(
     gradescope: Annotated[
         bool, typer.Option("--gradescope", help="Write an autograder for Gradescope instead.")
     ] = False,
+    nbgrader: Annotated[
+        bool, typer.Option("--nbgrader", help="Write a course folder for nbgrader instead.")
+    ] = False,
     exercise: Annotated[
-        list[str] | None, typer.Option(help="An autograder: the only exercises that count.")
+        list[str] | None,
+        typer.Option(help="For Gradescope and nbgrader: the only exercises that count."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -285,10 +289,14 @@ def release(
     from lesson_code.course.release import release as release_to
 
     with clear_errors():
+        if gradescope and nbgrader:
+            raise ValueError("--gradescope and --nbgrader write different things: choose one")
         if gradescope:
             _release_for_gradescope(folder, exercise or [], as_json)
+        if nbgrader:
+            _release_for_nbgrader(folder, exercise or [], as_json)
         if exercise:
-            raise ValueError("--exercise is for an autograder: --gradescope")
+            raise ValueError("--exercise needs --gradescope or --nbgrader")
         made = release_to(find_root(), folder)
         if as_json:
             print_json(
@@ -316,10 +324,26 @@ def _release_for_gradescope(archive: Path, exercises: list[str], as_json: bool) 
         raise ValueError(f"an autograder must be a new .zip, got {archive}")
     files = gradescope_files(find_root(), exercises)
     archive.write_bytes(zipped(files))
+    _say_released("gradescope", {"zip": str(archive), "files": len(files)}, as_json)
+
+
+def _release_for_nbgrader(folder: Path, exercises: list[str], as_json: bool) -> NoReturn:
+    """Write a course folder for nbgrader."""
+    from lesson_code.course.fresh_copies import write_folder
+    from lesson_code.course.notebooks.root import find_root
+    from lesson_code.course.release.nbgrader import nbgrader_files
+
+    files = nbgrader_files(find_root(), exercises)
+    write_folder(files, folder)
+    _say_released("nbgrader", {"folder": str(folder), "files": len(files)}, as_json)
+
+
+def _say_released(form: str, made: dict[str, Any], as_json: bool) -> NoReturn:
+    """Say what was written that students must not have."""
     if as_json:
-        made = {"zip": str(archive), "files": len(files)}
-        print_json({"version": 1, "command": "release --gradescope", **made})
+        print_json({"version": 1, "command": f"release --{form}", **made})
     else:
-        line = f"{len(files)} files in {archive}, hidden checks among them: for Gradescope alone"
+        place = made.get("zip") or made["folder"]
+        line = f"{made['files']} files in {place}: not for students, hidden checks are among them"
         console.print(line, soft_wrap=True, markup=False, highlight=False)
     raise typer.Exit(0)

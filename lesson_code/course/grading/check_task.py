@@ -6,14 +6,14 @@ import dis
 import inspect
 import secrets
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
+from functools import lru_cache, partial
 from types import CodeType
 from typing import Any
 
 from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Arguments, Task
-from lesson_code.course.grading.verdict import Verdict, judge
+from lesson_code.course.grading.verdict import Verdict, better, judge
 from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.inside.imports import THE_LIST, may_be_imported
 
@@ -82,6 +82,62 @@ def _call_with_ours(
         return call_here({name: function}, name, arguments)
     finally:
         names.update(own)
+
+
+def check_criterion(
+    task_id: str, criterion: str, function: Callable[..., Any], *, seed: int
+) -> None:
+    """Do nothing where an answer earns a criterion's points; otherwise say why it does not.
+
+    So a grader that counts cells without an error, as nbgrader does, gives the marks of ours. What
+    is said holds none of the inputs.
+
+    Parameters
+    ----------
+    task_id : str
+        The task's number, such as "3.2".
+    criterion : str
+        The criterion's name.
+    function : callable
+        The answer.
+    seed : int
+        Draws the inputs.
+
+    Raises
+    ------
+    AssertionError
+        The answer does not earn them.
+    ValueError
+        There is no such task or criterion.
+
+    Examples
+    --------
+    >>> check_criterion("3.1", "level walls", lambda incident, normal: incident, seed=1)
+    Traceback (most recent call last):
+    AssertionError: ...
+    """
+    verdict = _verdict(task_id, function, seed)
+    names = [each.name for each in verdict.criteria]
+    if criterion not in names:
+        raise ValueError(f"criterion must be one of {', '.join(names)}, got {criterion!r}")
+    said = left_out_of(function)
+    said += [each.message for each in verdict.criteria if each.name == criterion and each.message]
+    if said:
+        hints = [f"hint: {d.hint}" for d in verdict.diagnoses if criterion in d.criteria]
+        raise AssertionError("\n".join([line.strip() for line in (*said, *hints)]))
+
+
+@lru_cache(maxsize=1)  # its criteria are asked for one after another
+def _verdict(task_id: str, function: Callable[..., Any], seed: int) -> Verdict:
+    """Return the marks for an answer, without the inputs."""
+    task = task_by_id(task_id)
+    call = partial(call_here, {task.function: function})
+    verdict = judge(task, call, seed, hide_inputs=True)
+    lost = [] if verdict.is_full else lost_before(task, function, seed)
+    if not lost:
+        return verdict
+    with_ours = partial(_call_with_ours, function, lost)
+    return better(verdict, judge(task, with_ours, seed, hide_inputs=True), tuple(lost))
 
 
 def left_out_of(function: Callable[..., Any]) -> list[str]:

@@ -6,7 +6,7 @@ import ast
 import copy
 import io
 import tokenize
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any, TypeAlias
 
 Function: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef
@@ -30,6 +30,16 @@ def student_notebook(solution: Any, tasks: Mapping[str, str]) -> Any:
     ValueError
         A function to write is not defined where it can be taken out.
     """
+    return _handed_out(solution, tasks, lambda source: student_source(source, tasks))
+
+
+def marked_notebook(solution: Any, tasks: Mapping[str, str], begin: str, end: str) -> Any:
+    """Return a solution notebook without outputs, its answers marked as in `marked_source`."""
+    return _handed_out(solution, tasks, lambda source: marked_source(source, tasks, begin, end))
+
+
+def _handed_out(solution: Any, tasks: Mapping[str, str], form: Callable[[str], str]) -> Any:
+    """Return a solution notebook without what is the instructor's alone, its code in some form."""
     notebook = copy.deepcopy(solution)
     notebook.cells = [
         cell for cell in notebook.cells if SOLUTION_ONLY not in cell.metadata.get("tags", [])
@@ -37,7 +47,7 @@ def student_notebook(solution: Any, tasks: Mapping[str, str]) -> Any:
     code_cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     _require_all((cell.source for cell in code_cells), tasks)
     for cell in code_cells:
-        cell.source = student_source(cell.source, tasks)
+        cell.source = form(cell.source)
         cell.outputs = []
         cell.execution_count = None
     return notebook
@@ -61,19 +71,46 @@ def student_source(solution: str, tasks: Mapping[str, str]) -> str:
     def f(x):
         raise NotImplementedError("Task 9.1: f")
     """
+
+    def stub(function: Function, _body: list[str]) -> list[str]:
+        number = tasks[function.name]
+        return [f'    raise NotImplementedError("Task {number}: {function.name}")']
+
+    return _with_bodies(solution, tasks, stub)
+
+
+def marked_source(solution: str, tasks: Collection[str], begin: str, end: str) -> str:
+    """Return code with a line before and after the body of each function to write.
+
+    Examples
+    --------
+    >>> code = chr(10).join(["def f(x):", '    "Double."', "    return 2 * x"])
+    >>> print(marked_source(code, ["f"], "# from", "# to"))
+    def f(x):
+        "Double."
+        # from
+        return 2 * x
+        # to
+    """
+    return _with_bodies(solution, tasks, lambda _, body: [f"    {begin}", *body, f"    {end}"])
+
+
+def _with_bodies(
+    solution: str,
+    tasks: Collection[str],
+    instead: Callable[[Function, list[str]], list[str]],
+) -> str:
+    """Return code with other lines in place of each body, below signature and docstring."""
     solution = io.StringIO(solution, newline=None).read()  # line ends become \n
     lines = solution.split("\n")
     for function in reversed(_answers(solution, tasks)):
-        stub = f'raise NotImplementedError("Task {tasks[function.name]}: {function.name}")'
-        lines[function.lineno - 1 : _end(function, lines)] = [
-            *_signature(function, lines),
-            *_docstring(function, solution),
-            f"    {stub}",
-        ]
+        before = [*_signature(function, lines), *_docstring(function, solution)]
+        begin, end = function.lineno - 1, _end(function, lines)
+        lines[begin:end] = [*before, *instead(function, lines[begin + len(before) : end])]
     return "\n".join(lines)
 
 
-def _answers(solution: str, tasks: Mapping[str, str]) -> list[Function]:
+def _answers(solution: str, tasks: Collection[str]) -> list[Function]:
     """Return the functions to write that stand at the top level of some code, in their order."""
     return [
         statement

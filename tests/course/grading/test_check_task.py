@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from lesson_code.course.grading import check_task as check_task_in_notebooks
-from lesson_code.course.grading.check_task import check_task, left_out_of, lines_of
+from lesson_code.course.grading.check_task import check_criterion, check_task, left_out_of, lines_of
 from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Task
@@ -36,6 +36,24 @@ def test_check_of_right_answer_prints_the_same_line_whatever_the_seed(
         capsys.readouterr().out.splitlines()
         == [f"{task.id} {task.function}: {task.points}/{task.points} points"] * 4
     )
+
+
+@pytest.mark.one_in(6)
+@pytest.mark.parametrize("task", ALL_TASKS, ids=lambda task: task.title)
+def test_check_of_criterion_raises_exactly_where_its_points_are_lost(task: Task) -> None:
+    """For every wrong model and the right answer; what is said holds no call."""
+    for answer in (task.expected, *(model.function for model in task.wrong_models)):
+        verdict = judge(task, partial(call_here, {task.function: answer}), 3, hide_inputs=True)
+        for criterion in verdict.criteria:
+            said = ""
+            try:
+                check_criterion(task.id, criterion.name, answer, seed=3)
+            except AssertionError as error:
+                said = str(error)
+            assert bool(said) == (criterion.points < criterion.full_points)
+            assert f"{task.function}(" not in said.partition("hint: ")[0]
+    with pytest.raises(ValueError, match="criterion must be one of"):
+        check_criterion(task.id, "no such", task.expected, seed=3)
 
 
 def test_check_of_stub_says_not_written_yet(capsys: pytest.CaptureFixture[str]) -> None:
