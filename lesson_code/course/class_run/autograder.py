@@ -31,6 +31,7 @@ from lesson_code.course.class_run.marking import (
     seed_of,
     warm_grader,
 )
+from lesson_code.course.isolation import Limits
 
 SETTINGS = "settings.json"
 """In `source`: which exercises count, the seed, and the least isolation that will do."""
@@ -56,7 +57,9 @@ def autograde(place: Path) -> dict[str, Any]:
     terms = Terms(seed, tuple(settings["exercises"]), settings["isolation"], grader_version())
     others = {os.path.realpath(entry) for entry in place.iterdir() if entry.name != "submission"}
     [hand_in], _ = collect(place, without=others)
-    marks = {key_of(paper): mark(Job(paper.name, paper.path), terms) for paper in hand_in.papers}
+    seconds = Limits().seconds_a_file(len(hand_in.papers))
+    jobs = {key_of(paper): Job(paper.name, paper.path, seconds=seconds) for paper in hand_in.papers}
+    marks = {key: mark(job, terms) for key, job in jobs.items()}
     book = gradebook([hand_in], marks, exercises=terms.exercises, seed=seed)
     results = gradescope(book.students[0], book)
     lines = [results["output"], f"seed {seed}, isolation: {isolation}"]

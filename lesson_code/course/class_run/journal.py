@@ -19,7 +19,8 @@ from lesson_code.course.class_run.collect import Paper
 Marks: TypeAlias = dict[str, Any]
 """What a file has earned, as JSON: a report, or "problem" alone; with "is_other", where it may be a
 file that answers nothing, such as a module of helpers. "is_assumed" says of a report that nothing
-in the file tells its exercise: it is the only one that counts."""
+in the file tells its exercise: it is the only one that counts. "was_cut_off" says that it wanted
+more time than it may use; such marks are not in the journal."""
 
 
 class Journal:

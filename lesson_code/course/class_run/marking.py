@@ -44,13 +44,15 @@ class Terms:
 class Job:
     """A file to grade: where it stands, or what stands in it where a worker cannot read it.
 
-    `variant` tells a student from all others, where each has inputs of his or her own.
+    `variant` tells a student from all others, where each has inputs of his or her own. `seconds` is
+    the file's part of the student's time, if it is less than that of a submission.
     """
 
     name: str
     path: Path
     content: bytes | None = None
     variant: str = ""
+    seconds: int | None = None
 
 
 def mark(job: Job, terms: Terms) -> Marks:
@@ -68,11 +70,11 @@ def mark(job: Job, terms: Terms) -> Marks:
     grader = warm_grader(terms.isolation)  # where there is too little isolation, this raises
     terms = replace(terms, seed=seed_of(job.variant, terms.seed))
     if job.content is None:
-        return _mark(job.path, job.name, terms, grader)
+        return _mark(job.path, job, terms, grader)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / job.path.name
         path.write_bytes(job.content)
-        return _mark(path, job.name, terms, grader)
+        return _mark(path, job, terms, grader)
 
 
 def seed_of(variant: str, seed: int) -> int:
@@ -93,13 +95,13 @@ def warm_grader(isolation: str | None) -> Grader:
     return Grader(isolation=isolation, hide_inputs=True).__enter__()
 
 
-def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
+def _mark(path: Path, job: Job, terms: Terms, grader: Grader) -> Marks:
     """Return what the file at a path has earned; it is called by its name in the class's folder."""
     try:
         exercise, is_assumed = (
             _exercise(path, terms.exercises) if terms.exercises else (None, False)
         )
-        report = grader.grade(path, exercise=exercise, seed=terms.seed)
+        report = grader.grade(path, exercise=exercise, seed=terms.seed, seconds=job.seconds)
     except SubmissionError as error:
         return {"problem": _told(str(error), path)}
     except ValueError as error:  # nothing in it tells which exercise it is
@@ -108,7 +110,8 @@ def _mark(path: Path, name: str, terms: Terms, grader: Grader) -> Marks:
         return {"problem": problem, "is_other": not broken}
     except OSError as error:
         return {"problem": f"cannot be read ({error.strerror})"}
-    marks = report.as_dict() | {"submission": name, "is_assumed": is_assumed}
+    marks = report.as_dict() | {"submission": job.name, "is_assumed": is_assumed}
+    marks["was_cut_off"] = report.was_cut_off
     for entry, verdict in zip(marks["tasks"], report.verdicts, strict=True):
         entry["diagnoses"] = [
             {"name": found.name, "says": found.misconception, "hint": found.hint}

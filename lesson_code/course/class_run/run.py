@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import secrets
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from concurrent.futures import Future
 from contextlib import closing, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
 from pathlib import Path
@@ -25,6 +26,7 @@ from lesson_code.course.grading.check_task import LARGEST_SEED
 from lesson_code.course.grading.exercises import exercise_by_name
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.submission import LARGEST_FILE
+from lesson_code.course.isolation import Limits
 from lesson_code.parallel import iter_tasks
 
 JOURNAL = "journal.jsonl"
@@ -141,44 +143,69 @@ def _graded(
     is_variant: bool,
     told: Callable[[str], None],
 ) -> dict[str, Marks]:
-    """Return the marks of every file, those that the journal lacks worked out now."""
-    whose: dict[str, str] = {}
-    papers: list[Paper] = []
+    """Return the marks of every file, those that the journal lacks worked out now.
+
+    Whatever wanted more time than it may use is tried once more, alone: a busy machine takes
+    nobody's points.
+    """
+    jobs: dict[str, tuple[Paper, Job]] = {}
     for hand_in in hand_ins:
-        for paper in (paper for paper in hand_in.papers if key_of(paper) not in whose):
-            whose[key_of(paper)] = hand_in.student.id
-            papers.append(paper)
-    waiting = [paper for paper in papers if key_of(paper) not in journal.done]
-    if len(waiting) < len(papers):
-        told(f"{len(papers) - len(waiting)} of {len(papers)} files are graded already")
+        variant = hand_in.student.id if is_variant else ""
+        seconds = Limits().seconds_a_file(len(hand_in.papers))
+        for paper in hand_in.papers:
+            jobs.setdefault(key_of(paper), (paper, _job(paper, hands, variant, seconds)))
+    waiting = [jobs[key] for key in jobs if key not in journal.done]
+    if len(waiting) < len(jobs):
+        told(f"{len(jobs) - len(waiting)} of {len(jobs)} files are graded already")
     failed: dict[str, Marks] = {}
-    done = iter_tasks(
-        partial(mark, terms=terms),
-        [_job(p, hands, whose[key_of(p)] if is_variant else "") for p in waiting],
-        workers=hands.workers,
-        cluster=hands.cluster,
-        names=[shown(paper.name) for paper in waiting],
-        progress="grading" if waiting else None,
-    )
-    with closing(done):  # an interruption while a mark is written stops the workers, too
+    cut_off: list[tuple[Paper, Job]] = []
+
+    def keep(each: tuple[Paper, Job], future: Future[Marks], *, is_alone: bool) -> None:
+        if error := future.exception():
+            failed[key_of(each[0])] = {"problem": _lost(error)}
+            return
+        marks = dict(future.result())
+        if marks.pop("was_cut_off", False) and not is_alone:
+            cut_off.append(each)
+        else:
+            journal.write(each[0], marks)
+
+    with closing(_at_work(waiting, terms, hands, "grading")) as done:
         for number, future in done:
-            error = future.exception()
-            if error is None:
-                journal.write(waiting[number], future.result())
-            else:
-                failed[key_of(waiting[number])] = {"problem": _lost(error)}
+            keep(waiting[number], future, is_alone=False)
+    if cut_off:
+        told(f"{len(cut_off)} files wanted more time than they may use: tried again, each alone")
+    for each in cut_off:
+        with closing(_at_work([each], terms, Hands(1, hands.cluster), None)) as done:
+            for _, future in done:
+                keep(each, future, is_alone=True)
     return {**journal.done, **failed}
 
 
-def _job(paper: Paper, hands: Hands, variant: str) -> Job:
+def _at_work(
+    work: Sequence[tuple[Paper, Job]], terms: Terms, hands: Hands, label: str | None
+) -> Generator[tuple[int, Future[Marks]], None, None]:
+    """Yield number and future of each file; closing it, as an interruption does, stops all."""
+    return iter_tasks(
+        partial(mark, terms=terms),
+        [job for _, job in work],
+        workers=hands.workers,
+        cluster=hands.cluster,
+        names=[shown(paper.name) for paper, _ in work],
+        progress=label if work else None,
+    )
+
+
+def _job(paper: Paper, hands: Hands, variant: str, seconds: int) -> Job:
     """Return a file as a task; workers on other machines are sent what stands in it."""
+    job = Job(paper.name, paper.path, variant=variant, seconds=seconds)
     if hands.cluster is None or paper.path.is_symlink() or not paper.path.is_file():
-        return Job(paper.name, paper.path, variant=variant)
+        return job
     if paper.path.stat().st_size > LARGEST_FILE:
-        return Job(paper.name, paper.path, variant=variant)
+        return job
     with suppress(OSError):
-        return Job(paper.name, paper.path, paper.path.read_bytes(), variant)
-    return Job(paper.name, paper.path, variant=variant)
+        return replace(job, content=paper.path.read_bytes())
+    return job
 
 
 def _lost(error: BaseException) -> str:

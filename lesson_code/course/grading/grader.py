@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import secrets
 from contextlib import ExitStack
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import TracebackType
@@ -18,6 +19,7 @@ from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.verdict import Call, Verdict, better, judge
 from lesson_code.course.isolation import Children, InForce, Limits, StudentProcess, isolated
 from lesson_code.course.isolation.call_outcome import CallOutcome
+from lesson_code.course.isolation.reader import TOO_SLOW
 
 
 class Grader:
@@ -73,7 +75,14 @@ class Grader:
     ) -> None:
         self._open.close()
 
-    def grade(self, path: Path, *, exercise: str | None = None, seed: int | None = None) -> Report:
+    def grade(
+        self,
+        path: Path,
+        *,
+        exercise: str | None = None,
+        seed: int | None = None,
+        seconds: int | None = None,
+    ) -> Report:
         """Return what a submission has earned.
 
         Parameters
@@ -84,6 +93,8 @@ class Grader:
             Name or number of the exercise, where the submission itself does not tell.
         seed : int, optional
             Draws the inputs; by default they differ from submission to submission.
+        seconds : int, optional
+            What the submission may use of the processor, if not as much as the limits say.
 
         Raises
         ------
@@ -93,7 +104,10 @@ class Grader:
         submission = read_submission(path)
         chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
         drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed
-        with StudentProcess(submission.units, self._children, self._limits) as student:
+        limits = replace(
+            self._limits, seconds_a_submission=seconds or self._limits.seconds_a_submission
+        )
+        with StudentProcess(submission.units, self._children, limits) as student:
             call = _explaining(student.call, submission, chosen)
             verdicts: list[Verdict] = []
             allowance = Allowance()
@@ -107,7 +121,10 @@ class Grader:
                     verdict = better(verdict, again, lent.used)
                 verdicts.append(verdict)
             notes = (*submission.unreadable, *student.load_errors)
-        return Report(submission, chosen, tuple(verdicts), notes, drawn, self.isolation)
+        was_cut_off = student.was_cut_off or any(TOO_SLOW in line for line in submission.unreadable)
+        return Report(
+            submission, chosen, tuple(verdicts), notes, drawn, self.isolation, was_cut_off
+        )
 
 
 def _lost(task: Task, submission: Submission, before: list[Verdict]) -> list[Task]:

@@ -22,7 +22,10 @@ VERSION = 3
 
 @dataclass(frozen=True)
 class Report:
-    """What a submission has earned, task by task."""
+    """What a submission has earned, task by task.
+
+    `was_cut_off` says that it wanted more time than it may use.
+    """
 
     submission: Submission
     exercise: Exercise
@@ -30,6 +33,7 @@ class Report:
     notes: tuple[str, ...]
     seed: int
     isolation: InForce
+    was_cut_off: bool = False
 
     @property
     def points(self) -> int:

@@ -11,6 +11,8 @@ from lesson_code.course.isolation.clerk import Clerk, one_a_process
 from lesson_code.course.isolation.inside.reading import SECONDS
 from lesson_code.course.isolation.warm_server import environment, python
 
+TOO_SLOW = "takes too much time or memory to read"
+
 MOST_SLOW = 3
 """Cells that cannot be read in time, after which the rest of a file is not tried."""
 
@@ -33,7 +35,7 @@ def read_units(sources: list[dict[str, Any]]) -> list[dict[str, Any]]:
     for place, source in enumerate(sources):
         is_alone = len(sources) == 1
         if is_alone or len(slow) == MOST_SLOW or reader().ask("read", [source]) is None:
-            text = f"{source['name']}: takes too much time or memory to read"
+            text = f"{source['name']}: {TOO_SLOW}"
             lost = reader().ask("lost", source["source"]) or []
             slow[place] = {"unreadable": text, "lost": lost}
     rest = [source for place, source in enumerate(sources) if place not in slow]

@@ -76,6 +76,7 @@ class StudentProcess:
         self._load_failed: CallOutcome | None = None
         self._is_loaded = False
         self._is_shortened = False
+        self._is_used_up = False
         self._hangs: Counter[tuple[str, bool]] = Counter()
         self._used_before = 0.0  # s of the processor, by children that have ended
         self._used = 0.0  # and by the current one, as far as is known
@@ -93,6 +94,11 @@ class StudentProcess:
         trace: TracebackType | None,
     ) -> None:
         self._end()
+
+    @property
+    def was_cut_off(self) -> bool:
+        """Whether it wanted more time than it may use: a busy machine may be the reason."""
+        return self._is_shortened or self._is_used_up or any(self._hangs.values())
 
     def call(
         self, function: str, arguments: Arguments, lender: Lender | None = None
@@ -193,6 +199,7 @@ class StudentProcess:
             return reply
         self._end()
         if line is None and within < seconds:
+            self._is_used_up = True
             all_seconds = self._limits.seconds_a_submission
             text = f"the submission used up its {all_seconds} s of processor time"
             return CallOutcome("not called", text=text)

@@ -126,6 +126,64 @@ def test_run_killed_at_any_time_goes_on(make_class: MakeClass, tmp_path: Path) -
     assert contents_of(out) == contents_of(tmp_path / "whole")
 
 
+def test_what_wanted_more_time_is_graded_again_alone(
+    make_class: MakeClass, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After all others, and that counts; an interruption before it forgets nothing."""
+    folder = make_class({"ada.py": RIGHT, "bob.py": RIGHT, "eve.py": RIGHT})
+    asked: list[str] = []
+
+    def busy(job: marking.Job, terms: marking.Terms) -> dict[str, object]:
+        asked.append(job.name)
+        marks = marking.mark(job, terms)
+        if job.name == "ada.py" and asked.count("ada.py") < 3:
+            return {"problem": "too slow", "was_cut_off": True}
+        return marks
+
+    def interrupted(job: marking.Job, terms: marking.Terms) -> dict[str, object]:
+        if "ada.py" in asked and job.name == "ada.py":
+            raise KeyboardInterrupt
+        return busy(job, terms)
+
+    monkeypatch.setattr(running, "mark", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        grade_class(folder, tmp_path / "out", seed=7, hands=Hands(1))
+    assert asked == ["ada.py", "bob.py", "eve.py"]
+    monkeypatch.setattr(running, "mark", busy)
+    book = grade_class(folder, tmp_path / "out", hands=Hands(1))
+    assert asked == ["ada.py", "bob.py", "eve.py", "ada.py", "ada.py"]
+    assert set(points_of(book).values()) == {10}
+    assert b"was_cut_off" not in b"".join(contents_of(tmp_path / "out").values())
+
+
+HANGS = "def elastic_1d(*_):\n    while True:\n        pass\n"
+SLOW = RIGHT.replace("    return c, c", "    sum(range(5_000_000))\n    return c, c")
+"""A right answer that takes its time."""
+
+
+@pytest.mark.full
+def test_busy_machine_changes_no_byte(make_class: MakeClass, tmp_path: Path) -> None:
+    """One worker alone, and two beside two busy processes: endless, slow and quick answers.
+
+    Of a student with 200 files each has 3 s, so that all of them together have 600.
+    """
+    many = {f"many/{n:03d}.py": "x = 1\n" for n in range(199)}
+    folder = make_class({**STUDENTS, **many, "many/hangs.py": HANGS, "slow.py": SLOW})
+    told: list[str] = []
+    grade_class(folder, tmp_path / "idle", seed=7, hands=Hands(1), told=told.append)
+    assert "1 files wanted more time than they may use: tried again, each alone" in told
+    busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(2)]
+    try:
+        book = grade_class(folder, tmp_path / "busy", seed=7, hands=Hands(2))
+    finally:
+        for process in busy:
+            process.kill()
+            process.wait()
+    assert points_of(book) == EXPECTED | {"many": 0, "slow": 10}
+    assert contents_of(tmp_path / "idle") == contents_of(tmp_path / "busy")
+    assert b"used up its 3 s" in contents_of(tmp_path / "busy")["grades.json"]
+
+
 def test_file_that_has_changed_is_graded_again(make_class: MakeClass, tmp_path: Path) -> None:
     """The others are not."""
     folder = make_class(STUDENTS)
