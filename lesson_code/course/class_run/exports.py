@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from lesson_code.course.class_run.alike import Alike
 from lesson_code.course.class_run.gradebook import Gradebook
 from lesson_code.course.class_run.names import encodable, sheet_text, told_apart, visible
 from lesson_code.course.class_run.student import Student
@@ -117,6 +118,22 @@ def as_dict(book: Gradebook) -> dict[str, Any]:
         "left_out": list(book.left_out),
         "students": [_student_as_dict(s, ids[s.id]) for s in book.students],
         "tasks": [_summary_as_dict(summary) for summary in book.summary],
+        "alike": [_alike_as_dict(alike) for alike in book.alike],
+    }
+
+
+def _alike_as_dict(alike: Alike) -> dict[str, Any]:
+    """Return functions that are alike, with their passages; those of nobody are the lesson's."""
+    return {
+        "exercise": alike.exercise.name,
+        "passages": [
+            {
+                "who": [student.label for student in passage.who],
+                "function": passage.name,
+                "text": passage.text,
+            }
+            for passage in alike.passages
+        ],
     }
 
 
@@ -134,7 +151,10 @@ def _student_as_dict(student: Student, name: str) -> dict[str, Any]:
         "team": enrolled.team,
         "feedback": feedback_name(student),
         "remarks": remarks_of(student),
-        "exercises": list(student.reports.values()),
+        "exercises": [
+            {key: value for key, value in report.items() if key != "passages"}
+            for report in student.reports.values()
+        ],
     }
 
 

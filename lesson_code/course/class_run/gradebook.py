@@ -9,6 +9,7 @@ from datetime import datetime
 from functools import cached_property
 from typing import Any
 
+from lesson_code.course.class_run.alike import Alike, alike_in
 from lesson_code.course.class_run.changes import (
     Changes,
     exact,
@@ -88,6 +89,11 @@ class Gradebook:
             for exercise in self.exercises
             for task in exercise.tasks
         )
+
+    @cached_property
+    def alike(self) -> tuple[Alike, ...]:
+        """What of the answers is alike, or like the lesson; no mark depends on it."""
+        return alike_in(self.students, self.exercises)
 
 
 def gradebook(

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from lesson_code.course.class_run.alike import passages_of
 from lesson_code.course.class_run.answers import answer_in
 from lesson_code.course.class_run.journal import Marks
 from lesson_code.course.class_run.names import encodable
@@ -123,6 +124,7 @@ def _mark(path: Path, job: Job, terms: Terms, grader: Grader) -> Marks:
         for verdict in report.verdicts
         if not verdict.is_full
     }
+    marks["passages"] = passages_of(report.submission)
     return {key: _fit_to_show(value) for key, value in marks.items()}
 
 

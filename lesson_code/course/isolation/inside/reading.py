@@ -19,6 +19,7 @@ from typing import Any
 
 from . import limits
 from .imports import forget_the_way_here, may_be_imported
+from .winnowing import fingerprints
 
 MAGIC = re.compile(
     r"^([ \t]*)(?:(?:\w[\w, ]*=[ \t]*)?[%!].*|\?.*|[\w.]+\?{1,2}[ \t]*)$", re.MULTILINE
@@ -285,6 +286,7 @@ DEEDS: dict[str, Callable[[Any], Any]] = {
     "read": read,
     "kept": kept_sources,
     "lost": DEFINITION.findall,
+    "prints": lambda sources: [fingerprints(parsed(source)) for source in sources],
 }
 
 

@@ -1,0 +1,153 @@
+"""Functions that are alike: remarked with both passages, for the instructor to read, never judged.
+
+Alike are functions that share most of their fingerprints
+(:mod:`lesson_code.course.isolation.inside.winnowing`): those of two students, or of a student and
+of the lesson. What is short is written alike by everybody, and is left out.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from lesson_code.course.class_run.answers import LONGEST_ANSWER
+from lesson_code.course.class_run.student import Student
+from lesson_code.course.fresh_copies import fresh_exercise
+from lesson_code.course.grading.exercises import Exercise
+from lesson_code.course.grading.submission import Submission
+from lesson_code.course.isolation.inside.winnowing import fingerprints
+from lesson_code.course.isolation.reader import reader
+from lesson_code.course.notebooks.root import home
+
+FEWEST = 12
+"""Fingerprints of a function that is long enough to tell: about eight lines."""
+
+SHARE = 0.8
+"""Of the fingerprints of the shorter one. Right answers that were found by other ways share 0.74 at
+the most, and a copy with other names, comments and layout shares all of them."""
+
+LESSON = ("formulas", "geometry", "reference", "chapters")
+NOT_THE_LESSON = ("tasks", "draws", "wrong_answers", "right_answers")
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A function: whose, which, its text and its fingerprints. Nobody's is the lesson's."""
+
+    who: tuple[Student, ...]
+    name: str
+    text: str
+    prints: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Alike:
+    """Functions of an exercise that are alike, the lesson's first."""
+
+    exercise: Exercise
+    passages: tuple[Passage, ...]
+
+    @property
+    def who(self) -> tuple[Student, ...]:
+        """The students whose functions these are."""
+        return tuple(student for passage in self.passages for student in passage.who)
+
+
+def passages_of(submission: Submission) -> list[dict[str, Any]]:
+    """Return name, text and fingerprints of each function that is long enough to tell.
+
+    The code is read in a process of its own; what it cannot read is left out.
+    """
+    sources = [unit.source for unit in submission.units]
+    read = reader().ask("prints", sources) or []
+    return [
+        {"name": found["name"], "text": _cut(source, *found["lines"]), "prints": found["prints"]}
+        for source, functions in zip(sources, read, strict=False)
+        for found in functions
+        if len(found["prints"]) >= FEWEST
+    ]
+
+
+def alike_in(students: Sequence[Student], exercises: Iterable[Exercise]) -> tuple[Alike, ...]:
+    """Return what is alike among a class's answers, and what is like the lesson, by exercise."""
+    return tuple(
+        Alike(exercise, tuple(group))
+        for exercise in exercises
+        if (passages := list(_handed_in(students, exercise)))
+        for group in _groups([*_lesson(), *passages])
+    )
+
+
+def _handed_in(students: Sequence[Student], exercise: Exercise) -> Iterator[Passage]:
+    """Yield the functions that were handed in for an exercise, but for those that were given."""
+    of_file: dict[str, list[Student]] = defaultdict(list)
+    for student in students:
+        if exercise.name in student.papers:
+            of_file[student.papers[exercise.name].name].append(student)
+    given = fresh_exercise(exercise, home()) if of_file else ""
+    for team in of_file.values():
+        report: Mapping[str, Any] = team[0].reports.get(exercise.name, {})
+        for found in report.get("passages", ()):
+            if found["name"] in exercise.task_ids or f"def {found['name']}(" not in given:
+                prints = frozenset(found["prints"])
+                yield Passage(tuple(team), found["name"], found["text"], prints)
+
+
+@cache
+def _lesson() -> tuple[Passage, ...]:
+    """Return the lesson's functions that are long enough to tell."""
+    package = Path(__file__).parents[2]
+    paths = [path for wing in LESSON for path in sorted((package / wing).rglob("*.py"))]
+    found = []
+    for path in (path for path in paths if path.stem not in NOT_THE_LESSON):
+        source = path.read_text(encoding="utf-8")
+        for each in fingerprints(ast.parse(source).body):
+            if len(each["prints"]) >= FEWEST:
+                where = f"{path.relative_to(package.parent).as_posix()}: {each['name']}"
+                text = _cut(source, *each["lines"])
+                found.append(Passage((), where, text, frozenset(each["prints"])))
+    return tuple(found)
+
+
+def _groups(passages: list[Passage]) -> Iterator[list[Passage]]:
+    """Yield the passages that are alike, in the order given; each stands in one group."""
+    leader = list(range(len(passages)))
+
+    def first(place: int) -> int:
+        while leader[place] != place:
+            place = leader[place]
+        return place
+
+    for a, b in _alike_pairs(passages):
+        low, high = sorted((first(a), first(b)))
+        leader[high] = low
+    groups: dict[int, list[Passage]] = defaultdict(list)
+    for place, passage in enumerate(passages):
+        groups[first(place)].append(passage)
+    for group in groups.values():
+        if len(group) > 1 and any(passage.who for passage in group):
+            yield group
+
+
+def _alike_pairs(passages: list[Passage]) -> Iterator[tuple[int, int]]:
+    """Yield the places of passages of different hands that share most of their fingerprints."""
+    holding: dict[str, list[int]] = defaultdict(list)
+    for place, passage in enumerate(passages):
+        shared = Counter(other for mark in passage.prints for other in holding[mark])
+        for other, count in sorted(shared.items()):
+            least = min(len(passage.prints), len(passages[other].prints))
+            if count >= max(FEWEST, SHARE * least) and passage.who != passages[other].who:
+                yield other, place
+        for mark in passage.prints:
+            holding[mark].append(place)
+
+
+def _cut(source: str, first: int, last: int) -> str:
+    """Return some lines of a text, as far as an instructor wants to read them."""
+    text = "\n".join(source.split("\n")[first - 1 : last])
+    return text if len(text) <= LONGEST_ANSWER else f"{text[:LONGEST_ANSWER]}\n..."

@@ -1,0 +1,64 @@
+"""Fingerprints of functions: the same for code that differs in names, comments and layout.
+
+A function is written as the sequence of its syntax tree's nodes; what its author has named is left
+out, as are docstrings and annotations. Of the hashes of every K nodes in a row, the least in each
+window of W is kept: two functions that share K + W - 1 nodes in a row share a fingerprint.
+
+References
+----------
+Schleimer, Wilkerson and Aiken, Winnowing: local algorithms for document fingerprinting, SIGMOD
+(2003), section 3: K is the noise threshold, K + W - 1 the guarantee.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+from collections.abc import Iterator
+from typing import Any
+
+K, W = 10, 6
+"""Nodes. `a * b + c` has six, so that a formula alone is noise."""
+
+
+def fingerprints(body: list[ast.stmt]) -> list[dict[str, Any]]:
+    """Return name, first and last line, and fingerprints of every function at top level."""
+    return [
+        {
+            "name": part.name,
+            "lines": [part.lineno, part.end_lineno],
+            "prints": winnowed(list(_nodes(part))),
+        }
+        for part in body
+        if isinstance(part, ast.FunctionDef)
+    ]
+
+
+def winnowed(nodes: list[str]) -> list[str]:
+    """Return the fingerprints of a sequence, each once, in the order in which they come."""
+    runs = (" ".join(nodes[k : k + K]) for k in range(len(nodes) - K + 1))
+    hashes = [hashlib.blake2b(run.encode(), digest_size=6).hexdigest() for run in runs]
+    return list(dict.fromkeys(min(hashes[k : k + W]) for k in range(len(hashes) - W + 1)))
+
+
+def _nodes(tree: ast.AST) -> Iterator[str]:
+    """Yield a tree's nodes from the outside in: their kinds, what is asked of others, numbers."""
+    yield f"{type(tree).__name__}{_of_others(tree)}"
+    for name, value in ast.iter_fields(tree):
+        if name in ("annotation", "returns", "ctx", "type_comment", "decorator_list"):
+            continue
+        for part in value if isinstance(value, list) else [value]:
+            if isinstance(part, ast.AST) and not _is_text_alone(part):
+                yield from _nodes(part)
+
+
+def _of_others(tree: ast.AST) -> str:
+    """Return what of a node its author cannot name: an attribute, a number."""
+    if isinstance(tree, ast.Constant):
+        return repr(tree.value)
+    return tree.attr if isinstance(tree, ast.Attribute) else ""
+
+
+def _is_text_alone(tree: ast.AST) -> bool:
+    """Return whether a statement is a docstring, or another text that does nothing."""
+    return isinstance(tree, ast.Expr) and isinstance(tree.value, ast.Constant)
