@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -249,13 +250,16 @@ def merge(
 ) -> None:
     """Lay a submission into the solution notebook, to be graded by pytest --nbval-lax."""
     from lesson_code.course.grading.nbval_grading import merge as merged
+    from lesson_code.course.isolation.call_outcome import one_line
     from lesson_code.course.notebooks.root import find_root
 
     with clear_errors():
         read, chosen = _submission_and_exercise(submission, exercise)
         text = json.dumps(merged(read, chosen, find_root()), indent=1)
         output.write_text(text + "\n", encoding="utf-8")
-    console.print(f"Wrote {output}. Now run: pytest --nbval-lax {output}", soft_wrap=True)
+    name = one_line(str(output))
+    line = f"Wrote {name}. Now run: pytest --nbval-lax {shlex.quote(name)}"
+    console.print(line, soft_wrap=True, markup=False, highlight=False)
 
 
 def _submission_and_exercise(path: Path, name: str | None) -> tuple[Any, Any]:

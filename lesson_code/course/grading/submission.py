@@ -7,24 +7,19 @@ kept is said in ``isolation.inside.reading``, which reads them in a process of i
 from __future__ import annotations
 
 import ast
-import codecs
-import io
-import json
-import tokenize
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from lesson_code.course.isolation.call_outcome import one_line
-from lesson_code.course.isolation.inside.reading import parsed
+from lesson_code.course.isolation.inside.reading import NO_TEXT, decoded, parsed
 from lesson_code.course.isolation.reader import read_units, reader
 
-LARGEST_FILE = 20_000_000
-"""Bytes. A notebook with every figure in it stays under 2 MB."""
+LARGEST_FILE = 50_000_000
+"""Bytes. A notebook with every figure in it stays under 2 MB; films and printed loops take more."""
 
-MOST_CELLS = 2_000
-"""A chapter's exercise has about 20 cells."""
+TOO_MUCH = "takes too much time or memory to read; clear the outputs of its cells and save it"
 
 
 class SubmissionError(ValueError):
@@ -119,11 +114,9 @@ def read_submission(path: Path) -> Submission:
         The file is missing, empty, a link, too large, neither .ipynb nor .py, not text, not
         a notebook, or holds no code at all.
     """
-    text = _text_of(path)
+    _must_be_readable(path)
     is_notebook = _is_notebook(path)
-    sources, exercise = [(f"your {path.name}", text)], None
-    if is_notebook:
-        sources, exercise = _notebook_cells(path, text)
+    sources, exercise = _notebook_cells(path) if is_notebook else (_program(path), None)
     given = [{"name": name, "source": code, "is_cell": is_notebook} for name, code in sources]
     read = read_units(given)
     units = tuple(_unit(part) for part in read if _may_answer(part))
@@ -146,8 +139,8 @@ def _unit(read: dict[str, Any]) -> Unit:
     return Unit(**{**read, "groups": groups, **{name: tuple(read[name]) for name in sequences}})
 
 
-def _text_of(path: Path) -> str:
-    """Return the text of a file, or say why it cannot be one."""
+def _must_be_readable(path: Path) -> None:
+    """Raise for what is no file of a submission's kind and size."""
     if path.is_symlink():
         raise SubmissionError(f"{path}: a submission is a file, and this is a link")
     if not path.exists():
@@ -159,10 +152,6 @@ def _text_of(path: Path) -> str:
     if path.stat().st_size > LARGEST_FILE:
         cause = "; clear the outputs of its cells and save it" if _is_notebook(path) else ""
         raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{cause}")
-    text = _decoded(path)
-    if not text.strip():
-        raise SubmissionError(f"{path}: is empty")
-    return text
 
 
 def _is_notebook(path: Path) -> bool:
@@ -170,49 +159,22 @@ def _is_notebook(path: Path) -> bool:
     return path.suffix.lower() == ".ipynb"
 
 
-def _decoded(path: Path) -> str:
-    """Return a file's text: in UTF-16 by its mark, in what its first lines name, or in UTF-8."""
-    raw = path.read_bytes()
-    encoding = (
-        "utf-16" if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
-    )
-    try:
-        if not _is_notebook(path) and encoding != "utf-16":
-            encoding, _ = tokenize.detect_encoding(io.BytesIO(raw).readline)
-        text = raw.decode(encoding)
-    except (UnicodeDecodeError, SyntaxError, LookupError):
-        raise SubmissionError(f"{path}: is not text in UTF-8; save it as UTF-8") from None
-    return text.replace("\r\n", "\n").replace("\r", "\n")
+def _program(path: Path) -> list[tuple[str, str]]:
+    """Return name and code of a program, as its only part."""
+    text = decoded(path.read_bytes(), may_name_its_encoding=True)
+    if text is None:
+        raise SubmissionError(f"{path}: {NO_TEXT}")
+    if not text.strip():
+        raise SubmissionError(f"{path}: is empty")
+    return [(f"your {path.name}", text)]
 
 
-def _notebook_cells(path: Path, text: str) -> tuple[list[tuple[str, str]], str | None]:
-    """Return name and code of a notebook's code cells, and the exercise it says it is."""
-    try:
-        notebook = json.loads(text)
-    except (ValueError, RecursionError):
-        raise SubmissionError(f"{path}: is not a notebook (its text is not JSON)") from None
-    cells = notebook.get("cells") if isinstance(notebook, dict) else None
-    if not isinstance(cells, list) or not all(isinstance(cell, dict) for cell in cells):
-        raise SubmissionError(f"{path}: is not a notebook (it has no list of cells)")
-    if len(cells) > MOST_CELLS:
-        raise SubmissionError(f"{path}: has more than {MOST_CELLS} cells")
-    sources = [
-        (f"your cell {number}", _cell_source(cell))
-        for number, cell in enumerate(cells, start=1)
-        if cell.get("cell_type") == "code"
-    ]
-    exercise = _deep(notebook, "metadata", "workbook", "exercise")
-    return sources, exercise if isinstance(exercise, str) else None
+def _notebook_cells(path: Path) -> tuple[list[tuple[str, str]], str | None]:
+    """Return name and code of a notebook's code cells, and the exercise it says it is.
 
-
-def _deep(value: Any, *keys: str) -> Any:
-    """Return what stands under nested keys, or None where anything else is in the way."""
-    for key in keys:
-        value = value.get(key) if isinstance(value, dict) else None
-    return value
-
-
-def _cell_source(cell: dict[str, Any]) -> str:
-    """Return a cell's source, which may be a text or a list of lines."""
-    source = cell.get("source", "")
-    return "".join(map(str, source)) if isinstance(source, list) else str(source)
+    The reader parses it: a notebook may hold 50 MB of outputs, in any form that JSON knows.
+    """
+    found = reader().ask("notebook", str(path.absolute())) or {"problem": TOO_MUCH}
+    if "problem" in found:
+        raise SubmissionError(f"{path}: {found['problem']}")
+    return [(name, source) for name, source in found["cells"]], found["exercise"]

@@ -227,7 +227,7 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
     """Empty, broken, oversized, of another kind or another exercise: named, and nobody is lost."""
     folder = make_class(
         {
-            "big.ipynb": b" " * 20_000_001,
+            "big.ipynb": b" " * 50_000_001,
             "broken.ipynb": "{",
             "cells.ipynb": json.dumps({"cells": [{}] * 2001}),
             "empty.py": "",
@@ -244,7 +244,7 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
     assert ran.exit_code == 1
     remarks = {s["id"]: s["remarks"] for s in json.loads(ran.stdout)["students"]}
     assert remarks == {
-        "big": ["big.ipynb: larger than 20 MB; clear the outputs of its cells and save it"],
+        "big": ["big.ipynb: larger than 50 MB; clear the outputs of its cells and save it"],
         "broken": ["broken.ipynb: is not a notebook (its text is not JSON)"],
         "cells": ["cells.ipynb: has more than 2000 cells"],
         "empty": ["empty.py: is empty"],

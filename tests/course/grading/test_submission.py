@@ -15,6 +15,7 @@ import pytest
 from lesson_code.course.grading import submission as submission_module
 from lesson_code.course.grading.grader import grade
 from lesson_code.course.grading.submission import Submission, SubmissionError, read_submission
+from lesson_code.course.isolation.inside.reading import MOST_CELLS
 
 from ..conftest import Write
 
@@ -120,13 +121,15 @@ def test_read_refuses_a_large_file(write: Write, monkeypatch: pytest.MonkeyPatch
         read_submission(write("large.py", "x = 1\n" * 10))
 
 
-def test_read_refuses_many_cells(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_read_refuses_many_cells(write: Write) -> None:
     """A notebook with more cells than the limit is refused."""
-    monkeypatch.setattr(submission_module, "MOST_CELLS", 3)
-    read_submission(write("three.ipynb", *["x = 1"] * 3))
-    with pytest.raises(SubmissionError, match="has more than 3 cells"):
-        read_submission(write("four.ipynb", *["x = 1"] * 4))
+    read_submission(write("most.ipynb", *["x = 1"] * MOST_CELLS))
+    with pytest.raises(SubmissionError, match=f"has more than {MOST_CELLS} cells"):
+        read_submission(write("more.ipynb", *["x = 1"] * (MOST_CELLS + 1)))
 
+
+SECONDS_OF_THE_PARENT = 1.0
+"""Of the processor, for any file; it takes some hundredths, and parsing here took 2.4."""
 
 LONG = 90_000
 """Characters: twenty times those of a chapter's answers."""
@@ -482,3 +485,31 @@ def test_read_notebook_that_is_too_large_names_the_cause(
     monkeypatch.setattr("lesson_code.course.grading.submission.LARGEST_FILE", 10)
     with pytest.raises(SubmissionError, match="clear the outputs of its cells"):
         read_submission(write("answer.ipynb", SETS_UP))
+
+
+def with_outputs(write: Write, outputs: str) -> Path:
+    """Return a notebook with an answer and some outputs, written as JSON."""
+    path = write("answer.ipynb", SETS_UP)
+    text = path.read_text().replace('"outputs": []', f'"outputs": {outputs}')
+    path.write_text(text)
+    return path
+
+
+def test_read_notebook_with_21_mb_of_outputs(write: Write) -> None:
+    """Films and printed loops do no harm: the answers count."""
+    path = with_outputs(write, json.dumps([{"data": {"image/png": "i" * 21_000_000}}]))
+    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("unit", ["[[]]", '{"a": {}}', "1e5", '"text"'])
+def test_read_of_49_mb_of_any_json_costs_the_parent_nothing(unit: str, write: Write) -> None:
+    """The reader parses it, or is ended: in a line that names the cause."""
+    many = 49_000_000 // (len(unit) + 2)
+    path = with_outputs(write, f"[{', '.join([unit] * many)}]")
+    began = time.process_time()
+    try:
+        assert read_submission(path).functions
+    except SubmissionError as error:
+        assert str(error).endswith("clear the outputs of its cells and save it")
+    assert time.process_time() - began < SECONDS_OF_THE_PARENT
