@@ -509,7 +509,8 @@ def test_read_of_49_mb_of_any_json_costs_the_parent_nothing(unit: str, write: Wr
     path = with_outputs(write, f"[{', '.join([unit] * many)}]")
     began = time.process_time()
     try:
-        assert read_submission(path).functions
+        said = str(read_submission(path).functions)
     except SubmissionError as error:
-        assert str(error).endswith("clear the outputs of its cells and save it")
+        said = str(error)
+    assert "elastic_1d" in said or said.endswith("clear the outputs of its cells and save it"), said
     assert time.process_time() - began < SECONDS_OF_THE_PARENT
