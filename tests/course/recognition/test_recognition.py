@@ -11,7 +11,9 @@ from typing import Any
 
 import pytest
 from course.recognition.students import WRONG, Wrong
+from course.recognition.test_right_answers import FORMS, TASKS, WAYS
 from course.recognition.textual_slips import textual_slips
+from tiers import share
 
 from lesson_code.course.grading.compare import agrees
 from lesson_code.course.grading.exercises import exercises, task_by_id
@@ -33,8 +35,12 @@ SEED = 11
 FEWEST_RECOGNISED = 0.9
 """Of the wrong answers by hand: what the course promises."""
 
-SLIPS_A_SOURCE = 1
-"""Slips made in the text of each right answer; all together some 170."""
+MOST_SLIPS = 4
+SLIPS_A_SOURCE = share(MOST_SLIPS, one_in=MOST_SLIPS)
+"""Slips made in the text of each right answer; all together 742 in the full tier."""
+
+FEWEST = 500
+"""Slips whose cause is known, and right answers, that the course promises to have tried."""
 
 FRESH_SEEDS = range(40, 43)
 """Draws of which the diagnosis knew nothing."""
@@ -88,6 +94,15 @@ def test_diagnosis_of_a_machine_made_slip_holds_for_inputs_it_did_not_see(task: 
             for diagnosis in judged(task, names["slip"]).diagnoses:
                 is_true = kind in diagnosis.name or holds_elsewhere(task, names["slip"], diagnosis)
                 assert is_true, (diagnosis.name, text)
+
+
+def test_slips_and_right_answers_that_are_tried_are_five_hundred_each() -> None:
+    """The full tier makes so many: no fewer than are promised."""
+    sources = [answer for task in LIGHT for answer in right_answers(task.id, task.function)]
+    found = [textual_slips(ast.unparse(_as_written(answer.definition))) for answer in sources]
+    assert sum(min(MOST_SLIPS, len(slips)) for slips in found) >= FEWEST
+    right = [answer for task in TASKS for answer in right_answers(task.id, task.function)]
+    assert len(WAYS) * len(right) + len(FORMS) * len(TASKS) >= FEWEST
 
 
 def _as_written(definition: ast.FunctionDef) -> ast.FunctionDef:

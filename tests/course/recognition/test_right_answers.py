@@ -6,7 +6,7 @@ import ast
 import copy
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -58,6 +58,27 @@ class Doubled(ast.NodeTransformer):
         return node
 
 
+class TurnedRound(ast.NodeTransformer):
+    """Writes every comparison the other way round: a < b is b > a."""
+
+    TURNED: ClassVar[dict[type[ast.cmpop], type[ast.cmpop]]] = {
+        ast.Lt: ast.Gt,
+        ast.LtE: ast.GtE,
+        ast.Gt: ast.Lt,
+        ast.GtE: ast.LtE,
+        ast.Eq: ast.Eq,
+        ast.NotEq: ast.NotEq,
+    }
+
+    def visit_Compare(self, node: ast.Compare) -> ast.AST:
+        """Turn one comparison of two values round, and those in it."""
+        self.generic_visit(node)
+        turned = self.TURNED.get(type(node.ops[0]))
+        if len(node.ops) > 1 or turned is None:
+            return node
+        return ast.Compare(node.comparators[0], [turned()], [node.left])
+
+
 def _is_a_sequence(node: ast.BinOp) -> bool:
     """Return whether a product may repeat a list, for which the order counts no more than here."""
     return any(isinstance(part, ast.List | ast.Tuple) for part in ast.walk(node))
@@ -68,9 +89,14 @@ def _has_a_minus(node: ast.BinOp) -> bool:
     return isinstance(node.right, ast.BinOp | ast.Constant | ast.Subscript)
 
 
+WAYS = (Commuted, AddedNegative, Doubled, TurnedRound)
+FORMS: dict[str, Callable[..., Any]] = {"list": list, "tuple": tuple, "scalars": np.float64}
+"""All together 1,072 right answers in the full tier."""
+
+
 @pytest.mark.one_in(4)
 @pytest.mark.parametrize("task", TASKS, ids=lambda task: task.title)
-@pytest.mark.parametrize("way", [Commuted, AddedNegative, Doubled])
+@pytest.mark.parametrize("way", WAYS)
 def test_right_answer_in_another_form_gets_full_marks(
     task: Task, way: type[ast.NodeTransformer]
 ) -> None:
@@ -85,7 +111,7 @@ def test_right_answer_in_another_form_gets_full_marks(
 
 @pytest.mark.one_in(4)
 @pytest.mark.parametrize("task", TASKS, ids=lambda task: task.title)
-@pytest.mark.parametrize("form", [list, tuple, np.float64], ids=["list", "tuple", "scalars"])
+@pytest.mark.parametrize("form", FORMS.values(), ids=FORMS)
 def test_right_answer_of_another_type_gets_full_marks(task: Task, form: Callable[..., Any]) -> None:
     """Lists for tuples, tuples for arrays and NumPy's numbers for Python's are all right."""
     is_right(task, lambda *given: _as(form, task.expected(*given)))
