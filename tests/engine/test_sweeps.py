@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
@@ -10,7 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, MixingRule, Scene
-from lesson_code.engine.core.constants import FEWEST_FOR_STRIDE, PART_OF_SWEEP, SLOP, STRIDE
+from lesson_code.engine.core.constants import (
+    FEWEST_FOR_ORDER,
+    MOST_COLOURS,
+    PART_OF_SWEEP,
+    SLOP,
+    STRIDE,
+)
 from lesson_code.engine.core.contact_frame import (
     apply_impulses,
     apply_pseudo_impulse,
@@ -25,10 +32,12 @@ from lesson_code.engine.core.contact_motion import (
     tangent_of,
 )
 from lesson_code.engine.core.penetration import deepest_overlaps
-from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.engine.core.rows import BodyRow, ContactRow, IndexRow, World
 from lesson_code.engine.core.tables import world_of
+from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.solvers import sequential as contact_solver
 from lesson_code.engine.solvers.sequential import solve_contact
+from lesson_code.engine.solvers.visits import order_visits
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes.speed import settled_discs
 from lesson_code.evidence.speed.quality import Gauge
@@ -160,17 +169,21 @@ def test_visit_is_the_normal_impulse_and_then_friction(
 # All visits
 
 COUNTS = [
-    *(0, 1, 2, STRIDE, FEWEST_FOR_STRIDE - 1),
-    *range(FEWEST_FOR_STRIDE, FEWEST_FOR_STRIDE + 2 * STRIDE + 1),
-    *(10 * FEWEST_FOR_STRIDE - 1, PART_OF_SWEEP, PART_OF_SWEEP + FEWEST_FOR_STRIDE + 3),
+    *(0, 1, 2, STRIDE, FEWEST_FOR_ORDER - 1),
+    *range(FEWEST_FOR_ORDER, FEWEST_FOR_ORDER + 2 * STRIDE + 1),
+    *(10 * FEWEST_FOR_ORDER - 1, PART_OF_SWEEP, PART_OF_SWEEP + FEWEST_FOR_ORDER + 3),
 ]
 
 
-def with_contacts(count: int) -> World:
-    """Return tables with so many contacts; those that are blocks are still to be marked."""
+def with_contacts(count: int, blocks: Sequence[int] = ()) -> World:
+    """Return tables with so many contacts, some of which are blocks with the next one."""
     world = world_of(Scene([Body(Circle(1), mass=1)] * 2), 0.01, 1, MixingRule())
     world.contacts.extend(ContactRow(a=0, b=1, feature=k) for k in range(count))
+    world.visits.extend(IndexRow() for _ in range(count))
+    for k in blocks:
+        world.contacts[k].is_block = True
     world.state.contact_count = count
+    order_visits(world, EVERY_EFFECT)
     return world
 
 
@@ -188,6 +201,11 @@ def visits(monkeypatch: pytest.MonkeyPatch, world: World, sweep: str) -> dict[st
     return visited
 
 
+def order_of(world: World) -> list[int]:
+    """Return the contacts in the order in which a sweep visits them."""
+    return [row.index for row in world.visits[: world.state.visit_count]]
+
+
 @pytest.mark.parametrize(
     ("sweep", "visit"), [("solve", "solve_contact"), ("correct", "solve_pseudo_velocity")]
 )
@@ -198,44 +216,98 @@ def test_sweep_visits_every_contact_once(
     """Few in their order; many with a stride that need not divide their number, part by part."""
     visited = visits(monkeypatch, with_contacts(count), sweep)[visit]
     assert sorted(visited) == list(range(count))
-    if count < FEWEST_FOR_STRIDE:
+    if count < FEWEST_FOR_ORDER:
         assert visited == sorted(visited)
 
 
-def test_sweep_goes_through_the_table_in_strides(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_contacts_of_discs_are_visited_in_strides() -> None:
     """Of 68 contacts: 0, 6, ... 66, then 1, 7, ... 67, then 2, 8, ... 62."""
-    world = with_contacts(68)
-    visited = visits(monkeypatch, world, "solve")["solve_contact"]
-    assert visited[:12] == list(range(0, 68, 6))
-    assert visited[12:24] == list(range(1, 68, 6))
-    assert visited[24:35] == list(range(2, 68, 6))
+    order = order_of(with_contacts(68))
+    assert order[:12] == list(range(0, 68, 6))
+    assert order[12:24] == list(range(1, 68, 6))
+    assert order[24:35] == list(range(2, 68, 6))
 
 
-def test_sweep_ends_one_part_before_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of 2,058 contacts: 1,024 in strides, as many again, and the last ten in their order."""
-    visited = visits(monkeypatch, with_contacts(2_058), "solve")["solve_contact"]
-    assert sorted(visited[:1_024]) == list(range(1_024))
-    assert visited[1_024:1_027] == [1_024, 1_030, 1_036]
-    assert visited[2_048:] == list(range(2_048, 2_058))
+def test_strides_end_one_part_before_the_next() -> None:
+    """Of 2,058 contacts: 1,024 in strides, as many again, and the last ten."""
+    order = order_of(with_contacts(2_058))
+    assert sorted(order[:1_024]) == list(range(1_024))
+    assert order[1_024:1_027] == [1_024, 1_030, 1_036]
+    assert sorted(order[2_048:]) == list(range(2_048, 2_058))
 
 
-@pytest.mark.parametrize("count", [10, FEWEST_FOR_STRIDE, FEWEST_FOR_STRIDE + 5])
+@pytest.mark.parametrize("apart", [2, 3, 5])
+@pytest.mark.parametrize("count", [10, FEWEST_FOR_ORDER, FEWEST_FOR_ORDER + 5])
 def test_sweep_solves_the_two_points_of_a_block_together(
-    monkeypatch: pytest.MonkeyPatch, count: int
+    monkeypatch: pytest.MonkeyPatch, count: int, apart: int
 ) -> None:
-    """Though the second is not the next one in the stride; neither is visited alone."""
-    world = with_contacts(count)
-    for k in range(1, count - 1, 3):
-        world.contacts[k].is_block = True
-    firsts = list(range(1, count - 1, 3))
+    """In whatever order, by colour where most contacts are blocks; no point is visited alone."""
+    firsts = list(range(1, count - 1, apart))
     seconds = [k + 1 for k in firsts]
     alone = sorted(set(range(count)) - {*firsts, *seconds})
+    world = with_contacts(count, firsts)
     solved = visits(monkeypatch, world, "solve")
     assert sorted(solved["solve_manifold"]) == firsts
     assert sorted(solved["solve_contact"]) == alone
     pushed = visits(monkeypatch, world, "correct")
     assert sorted(pushed["solve_pseudo_velocities"]) == firsts
     assert sorted(pushed["solve_pseudo_velocity"]) == alone
+
+
+# Colours
+
+BODIES = 40
+pairs = st.lists(
+    st.tuples(st.integers(0, BODIES - 1), st.integers(0, BODIES - 1)).filter(lambda p: p[0] < p[1]),
+    min_size=FEWEST_FOR_ORDER, max_size=200, unique=True,
+).map(sorted)  # fmt: skip
+
+
+def touching(pairs: list[tuple[int, int]], fixed: set[int]) -> World:
+    """Return tables in which these pairs touch, each in two points; some bodies are static."""
+    bodies = [Body(Circle(1), mass=None if i in fixed else 1) for i in range(BODIES)]
+    world = world_of(Scene(bodies), 0.01, 1, MixingRule())
+    for a, b in pairs:
+        world.contacts.append(ContactRow(a=a, b=b, is_block=True))
+        world.contacts.append(ContactRow(a=a, b=b))
+    world.visits.extend(IndexRow() for _ in world.contacts)
+    world.state.contact_count = len(world.contacts)
+    order_visits(world, EVERY_EFFECT)
+    return world
+
+
+@given(pairs, st.sets(st.integers(0, BODIES - 1), max_size=BODIES))
+def test_contacts_of_one_colour_share_no_body_that_can_be_pushed(
+    pairs: list[tuple[int, int]], fixed: set[int]
+) -> None:
+    """But for the last colour, which takes whatever found no other. Colour follows on colour."""
+    world = touching(pairs, fixed)
+    order = order_of(world)
+    assert sorted(order) == list(range(0, 2 * len(pairs), 2))
+    visited = [world.contacts[k] for k in order]
+    assert [c.colour for c in visited] == sorted(c.colour for c in visited)
+    pushed = [(c.colour, i) for c in visited for i in (c.a, c.b) if i not in fixed]
+    early = [place for place in pushed if place[0] < MOST_COLOURS - 1]
+    assert len(set(early)) == len(early)
+
+
+def test_more_contacts_than_colours_on_one_body_are_all_visited() -> None:
+    """A body with 39 neighbours: those that find no other colour share the last."""
+    world = touching([(0, i) for i in range(1, BODIES)], fixed=set())
+    colours = [world.contacts[k].colour for k in order_of(world)]
+    assert colours == [*range(MOST_COLOURS), *[MOST_COLOURS - 1] * (39 - MOST_COLOURS)]
+
+
+@given(pairs)
+def test_contact_takes_no_colour_that_is_higher_than_it_must_be(
+    pairs: list[tuple[int, int]],
+) -> None:
+    """Each lower one is taken by another contact of one of its two bodies."""
+    world = touching(pairs, fixed=set())
+    rows = world.contacts[: world.state.contact_count : 2]
+    for c in rows:
+        near = {d.colour for d in rows if {c.a, c.b} & {d.a, d.b} and d is not c}
+        assert set(range(c.colour)) <= near
 
 
 @pytest.mark.full

@@ -47,6 +47,7 @@ def add_capacity(world: World) -> World:
         pairs=longer(world.pairs, state.pairs_wanted, PairRow),
         sorted_pairs=longer(world.sorted_pairs, state.pairs_wanted, PairRow),
         contacts=longer(world.contacts, state.contacts_wanted, ContactRow),
+        visits=longer(world.visits, state.contacts_wanted, IndexRow),
         static_contacts=longer(world.static_contacts, state.contacts_wanted, IndexRow),
         memory=longer(world.memory, state.contacts_wanted, MemoryRow),
         resting=longer(world.resting, state.contacts_wanted, RestingRow),

@@ -97,22 +97,27 @@ distant ones.
 LEAST_MARGIN, MOST_MARGIN = 0.05, 0.35
 """Of a body's width: the margin of its box, at the least and at the most."""
 
+FEWEST_FOR_ORDER = 64
+"""Contacts: fewer are visited as they stand, from the ground up in a tower built that way."""
+
+MOST_COLOURS = 31
+"""Bits of a whole number of 32 that has a sign. A pyramid has four colours, a bin seven."""
+
+MOST_FOR_COLOURS = 8_192
+"""Contacts: with 40,000 of boxes colours take a third longer than strides, which stay in the cache.
+"""
+
 STRIDE = 6
-"""Stride of a sweep, in contacts: it goes through a part of the table six times.
+"""Stride of a sweep over discs, in contacts: it goes through a part of the table six times.
 
 Contacts side by side share a body, and a processor has to wait for the first before it can begin
-with the second: in table order a heap of discs takes half as long again. From 7 on a sweep passes
-the load of a pyramid of 20 rows down too poorly for it to rest.
+with the second: in table order a heap of discs takes half as long again.
 """
 
 PART_OF_SWEEP = 1_024
-"""Contacts that a sweep goes through in strides at a time: few enough to stay in the cache.
-
-With 100,000 discs and all contacts at once a step takes nearly twice as long.
+"""Contacts of discs that a sweep goes through in strides at a time: few enough to stay in the
+cache. With 100,000 discs and all contacts at once a step takes nearly twice as long.
 """
-
-FEWEST_FOR_STRIDE = 64
-"""Contacts: fewer are visited in table order, from the ground up in a tower built that way."""
 
 PAIRS_PER_BODY, PAIRS_ANYWAY = 50, 10_000
 """More candidate pairs than 50 N + 10,000 are refused: discs that do not overlap have 3 N.

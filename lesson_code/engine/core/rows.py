@@ -49,6 +49,7 @@ class BodyRow:
     max_y: float = 0.0
     static_contact: int = -1  # the last contact with a static body; -1: none, or not looked for
     is_fast: bool = False  # whether it may pass through another body within this step
+    colours: int = 0  # of its contacts so far, a bit for each (visits.py)
     waits: bool = False  # whether it stays where it is for what is left of this step
     is_asleep: bool = False
     is_restless: bool = False  # of an island's first body: whether one of its bodies is not still
@@ -93,7 +94,7 @@ class BoxRow:
 
 @dataclass(slots=True)
 class IndexRow:
-    """A whole number in a table: a body in the order of a sweep, or the first in a slot."""
+    """A whole number in a table: a body in the order along x, or the first in a slot."""
 
     index: int = -1
 
@@ -139,6 +140,7 @@ class ContactRow:
     penetration: float = 0.0  # m, > 0
     restitution: float = 0.0  # of the pair
     feature: int = 0  # which features of the shapes touch; the same in the next step
+    colour: int = 0  # contacts of one colour share no body that can be pushed (visits.py)
     is_covered: bool = False  # whether it is with an edge inside a floor (internal_edges.py)
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
     case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
@@ -246,6 +248,7 @@ class State:
     pair_count: int = 0  # rows in use
     contact_count: int = 0
     static_count: int = 0
+    visit_count: int = 0
     memory_count: int = 0
     impulse_count: int = 0
     resting_count: int = 0
@@ -278,6 +281,7 @@ class World(NamedTuple):
     slots: list[IndexRow]  # of the grid: where the boxes of each begin
     fixed_slots: list[IndexRow]  # the first body in each that nothing can push
     contacts: list[ContactRow]
+    visits: list[IndexRow]  # the contacts in the order of a sweep
     static_contacts: list[IndexRow]  # those of them with a body that nothing can push
     memory: list[MemoryRow]
     resting: list[RestingRow]  # the contacts of islands that sleep

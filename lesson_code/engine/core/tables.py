@@ -94,6 +94,7 @@ def arrays_of(
         slots=new_table(IndexRow, slots + 1),  # one more, for where the last one ends
         fixed_slots=new_table(IndexRow, slots),
         contacts=[],
+        visits=[],
         static_contacts=[],
         memory=[],
         resting=[],

@@ -3,7 +3,7 @@
 ======================  =====================================================================
 stage                   what it does
 ======================  =====================================================================
-``prepare``             effective masses, the bounce to reach, the overlap to undo
+``prepare``             effective masses, the bounce to reach, the overlap to undo, the order
 ``warm_start``          begin with the impulses of the last step, which are nearly right
 ``solve``               one sweep: normal impulse, then friction, for each contact in turn
 ``correct``             one sweep of pushes that undo the overlaps
@@ -35,11 +35,8 @@ from typing import TypeAlias
 
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
-    FEWEST_FOR_STRIDE,
     LEAST_EXCESS,
-    PART_OF_SWEEP,
     SLOP,
-    STRIDE,
 )
 from lesson_code.engine.core.contact_frame import (
     apply_central_impulse,
@@ -71,6 +68,7 @@ from lesson_code.engine.solvers.block_solver import (
     solve_normals,
     solve_pseudo_velocities,
 )
+from lesson_code.engine.solvers.visits import order_visits
 
 Visit: TypeAlias = Callable[[ContactRow, BodyRow, BodyRow], None]
 """Does something to a contact and its two bodies."""
@@ -92,6 +90,7 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
         prepare_contacts(world, effects, set_central_frame)
     if effects.restitution:
         set_bounces(world, normal_velocity if effects.rotation else central_velocity)
+    order_visits(world, effects)
 
 
 def prepare_contacts(world: World, effects: Effects, set_contact: Visit) -> None:
@@ -196,18 +195,14 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> None:
     """Visit all contacts; the two points of a manifold together."""
-    count = world.state.contact_count
-    for begin in range(0, count, PART_OF_SWEEP):
-        end = min(begin + PART_OF_SWEEP, count)
-        stride = STRIDE if end - begin >= FEWEST_FOR_STRIDE else 1
-        for first in range(begin, begin + stride):
-            for k in range(first, end, stride):
-                c = world.contacts[k]
-                a, b = world.bodies[c.a], world.bodies[c.b]
-                if effects.manifolds and c.is_block:
-                    visit_two(c, world.contacts[k + 1], a, b)
-                elif not (effects.manifolds and is_second_of_block(world, k)):
-                    visit(c, a, b)
+    for n in range(world.state.visit_count):
+        k = world.visits[n].index
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        if effects.manifolds and c.is_block:
+            visit_two(c, world.contacts[k + 1], a, b)
+        else:
+            visit(c, a, b)
 
 
 def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
@@ -259,11 +254,6 @@ def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
         sweep(world, effects, solve_pseudo_velocity, solve_pseudo_velocities)
     else:
         sweep(world, effects, solve_central_pseudo_velocity, solve_pseudo_velocities)
-
-
-def is_second_of_block(world: World, k: int) -> bool:
-    """Return whether a contact is solved together with the one before it."""
-    return k > 0 and world.contacts[k - 1].is_block
 
 
 def solve_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> None:
