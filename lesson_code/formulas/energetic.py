@@ -123,7 +123,7 @@ def energetic_impulse(
     if not vn < 0.0:
         return 0.0, 0.0
     stop_n, stop_t, vt, taken = stop_approach(vn, vt, knn, knt, ktt, friction)
-    back_n, back_t = give_back(restitution**2 * taken, vt, knn, knt, ktt, friction)
+    back_n, back_t = give_back(restitution * restitution * taken, vt, knn, knt, ktt, friction)
     return stop_n + back_n, stop_t + back_t
 
 

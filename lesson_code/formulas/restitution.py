@@ -141,5 +141,5 @@ def energy_lost_1d(m1: Number, v1: Number, m2: Number, v2: Number, restitution: 
     >>> float(energy_lost_1d(m1=1, v1=2, m2=3, v2=-2, restitution=0.5))
     4.5
     """
-    e = restitution
-    return equation(reduced_mass)(m1, m2) * (1 - e) * (1 + e) * (v1 - v2) ** 2 / 2
+    e, approach = restitution, v1 - v2
+    return equation(reduced_mass)(m1, m2) * (1 - e) * (1 + e) * (approach * approach) / 2

@@ -18,9 +18,7 @@ convex or not, with or without further corners on its edges.
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy as np
+from typing import Any, TypeAlias
 
 from lesson_code.formulas.arithmetic import cross, dot
 from lesson_code.formulas.validation import (
@@ -33,6 +31,8 @@ from lesson_code.formulas.validation import (
     vector,
 )
 from lesson_code.formulas.validation import mass as mass_rule
+
+Pair: TypeAlias = tuple[float, float]
 
 
 @formula(returns_vector=True, velocity=vector, angular_velocity=finite, offset=vector)
@@ -79,6 +79,7 @@ def contact_velocity(velocity: Vector, angular_velocity: Number, offset: Vector)
     )
 
 
+@formula(vertices=polygon_vertices)
 def polygon_area(vertices: Vector) -> float:
     """Return the area of a polygon.
 
@@ -109,10 +110,14 @@ def polygon_area(vertices: Vector) -> float:
     >>> polygon_area([(0, 0), (2, 0), (2, 1), (0, 1)])
     2.0
     """
-    r = polygon_vertices("vertices", vertices)
-    return float(abs(_twice_areas(r - r[0]).sum())) / 2
+    twice = 0.0
+    for k in range(len(vertices)):
+        p, q = _edge(vertices, k)
+        twice += cross(p, q)
+    return abs(twice) / 2
 
 
+@formula(returns_vector=True, vertices=polygon_vertices)
 def polygon_centroid(vertices: Vector) -> Any:
     """Return the centroid of a polygon: the centre of mass of a plate of that shape.
 
@@ -141,10 +146,11 @@ def polygon_centroid(vertices: Vector) -> Any:
     >>> polygon_centroid([(0, 0), (3, 0), (0, 3)])
     array([1., 1.])
     """
-    r = polygon_vertices("vertices", vertices)
-    return r[0] + _centroid(r - r[0])
+    x, y = _centroid(vertices)
+    return vertices[0][0] + x, vertices[0][1] + y
 
 
+@formula(mass=mass_rule, vertices=polygon_vertices)
 def polygon_inertia(mass: Number, vertices: Vector) -> Any:
     """Return the moment of inertia of a polygonal plate about its centroid.
 
@@ -175,14 +181,14 @@ def polygon_inertia(mass: Number, vertices: Vector) -> Any:
     >>> polygon_inertia(mass=3.0, vertices=[(0, 0), (2, 0), (2, 2), (0, 2)])
     2.0
     """
-    m = mass_rule("mass", mass)
-    r = polygon_vertices("vertices", vertices)
-    local = r - r[0]
-    p = (local - _centroid(local)).T
-    q = _next(p.T).T
-    weights = cross(p, q)
-    mean_square = np.sum((dot(p, p) + dot(p, q) + dot(q, q)) * weights) / (6 * weights.sum())
-    return m * float(mean_square)
+    centroid = _centroid(vertices)
+    twice, squares = 0.0, 0.0
+    for k in range(len(vertices)):
+        p, q = _edge(vertices, k, centroid)
+        weight = cross(p, q)
+        twice += weight
+        squares += (dot(p, p) + dot(p, q) + dot(q, q)) * weight
+    return mass * (squares / (6 * twice))
 
 
 @formula(mass=mass_rule, radius=positive)
@@ -216,18 +222,24 @@ def disc_inertia(mass: Number, radius: Number) -> Number:
     return mass * radius * radius / 2
 
 
-def _next(r: Any) -> Any:
-    """Return for every corner of a polygon, shape (N, 2), the one after it."""
-    return np.concatenate([r[1:], r[:1]])
+def _edge(r: Vector, k: int, point: Pair = (0.0, 0.0)) -> tuple[Pair, Pair]:
+    """Return p and q, the ends of an edge, seen from a point that is itself seen from corner 0.
+
+    Near that corner numbers are small, wherever the origin lies.
+    """
+    p, q, first = r[k], r[(k + 1) % len(r)], r[0]
+    return (
+        (p[0] - first[0] - point[0], p[1] - first[1] - point[1]),
+        (q[0] - first[0] - point[0], q[1] - first[1] - point[1]),
+    )
 
 
-def _twice_areas(r: Any) -> Any:
-    """Return p x q for every edge of a polygon, seen from the origin: twice a triangle each."""
-    return cross(r.T, _next(r).T)
-
-
-def _centroid(r: Any) -> Any:
-    """Return the centroid of a polygon, shape (N, 2), with a corner at the origin."""
-    weights = _twice_areas(r)
-    middles = (r + _next(r)) / 3
-    return weights @ middles / weights.sum()
+def _centroid(r: Vector) -> Pair:
+    """Return the centroid of a polygon, seen from corner 0."""
+    x, y, twice = 0.0, 0.0, 0.0
+    for k in range(len(r)):
+        p, q = _edge(r, k)
+        weight = cross(p, q)
+        x, y = x + weight * ((p[0] + q[0]) / 3), y + weight * ((p[1] + q[1]) / 3)
+        twice += weight
+    return x / twice, y / twice

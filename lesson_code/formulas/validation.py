@@ -162,7 +162,8 @@ def formula(
     -------
     callable
         A decorator. The decorated function takes numbers or arrays that broadcast together;
-        vectors have shape (..., 2). :func:`equation` gives back what was decorated.
+        vectors have shape (..., 2), and a polygon's corners come as a list. :func:`equation` gives
+        back what was decorated, and ``rules`` stay beside it.
     """
 
     def decorate(written: F) -> F:
@@ -170,6 +171,7 @@ def formula(
         if set(signature.parameters) != set(rules):
             raise TypeError(f"{written.__name__}: every argument needs one rule")
         vectors = {name for name, rule in rules.items() if rule in VECTOR_RULES}
+        polygons = {name for name, rule in rules.items() if rule is polygon_vertices}
 
         # Overflow has a right answer here: m2/m1 may be inf, and 1 / (1 + inf) is then 0.
         @functools.wraps(written)
@@ -178,6 +180,7 @@ def formula(
             bound = signature.bind(*args, **kwargs)
             bound.apply_defaults()
             values = {name: rules[name](name, value) for name, value in bound.arguments.items()}
+            corners = {name: values.pop(name).tolist() for name in polygons}
             batch = _common_shape(values, vectors)
             if together is not None:
                 together(values)
@@ -185,9 +188,10 @@ def formula(
                 values = {name: _as_float(value) for name, value in values.items()}
             for name in vectors:
                 values[name] = np.moveaxis(np.broadcast_to(values[name], (*batch, 2)), -1, 0)
-            result = written(**values)
+            result = written(**values, **corners)
             return np.moveaxis(result, 0, -1) if returns_vector else result
 
+        checked.rules = rules  # type: ignore[attr-defined]
         return cast(F, checked)
 
     return decorate

@@ -14,6 +14,8 @@ module            what it does
 ``library``       keeps object files for the next time
 ``loader``        loads an object file and calls it, without Numba
 ``choice``        decides what a run is made in, and changes over on the way
+``webassembly``   makes programs for web pages of the same sources
+``vectors``       what an equation asks of NumPy's vectors, for these
 ================  ===============================================================
 
 Both ways give the same bits: no operation is reordered or left out. Nothing here is needed to

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from lesson_code.formulas.validation import equation
+
 
 class Known(NamedTuple):
     """The value of an expression that is known before the run."""
@@ -18,8 +20,9 @@ class Known(NamedTuple):
 def known_value(node: ast.expr, names: Mapping[str, Any]) -> Known | None:
     """Return the value of an expression if it can be known, given those of some names.
 
-    These are known: constants, the names given, attributes of known values, and `is`, `not`, `and`,
-    `or` and `if` between such expressions. Nothing in a row is an array.
+    These are known: constants, the names given, attributes of known values, the equation of a known
+    formula, and `is`, `not`, `and`, `or` and `if` between such expressions. Nothing in a row is an
+    array.
 
     >>> known_value(ast.parse("a is None or b", mode="eval").body, {"a": None})
     Known(value=True)
@@ -50,6 +53,9 @@ def known_value(node: ast.expr, names: Mapping[str, Any]) -> Known | None:
         case ast.Call(func=ast.Name(id="isinstance")):
             kind = known_value(node.args[1], names)
             return Known(False) if kind and kind.value is np.ndarray else None
+        case ast.Call(func=ast.Name() as door, args=[checked]) if names.get(door.id) is equation:
+            found = known_value(checked, names)
+            return found and Known(equation(found.value))
         case _:
             return None
 

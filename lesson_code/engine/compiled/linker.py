@@ -151,7 +151,8 @@ class _Program:
     def use(self, name: str, value: Any, user: str) -> None:
         """Take a name that a function uses into the program."""
         if isinstance(value, types.ModuleType):
-            self._imports.add(f"import {value.__name__}")
+            own = "" if name == value.__name__ else f" as {name}"
+            self._imports.add(f"import {value.__name__}{own}")
         elif isinstance(value, type):
             self._imports.add(f"from {value.__module__} import {value.__name__}")
         elif not isinstance(value, (bool, int, float, str, tuple)):

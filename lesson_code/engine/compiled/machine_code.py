@@ -16,15 +16,15 @@ from __future__ import annotations
 
 import types
 from collections import namedtuple
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import llvmlite.binding as llvm
 import numba
-import numpy as np
 from numba.core import cgutils
 from numba.extending import intrinsic
 from numba.np import arrayobj
+from numba.np.numpy_support import as_dtype
 
 from lesson_code.engine.compiled.inlining import inlined, merged
 from lesson_code.engine.compiled.library import ObjectFile
@@ -47,25 +47,42 @@ def object_file(program: Program) -> ObjectFile:
     numba.core.errors.NumbaError
         It holds what Numba does not compile.
     """
-    start = _entry(_functions(program)[program.entry], program.layout)
+    module, entry = optimised(start_of(program))
+    machine = target_machine()
+    keep_only(module, {entry: SYMBOL}, machine)
+    return ObjectFile(machine.emit_object(module), needs_of(module))
+
+
+def start_of(program: Program) -> Callable[[Any], float]:
+    """Return a function of the row of addresses that runs a program."""
+    return _entry(functions_of(program.source)[program.entry], program.layout)
+
+
+def optimised(start: Callable[[Any], float]) -> tuple[Any, str]:
+    """Return the module that Numba makes of a function of the row of addresses, and its name there.
+
+    It holds all that the function calls.
+    """
     compiled = numba.njit(numba.float64(numba.types.CPointer(numba.intp)), **OPTIONS)(start)
     result: Any
     (result,) = compiled.overloads.values()
     module = llvm.parse_assembly(str(result.library._final_module))
-    machine = target_machine()
-    _keep_only(module, result.fndesc.llvm_func_name, machine)
+    return module, result.fndesc.llvm_func_name
+
+
+def needs_of(module: Any) -> tuple[str, ...]:
+    """Return the functions that a module calls and does not hold."""
     declared = [f.name for f in module.functions if f.is_declaration]
-    needs = tuple(name for name in declared if not name.startswith("llvm."))
-    return ObjectFile(machine.emit_object(module), needs)
+    return tuple(name for name in declared if not name.startswith("llvm."))
 
 
-def _functions(program: Program) -> dict[str, Any]:
+def functions_of(source: str) -> dict[str, Any]:
     """Return the functions of a program, each in the way in which it is to be compiled."""
     module = types.ModuleType("program")
-    exec(compile(program.source, "<program>", "exec"), vars(module))  # noqa: S102 - our own lines
-    in_place, merge = inlined(program.source), merged(program.source)
+    exec(compile(source, "<program>", "exec"), vars(module))  # noqa: S102 - our own lines
+    in_place, merge = inlined(source), merged(source)
     for name, function in list(vars(module).items()):
-        if isinstance(function, types.FunctionType):
+        if isinstance(function, types.FunctionType) and function.__module__ == module.__name__:
             inline = "always" if name in merge else "never"
             way: dict[str, Any] = {"forceinline": name in in_place, "inline": inline}
             setattr(module, name, numba.njit(**OPTIONS, **way)(function))
@@ -100,7 +117,7 @@ def table_at(_context: Any, address: Any, rows: Any, dtype: Any) -> Any:
     def build(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
         address, rows, _ = arguments
         record = context.get_data_type(dtype.dtype)
-        size = context.get_constant(numba.intp, np.dtype(dtype.dtype.dtype).itemsize)
+        size = context.get_constant(numba.intp, as_dtype(dtype.dtype).itemsize)
         array = arrayobj.make_array(kind)(context, builder)
         arrayobj.populate_array(
             array,
@@ -115,14 +132,14 @@ def table_at(_context: Any, address: Any, rows: Any, dtype: Any) -> Any:
     return kind(address, rows, dtype), build
 
 
-def _keep_only(module: Any, entry: str, machine: Any) -> None:
-    """Give the entry its name, and remove all that it does not call from the module.
+def keep_only(module: Any, entries: Mapping[str, str], machine: Any) -> None:
+    """Give the entries their names, and remove all that they do not call from the module.
 
     Of other functions and globals nothing is known outside; what is not used then, is removed.
     """
     for part in [*module.functions, *module.global_variables]:
-        if part.name == entry:
-            part.name = SYMBOL
+        if part.name in entries:
+            part.name = entries[part.name]
         elif not part.is_declaration:
             part.linkage = "internal"
     passes = llvm.create_new_module_pass_manager()

@@ -1,0 +1,150 @@
+// The lesson's own functions in a page, compiled from the Python that it shows (see programs/).
+//
+//   const p = await load("formulas.wasm");
+//   p.reflect([3, -4], [0, 1]);                    // [3, 4], as in Python
+//
+//   const world = await load("sequential.wasm");   // a program that works on tables of rows
+//   world.bodies.resize(2);
+//   world.bodies.at(0).vx = 1;                     // fields have the names that they have in Python
+//   world.run("advance");
+//
+// A program tells itself what its functions take, and how its tables lie in memory.
+
+const SECTION = "workbook"; // of the module, in which it tells this
+const LINE = 64; // bytes; a table begins at a multiple of this
+const PAGE = 65536; // bytes, by which a memory grows
+const KINDS = { f8: "Float64", i4: "Int32", b1: "Uint8" }; // of NumPy, and of a DataView
+
+/** Load a program from an address, or from the bytes of its file. */
+export async function load(source) {
+  const isBytes = source instanceof ArrayBuffer || ArrayBuffer.isView(source);
+  const bytes = isBytes ? source : await (await fetch(source)).arrayBuffer();
+  const module = await WebAssembly.compile(bytes);
+  const [section] = WebAssembly.Module.customSections(module, SECTION);
+  const about = JSON.parse(new TextDecoder().decode(section));
+  return new Program(await WebAssembly.instantiate(module, { env: Math }), about);
+}
+
+class Program {
+  constructor({ exports }, about) {
+    this.about = about;
+    this.exports = exports;
+    this.end = exports.__heap_base.value; // of the memory in use
+    this.result = this.reserve(16); // what an entry returns, then how it has failed
+    this.words = this.reserve(16 * about.tables.length);
+    this.tables = about.tables.map((table) => new Table(this, table));
+    for (const table of this.tables) this[table.name] = table.isSingle ? table.at(0) : table;
+    for (const [name, taken] of Object.entries(about.functions ?? {}))
+      this[name] = (...given) => this.call(name, taken, given);
+  }
+
+  /** The memory; it is another object once it has grown. */
+  get view() {
+    if (this.seen?.buffer !== this.exports.memory.buffer)
+      this.seen = new DataView(this.exports.memory.buffer);
+    return this.seen;
+  }
+
+  /** Return the address of so many bytes that nothing else uses. They are zero. */
+  reserve(bytes) {
+    const address = Math.ceil(this.end / LINE) * LINE;
+    this.end = address + bytes;
+    const more = Math.ceil((this.end - this.exports.memory.buffer.byteLength) / PAGE);
+    if (more > 0) this.exports.memory.grow(more);
+    return address;
+  }
+
+  /** Run an entry on the tables, and return the number that it returns. */
+  run(entry) {
+    this.tables.forEach(({ address, length }, k) => {
+      this.view.setBigUint64(this.words + 16 * k, BigInt(address), true);
+      this.view.setBigUint64(this.words + 16 * k + 8, BigInt(length), true);
+    });
+    if (this.exports[entry](this.result, this.result + 8, this.words))
+      throw new Error(`${entry} has stopped at an error`);
+    return this.view.getFloat64(this.result, true);
+  }
+
+  /** Call a function: numbers, [x, y] for a vector, [[x, y], ...] for a polygon. */
+  call(name, taken, given) {
+    if (given.length > taken.length)
+      throw new TypeError(`${name} takes ${taken.length} arguments, got ${given.length}`);
+    const numbers = [];
+    taken.forEach(([argument, kind, otherwise], k) => {
+      const value = given[k] === undefined ? otherwise : given[k];
+      if (!IS[kind](value))
+        throw new TypeError(`${argument} must be ${WORDS[kind]}, got ${JSON.stringify(value)}`);
+      if (kind !== "polygon") return numbers.push(...[value].flat());
+      this.corners.resize(value.length);
+      value.forEach(([x, y], corner) => Object.assign(this.corners.at(corner), { x, y }));
+    });
+    this.numbers.resize(Math.max(numbers.length, 2));
+    numbers.forEach((value, place) => (this.numbers.at(place).value = value));
+    const count = this.run(name);
+    const results = Array.from({ length: count }, (_, place) => this.numbers.at(place).value);
+    return count === 1 ? results[0] : results;
+  }
+}
+
+const isNumber = (value) => typeof value === "number" && !Number.isNaN(value);
+const isVector = (value) => Array.isArray(value) && value.length === 2 && value.every(isNumber);
+const isPolygon = (value) => Array.isArray(value) && value.length > 2 && value.every(isVector);
+const IS = { number: isNumber, vector: isVector, polygon: isPolygon };
+const WORDS = {
+  number: "a number",
+  vector: "[x, y]",
+  polygon: "a list of at least three corners [x, y]",
+};
+
+/** A table of rows. A row is an object with the fields that it has in Python. */
+class Table {
+  constructor(program, { name, single, bytes, fields }) {
+    Object.assign(this, { program, name, isSingle: single, bytes, length: 0, capacity: 0 });
+    this.starts = Object.entries(fields).filter(([, [, , start]]) => start !== undefined);
+    this.Row = class {
+      constructor(place) {
+        this.place = place;
+      }
+    };
+    const table = this;
+    for (const [field, [offset, kind]] of Object.entries(fields)) {
+      const [get, set] = [`get${KINDS[kind]}`, `set${KINDS[kind]}`];
+      Object.defineProperty(this.Row.prototype, field, {
+        get() {
+          const value = program.view[get](table.address + bytes * this.place + offset, true);
+          return kind === "b1" ? value === 1 : value;
+        },
+        set(value) {
+          program.view[set](table.address + bytes * this.place + offset, value, true);
+        },
+        enumerable: true,
+      });
+    }
+    this.address = program.reserve(0);
+    if (single) this.resize(1);
+  }
+
+  /** Return a row, whose fields can be read and written. It stays the row of this place. */
+  at(place) {
+    if (!(place >= 0 && place < this.length))
+      throw new RangeError(`${this.name} must have a row ${place}, but has ${this.length}`);
+    return new this.Row(place);
+  }
+
+  /** Give the table so many rows. Those that it had stay; a new one begins as it does in Python. */
+  resize(rows) {
+    const had = this.length;
+    if (rows > this.capacity) {
+      const address = this.program.reserve(rows * this.bytes);
+      const memory = new Uint8Array(this.program.exports.memory.buffer);
+      memory.copyWithin(address, this.address, this.address + had * this.bytes);
+      Object.assign(this, { address, capacity: rows });
+    }
+    this.length = rows;
+    if (rows <= had) return;
+    const from = this.address + had * this.bytes;
+    new Uint8Array(this.program.exports.memory.buffer, from, (rows - had) * this.bytes).fill(0);
+    for (const [field, [, , start]] of this.starts)
+      for (let place = had; place < rows; place++) this.at(place)[field] = Number(start);
+  }
+}

@@ -1,0 +1,78 @@
+"""The lesson's functions as WebAssembly: a page calls the very lines that the lesson shows.
+
+Each module of this folder says what goes into one program, as ``PROGRAM``; the program lies beside
+it, ``formulas.wasm`` beside ``formulas.py``, with a sum over the sources that it was made of. There
+is no other list. ``workbook regenerate`` builds what has changed, for which it needs a linker
+(``pip install -e '.[wasm]'``); nothing else does. ``program.js``, one folder up, loads and calls
+them.
+"""
+
+from __future__ import annotations
+
+import pkgutil
+from importlib import import_module
+from pathlib import Path
+
+from lesson_code.engine.compiled.webassembly import WebProgram, built, told_by
+
+FOLDER = Path(__file__).parent
+
+
+def names() -> list[str]:
+    """Return the names of all programs.
+
+    >>> "formulas" in names()
+    True
+    """
+    return sorted(module.name for module in pkgutil.iter_modules([str(FOLDER)]))
+
+
+def names_in(root: Path) -> list[str]:
+    """Return the names of those that belong to a workbook: all if it is this package's own."""
+    return names() if FOLDER.parents[3] == root else []
+
+
+def program(name: str) -> WebProgram:
+    """Return what goes into a program, as the sources are now."""
+    made: WebProgram = import_module(f"{__name__}.{name}").PROGRAM
+    return made
+
+
+def file_of(name: str) -> Path:
+    """Return where a program lies."""
+    return FOLDER / f"{name}.wasm"
+
+
+def fault(name: str) -> str:
+    """Return what is wrong with a program's file, or "" if nothing is; it is not built for that."""
+    file = file_of(name)
+    if not file.exists():
+        return "is missing; make it with workbook regenerate"
+    try:
+        sources = told_by(file.read_bytes())["sources"]
+    except (ValueError, LookupError) as error:
+        return f"cannot be read ({error})"
+    return "" if sources == program(name).fingerprint else "differs from the functions it holds"
+
+
+def drifted(root: Path) -> list[str]:
+    """Return in a line each what is wrong with the programs of a workbook; none is built for that.
+
+    A student's workbook has none.
+    """
+    files = [(file_of(name), fault(name)) for name in names_in(root)]
+    orphans = {*FOLDER.glob("*.wasm")} - {file for file, _ in files} if files else ()
+    lines = files + [(file, "has no source") for file in sorted(orphans)]
+    return [f"{file.relative_to(root)}: {line}" for file, line in lines if line]
+
+
+def write(name: str) -> Path:
+    """Build a program, write its file, and return where that is.
+
+    Raises
+    ------
+    RuntimeError
+        What builds it is not installed, or it cannot be compiled.
+    """
+    file_of(name).write_bytes(built(program(name)))
+    return file_of(name)
