@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import base64
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 import tiers
+from every_scene import DT, SCENES
 
+from lesson_code import Body, Circle, MixingRule, Scene
+from lesson_code.engine.compiled import as_arrays, program_of
+from lesson_code.engine.compiled.arrays import row_kinds
+from lesson_code.engine.core.rows import World
+from lesson_code.engine.solvers import our_solvers
+from lesson_code.engine.stepper import EngineStepper
 from lesson_code.formulas.validation import (
     VECTOR_RULES,
     equation,
@@ -23,18 +31,32 @@ from lesson_code.formulas.validation import (
 )
 from lesson_code.view.browser import programs
 from lesson_code.view.browser.programs.formulas import with_doors
+from lesson_code.view.browser.stepping import pipeline_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
 MODULE = Path(programs.FOLDER).with_name("program.js")
+STEPPED = [name for name in programs.names() if "capacity" in programs.program(name).about]
+"""The programs that make steps: each has the name of its solver."""
+
 DRAWN = tiers.share(10_000)
 
-CALL_ALL = """
-async ([script, program, name, taken]) => {
-    const { load } = await import("data:text/javascript;base64," + script);
+PAGE = """
+async ([script, program, ...given]) => {
     const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-    const lesson = await load(bytes(program));
+    const text = (buffer) =>
+        Array.from(new Uint8Array(buffer), (byte) => String.fromCharCode(byte)).join("");
+    const { load } = await import("data:text/javascript;base64," + script);
+    const program_bytes = bytes(program);
+    LINES
+}
+"""
+"""In the page: loads program.js; what follows uses it. Bytes come and go as text."""
+
+CALL_ALL = """
+    const lesson = await load(program_bytes);
+    const [name, taken] = given;
     const numbers = new Float64Array(bytes(taken).buffer);
     const kinds = lesson.about.functions[name].map(([, kind]) => kind);
     const results = [];
@@ -45,11 +67,41 @@ async ([script, program, name, taken]) => {
         polygon: () => Array.from({ length: numbers[place++] }, next.vector),
     };
     while (place < numbers.length) results.push(lesson[name](...kinds.map((kind) => next[kind]())));
-    const flat = new Uint8Array(Float64Array.from(results.flat()).buffer);
-    return Array.from(flat, (byte) => String.fromCharCode(byte)).join("");
-}
+    return text(Float64Array.from(results.flat()).buffer);
 """
-"""In the page: calls a function with all that was drawn, and returns the bytes of its results."""
+"""Calls a function with all that was drawn, and returns its results."""
+
+MAKE_STEPS = """
+    const [tables, steps] = given;
+    const world = await load(program_bytes);
+    for (const table of world.tables) {
+        const [rows, content] = tables[table.name];
+        table.resize(rows);
+        new Uint8Array(world.exports.memory.buffer, table.address).set(bytes(content));
+    }
+    const impulses = [];
+    world.advance(steps, (record, count) => {
+        for (let k = 0; k < count; k++) {
+            const row = record.at(k);
+            for (const field in row) if (field !== "place") impulses.push(row[field]);
+        }
+    });
+    const bodies = Array.from({ length: world.bodies.length }, (_, k) => world.bodies.at(k));
+    const states = bodies.flatMap(({ x, y, angle, vx, vy, w }) => [x, y, angle, vx, vy, w]);
+    const { steps_done, time, contact_count, memory_count, dt_before } = world.state;
+    return [
+        text(Float64Array.from(states).buffer),
+        text(Float64Array.from(impulses).buffer),
+        { steps_done, time, contact_count, memory_count, dt_before },
+    ];
+"""
+"""Steps a world with its own tables, and returns states, impulses and counts."""
+
+
+def in_page(page: Page, name: str, lines: str, *given: Any) -> Any:
+    """Run lines in a page, which load a program by its name."""
+    files = MODULE.read_bytes(), programs.file_of(name).read_bytes()
+    return page.evaluate(PAGE.replace("LINES", lines), [*map(as_text, files), *given])
 
 
 def as_text(content: bytes) -> str:
@@ -98,6 +150,7 @@ def numbers_of(value: Any) -> list[float]:
 
 
 @pytest.mark.browser
+@pytest.mark.one_in(7)
 @pytest.mark.parametrize("name", with_doors())
 def test_formula_in_a_page_has_the_bits_of_python(page: Page, name: str) -> None:
     """For 10,000 arguments, by the equation behind the door."""
@@ -112,9 +165,7 @@ def test_formula_in_a_page_has_the_bits_of_python(page: Page, name: str) -> None
             for value in values.values():
                 taken += numbers_of(value)
             expected += np.ravel(equation(formula)(**values)).tolist()
-    script, program = MODULE.read_bytes(), programs.file_of("formulas").read_bytes()
-    told = [as_text(part) for part in (script, program)]
-    got = page.evaluate(CALL_ALL, [*told, name, as_text(np.array(taken).tobytes())])
+    got = in_page(page, "formulas", CALL_ALL, name, as_text(np.array(taken).tobytes()))
     results = np.frombuffer(got.encode("latin-1"))
     assert len(results) == len(expected) >= DRAWN
     assert results.tobytes() == np.array(expected).tobytes()
@@ -137,15 +188,113 @@ def test_formula_in_a_page_has_the_bits_of_python(page: Page, name: str) -> None
 )
 def test_call_with_a_wrong_argument_is_refused_by_name(page: Page, call: str, words: str) -> None:
     """In the page too: argument, rule and value."""
-    script, program = MODULE.read_bytes(), programs.file_of("formulas").read_bytes()
-    lines = f"try {{ lesson.{call}; }} catch (error) {{ return error.message; }}"
-    got = page.evaluate(
-        f"""async ([script, program]) => {{
-            const {{ load }} = await import("data:text/javascript;base64," + script);
-            const letters = atob(program);
-            const lesson = await load(Uint8Array.from(letters, (letter) => letter.charCodeAt(0)));
-            {lines}
-        }}""",
-        [as_text(script), as_text(program)],
+    lines = f"const lesson = await load(program_bytes); try {{ lesson.{call}; }}"
+    caught = " catch (error) { return error.message; }"
+    assert in_page(page, "formulas", lines + caught) == words
+
+
+# The stepped engine
+
+STEPS = 40
+
+
+def at_work(scene: Scene, solver: str) -> EngineStepper:
+    """Return a solver at work on a scene in plain Python, with the effects that the program has."""
+    substeps = 2 if our_solvers()[solver].shares_contacts else 1  # else they are steps of their own
+    usual: Any = {"dt": DT, "iterations": 4, "combine": MixingRule(), "compiled": False}
+    run = EngineStepper(scene, solver=solver, substeps=substeps, **usual)
+    run.pipeline = pipeline_of(our_solvers()[solver])
+    return run
+
+
+def source_of(solver: str) -> str:
+    """Return the source of a solver's program."""
+    return programs.program(solver).entries["advance"].source
+
+
+def tables_of(run: EngineStepper, source: str) -> dict[str, list[Any]]:
+    """Return a world's tables as the program lays them out: rows, and their bytes."""
+    arrays = as_arrays(run.world, source)._asdict()
+    return {
+        name: [len(np.atleast_1d(table)), as_text(np.asarray(table).tobytes())]
+        for name, table in arrays.items()
+    }
+
+
+@pytest.mark.one_in(12)
+@pytest.mark.parametrize("solver", STEPPED)
+@pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
+def test_engine_in_a_page_has_the_bits_of_python(
+    page: Page, build: Callable[[], Scene], solver: str
+) -> None:
+    """All states and impulses, the signs of zeros too; tables grow from nothing in both."""
+    run = at_work(build(), solver)
+    tables = tables_of(run, source_of(solver))
+    run.advance(STEPS)
+    states, impulses, counts = in_page(page, solver, MAKE_STEPS, tables, STEPS)
+    assert states.encode("latin-1") == run.states().tobytes()
+    assert impulses.encode("latin-1") == run.events().tobytes()
+    assert counts == {name: getattr(run.world.state, name) for name in counts}
+
+
+@pytest.mark.parametrize(
+    ("name", "low", "high"), [("sin", -99, 99), ("cos", -99, 99), ("exp", -9, 0)]
+)
+def test_function_that_a_page_lends_has_the_bits_of_python(
+    page: Page, name: str, low: float, high: float
+) -> None:
+    """V8's sine is glibc's. In another browser its last bit may differ, and so may what turns."""
+    numbers = np.random.default_rng(1).uniform(low, high, 10_000).tolist()
+    assert page.evaluate(f"(numbers) => numbers.map(Math.{name})", numbers) == [
+        getattr(math, name)(number) for number in numbers
+    ]
+
+
+LOST = Scene(
+    [Body(Circle(1)), Body(Circle(1), mass=1, position=(0, 1.79e308), velocity=(0, 1.7e308))]
+)
+HEAPED = Scene([Body(Circle(0.5), mass=1) for _ in range(400)])
+
+
+@pytest.mark.parametrize("solver", STEPPED)
+@pytest.mark.parametrize("scene", [LOST, HEAPED], ids=["lost", "heaped"])
+def test_scene_that_cannot_go_on_is_refused_in_the_words_of_python(
+    page: Page, scene: Scene, solver: str
+) -> None:
+    """A body beyond all numbers after some steps; 400 bodies in one place."""
+    run = at_work(scene, solver)
+    tables = tables_of(run, source_of(solver))
+    with pytest.raises((FloatingPointError, ValueError)) as refused:
+        run.advance(2 * STEPS)
+    lines = MAKE_STEPS.replace("world.advance(", "try { world.advance(").replace(
+        "    const bodies", "    } catch (error) { return error.message; }\n    const bodies"
     )
-    assert got == words
+    assert in_page(page, solver, lines, tables, 2 * STEPS) == str(refused.value)
+
+
+@pytest.mark.parametrize("solver", STEPPED)
+def test_rows_in_a_page_have_the_fields_and_numbers_of_numpy(page: Page, solver: str) -> None:
+    """Each field of each table is written in the page and read by NumPy, and begins as there."""
+    source = source_of(solver)
+    lines = """
+        const world = await load(program_bytes);
+        const memory = () => world.exports.memory.buffer;
+        return world.tables.map((table) => {
+            table.resize(2);
+            const row = table.at(0);
+            const fields = world.about.tables.find(({ name }) => name === table.name).fields;
+            Object.entries(fields).forEach(([field, [, kind]], k) => {
+                row[field] = kind === "b1" ? k % 2 === 0 : k + 1;
+            });
+            const end = table.address + 2 * table.bytes;
+            return [table.name, text(memory().slice(table.address, end))];
+        });
+    """
+    got = dict(in_page(page, solver, lines))
+    kinds = row_kinds(World)
+    for table in program_of(source, "advance", World).layout:
+        written, fresh = np.frombuffer(got[table.name].encode("latin-1"), table.dtype)
+        for k, name in enumerate(table.dtype.names or ()):
+            is_flag = table.dtype[name] == np.bool_
+            assert written[name] == (k % 2 == 0 if is_flag else k + 1), (table.name, name)
+            assert fresh[name] == getattr(kinds[table.name](), name), (table.name, name)

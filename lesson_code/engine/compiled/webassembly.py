@@ -2,8 +2,8 @@
 
 Numba compiles a program for a processor without any special features, LLVM turns that into
 WebAssembly, and its linker makes a module. No operation is reordered, left out or fused on the way,
-so a page gets the bits that Python gets. Sine, cosine and exponential are lent by the page; those
-of another library may differ in the last bit.
+so a page gets the bits that Python gets. Sine, cosine and exponential are lent by the page: those
+of Chromium are the ones of glibc, and in another browser the last bit may differ.
 
 The linker is the package ``ziglang``, which only those need who change a program. A module says
 itself what it was made of, in a section named :data:`SECTION`: how its tables lie in memory, what

@@ -6,7 +6,7 @@
 //   const world = await load("sequential.wasm");   // a program that works on tables of rows
 //   world.bodies.resize(2);
 //   world.bodies.at(0).vx = 1;                     // fields have the names that they have in Python
-//   world.run("advance");
+//   world.advance(1);                              // a step of the engine
 //
 // A program tells itself what its functions take, and how its tables lie in memory.
 
@@ -63,6 +63,42 @@ class Program {
     if (this.exports[entry](this.result, this.result + 8, this.words))
       throw new Error(`${entry} has stopped at an error`);
     return this.view.getFloat64(this.result, true);
+  }
+
+  /** Make steps. A record of impulses that is full or complete is handed to `take`, then emptied. */
+  advance(steps, take = () => {}) {
+    const { state } = this;
+    state.steps_left = steps;
+    while (!this.run("advance")) {
+      if (state.lost_body >= 0)
+        throw new RangeError(`body ${state.lost_body} has left the range of floating point`);
+      this.hand(take);
+      this.grow();
+    }
+    this.hand(take);
+  }
+
+  hand(take) {
+    if (this.state.impulse_count > 0) take(this.impulses, this.state.impulse_count);
+    this.state.impulse_count = 0;
+  }
+
+  /** Give each table that was too small the rows that it wants, and some to grow into. */
+  grow() {
+    const { wanted, spare, large, large_spare, fewest_rows, ...most } = this.about.capacity;
+    const { state, bodies } = this;
+    if (state.pairs_wanted > most.pairs_per_body * bodies.length + most.pairs_anyway)
+      throw new RangeError(
+        "bodies must not be heaped into one another: " +
+          `${bodies.length} of them overlap in ${state.pairs_wanted} pairs or more`,
+      );
+    for (const [field, tables] of Object.entries(wanted)) {
+      const rows = state[field];
+      if (rows === 0) continue;
+      const more = Math.max(fewest_rows, Math.trunc((rows < large ? spare : large_spare) * rows));
+      for (const name of tables) if (this[name].length < more) this[name].resize(more);
+      state[field] = 0;
+    }
   }
 
   /** Call a function: numbers, [x, y] for a vector, [[x, y], ...] for a polygon. */
