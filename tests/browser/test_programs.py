@@ -29,8 +29,17 @@ from lesson_code.formulas.validation import (
     unit_interval,
     unit_vector,
 )
+from lesson_code.geometry.rows import Corner, ManifoldRow
 from lesson_code.view.browser import programs
 from lesson_code.view.browser.programs.formulas import with_doors
+from lesson_code.view.browser.programs.geometry import (
+    AxisRow,
+    FoundRow,
+    Pair,
+    ShapeRow,
+    look,
+    look_ahead,
+)
 from lesson_code.view.browser.stepping import pipeline_of
 
 if TYPE_CHECKING:
@@ -191,6 +200,83 @@ def test_call_with_a_wrong_argument_is_refused_by_name(page: Page, call: str, wo
     lines = f"const lesson = await load(program_bytes); try {{ lesson.{call}; }}"
     caught = " catch (error) { return error.message; }"
     assert in_page(page, "formulas", lines + caught) == words
+
+
+# Geometry
+
+LOOK_AT_ALL = """
+    const pair = await load(program_bytes);
+    const given_bytes = bytes(given[0]);
+    const numbers = new DataView(given_bytes.buffer);
+    const seen = [];
+    let place = 0;
+    while (place < given_bytes.length) {
+        pair.corners.resize(numbers.getFloat64(place, true));
+        pair.axes.resize(pair.corners.length);
+        place += 8;
+        const memory = new Uint8Array(pair.exports.memory.buffer);
+        const regions = pair.tables.map(({ address, length, bytes }) => [address, length * bytes]);
+        for (const [address, size] of regions) {
+            memory.set(given_bytes.subarray(place, place + size), address);
+            place += size;
+        }
+        pair.run("look");
+        pair.run("look_ahead");
+        seen.push(...regions.map(([address, size]) => memory.slice(address, address + size)));
+    }
+    return new Blob(seen).arrayBuffer().then(text);
+"""
+"""Sets the tables of one pair after another, and returns all of them after both entries."""
+
+
+def shape_drawn(rng: np.random.Generator, corners: list[Corner]) -> ShapeRow:
+    """Return a polygon, segment or circle somewhere near, in motion; append its corners."""
+    count = int(rng.choice([0, 2, 3, 4, 7]))
+    size = rng.uniform(0.2, 2.0)
+    around = np.sort(rng.uniform(0, 2 * math.pi, count)) if count != 4 else QUARTERS
+    first = len(corners)
+    corners += [Corner(size * math.cos(angle), size * math.sin(angle)) for angle in around]
+    radius = size if count == 0 else rng.uniform(0.0, 0.2) if count == 2 else 0.0
+    x, y, angle, vx, vy, w = rng.normal(size=6) * (rng.uniform(size=6) < 0.8)
+    moves = {"x": x, "y": y, "angle": angle, "vx": vx, "vy": vy, "w": w}
+    reach = {"radius": radius, "bounding_radius": size + radius * (count > 0)}
+    return ShapeRow(**moves, **reach, first_corner=first, corner_count=count)
+
+
+PAIRS = tiers.share(10_000, one_in=10)
+QUARTERS = np.arange(4) * math.pi / 2
+
+
+def pair_drawn(rng: np.random.Generator) -> Pair:
+    """Return two shapes as a page sets them."""
+    corners: list[Corner] = []
+    a, b = shape_drawn(rng, corners), shape_drawn(rng, corners)
+    found = FoundRow(duration=rng.choice([0.1, 1.0, 9.0]))
+    axes = [AxisRow() for _ in corners]
+    return Pair(corners, a, b, axes, found, ManifoldRow(), ManifoldRow(), ManifoldRow())
+
+
+def bytes_of(pair: Pair, source: str) -> bytes:
+    """Return the tables as the program lays them out."""
+    return b"".join(np.asarray(table).tobytes() for table in as_arrays(pair, source))
+
+
+def test_geometry_in_a_page_has_the_bits_of_python(page: Page) -> None:
+    """Axes, shadows, edges, both stages of the clipping, the manifold and the time of impact."""
+    rng = np.random.default_rng(6)
+    source = "\n".join(p.source for p in programs.program("geometry").entries.values())
+    given, expected, overlaps, impacts = [], [], 0, 0
+    for _ in range(PAIRS):
+        pair = pair_drawn(rng)
+        given += [np.float64(len(pair.corners)).tobytes(), bytes_of(pair, source)]
+        look(pair)
+        look_ahead(pair)
+        expected.append(bytes_of(pair, source))
+        overlaps += pair.manifold.count > 0
+        impacts += 0.0 < pair.found.time < math.inf
+    got = in_page(page, "geometry", LOOK_AT_ALL, as_text(b"".join(given)))
+    assert got.encode("latin-1") == b"".join(expected)
+    assert min(overlaps, impacts) > PAIRS / 9  # not all of them fly by
 
 
 # The stepped engine

@@ -87,21 +87,22 @@ class WebProgram:
 # Tables
 
 
-def table_program(entry: Callable[..., Any], tables: type, **bound: Any) -> WebProgram:
+def table_program(tables: type, *entries: Callable[..., Any], **bound: Any) -> WebProgram:
     """Return a program that works on a named tuple of tables.
 
     Parameters
     ----------
-    entry : callable
-        What a page calls: it takes the tables, and perhaps stages that are bound.
     tables : type
         The kind of named tuple.
+    *entries : callable
+        What a page calls: each takes the tables, and perhaps stages that are bound.
     **bound : object
         As :func:`lesson_code.engine.compiled.linker.link` takes them.
     """
-    name = entry.__name__
-    program = program_of(link(entry, **bound), name, tables)
-    return WebProgram({name: program}, {"tables": described(program, tables)})
+    sources = {entry.__name__: link(entry, **bound) for entry in entries}
+    whole = program_of("\n".join(sources.values()), "", tables)
+    programs = {name: Program(text, name, whole.layout) for name, text in sources.items()}
+    return WebProgram(programs, {"tables": described(whole, tables)})
 
 
 def described(program: Program, tables: type) -> list[dict[str, Any]]:

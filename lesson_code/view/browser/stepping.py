@@ -29,7 +29,7 @@ def pipeline_of(solver: Solver) -> Pipeline:
 
 def stepped_program(solver: Solver) -> WebProgram:
     """Return the program of a solver."""
-    program = table_program(advance, World, pipeline=pipeline_of(solver))
+    program = table_program(World, advance, pipeline=pipeline_of(solver))
     return replace(program, about={**program.about, "capacity": capacity_rules()})
 
 
