@@ -21,7 +21,6 @@ from lesson_code.course.fresh_copies import fresh_exercise
 from lesson_code.course.grading.exercises import Exercise
 from lesson_code.course.grading.submission import Submission
 from lesson_code.course.isolation.inside.winnowing import fingerprints
-from lesson_code.course.isolation.reader import reader
 from lesson_code.course.notebooks.root import home
 
 FEWEST = 12
@@ -59,17 +58,12 @@ class Alike:
 
 
 def passages_of(submission: Submission) -> list[dict[str, Any]]:
-    """Return name, text and fingerprints of each function that is long enough to tell.
-
-    The code is read in a process of its own; what it cannot read is left out.
-    """
-    sources = [unit.source for unit in submission.units]
-    read = reader().ask("prints", sources) or []
+    """Return name, text and fingerprints of each function that is long enough to tell."""
     return [
-        {"name": found["name"], "text": _cut(source, *found["lines"]), "prints": found["prints"]}
-        for source, functions in zip(sources, read, strict=False)
-        for found in functions
-        if len(found["prints"]) >= FEWEST
+        {"name": f["name"], "text": _cut(unit.source, *f["lines"]), "prints": f["prints"]}
+        for unit in submission.units
+        for f in unit.prints
+        if len(f["prints"]) >= FEWEST
     ]
 
 

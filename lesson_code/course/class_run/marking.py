@@ -150,7 +150,7 @@ def _told(message: str, path: Path) -> str:
 def _fit_to_show(value: Any) -> Any:
     """Return a plain value whose texts name no places in memory and can be written in UTF-8."""
     if isinstance(value, str):
-        return encodable(ADDRESS.sub("0x...", value))
+        return encodable(ADDRESS.sub("0x...", value) if "0x" in value else value)
     if isinstance(value, list):
         return [_fit_to_show(item) for item in value]
     if isinstance(value, dict):

@@ -51,6 +51,8 @@ def encodable(text: str) -> str:
     >>> encodable("Zo\u00eb\udcff")
     'Zoë<U+DCFF>'
     """
+    if text.isascii():
+        return text
     return "".join(f"<U+{ord(c):04X}>" if "\ud800" <= c <= "\udfff" else c for c in text)
 
 

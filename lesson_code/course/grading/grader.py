@@ -16,7 +16,7 @@ from lesson_code.course.grading.lending import Allowance, Lent
 from lesson_code.course.grading.report import Report
 from lesson_code.course.grading.submission import Submission, read_submission
 from lesson_code.course.grading.task import Arguments, Task
-from lesson_code.course.grading.verdict import Call, Verdict, better, judge
+from lesson_code.course.grading.verdict import Call, Verdict, better, calls_of, judge
 from lesson_code.course.isolation import Children, InForce, Limits, StudentProcess, isolated
 from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.reader import TOO_SLOW
@@ -108,7 +108,8 @@ class Grader:
             self._limits, seconds_a_submission=seconds or self._limits.seconds_a_submission
         )
         with StudentProcess(submission.units, self._children, limits) as student:
-            call = _explaining(student.call, submission, chosen)
+            made = student.together(calls_of(chosen.tasks, drawn))
+            call = _explaining(made, submission, chosen)
             verdicts: list[Verdict] = []
             allowance = Allowance()
             for task in chosen.tasks:

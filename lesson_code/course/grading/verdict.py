@@ -14,7 +14,7 @@ from lesson_code.course.grading.recognition import Diagnosis, diagnoses
 from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.call_outcome import CallOutcome
-from lesson_code.course.isolation.inside.answers import arguments_from, plain
+from lesson_code.course.isolation.inside.answers import GOES_ON, arguments_from, plain
 
 CONSTANT = "It returned the same for every call, which is right here only by chance."
 
@@ -175,9 +175,18 @@ def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[TriedC
     for arguments, expected in drawn(task, criterion, seed):
         outcome = call(task.function, arguments)
         trials.append(TriedCall(criterion, arguments, expected, outcome))
-        if outcome.kind not in ("returned", "raised"):
+        if outcome.kind not in GOES_ON:
             break
     return trials
+
+
+def calls_of(tasks: Sequence[Task], seed: int) -> list[list[tuple[str, Arguments]]]:
+    """Return the calls that judging some tasks makes, criterion by criterion."""
+    return [
+        [(task.function, arguments) for arguments, _ in drawn(task, criterion, seed)]
+        for task in tasks
+        for criterion in task.criteria
+    ]
 
 
 @lru_cache(maxsize=1000)

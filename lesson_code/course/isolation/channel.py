@@ -55,8 +55,10 @@ class SocketChannel:
 
     def _line(self, deadline: float) -> bytes | None:
         """Return the next line, or the beginning of one that is too long."""
-        while (end := self._kept.find(b"\n") + 1) == 0:
-            if len(self._kept) > self._most:
+        searched = 0
+        while (end := self._kept.find(b"\n", searched) + 1) == 0:
+            searched = len(self._kept)
+            if searched > self._most:
                 return bytes(self._kept)
             self._end.settimeout(max(deadline - time.monotonic(), 1e-6))
             try:

@@ -9,12 +9,13 @@ import atexit
 import contextlib
 import json
 import os
+import socket
 import subprocess
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from lesson_code.course.isolation.channel import PipeChannel
+from lesson_code.course.isolation.channel import Channel, PipeChannel, SocketChannel
 from lesson_code.course.isolation.limits import PATIENCE
 
 LARGEST_REPLY = 200_000_000
@@ -41,7 +42,7 @@ class Clerk:
         self._environment = dict(environment)
         self._seconds = seconds
         self._process: subprocess.Popen[bytes] | None = None
-        self._channel: PipeChannel | None = None
+        self._channel: Channel | None = None
         self._one_at_a_time = threading.Lock()
 
     def ask(self, *request: Any) -> Any:
@@ -55,19 +56,29 @@ class Clerk:
                 self.close()
             return json.loads(reply) if reply else None
 
-    def _started(self) -> PipeChannel:
-        """Return the way to a new process."""
+    def _started(self) -> Channel:
+        """Return the way to a new process: a socket, which needs no thread of its own, or pipes."""
+        if os.name != "posix":
+            process = self._run(subprocess.PIPE, subprocess.PIPE)
+            assert process.stdin is not None  # noqa: S101 - asked for as pipes
+            assert process.stdout is not None  # noqa: S101
+            return PipeChannel(process.stdin, process.stdout, LARGEST_REPLY)
+        ours, theirs = socket.socketpair()
+        with theirs:
+            self._run(theirs.fileno(), theirs.fileno())
+        return SocketChannel(ours, LARGEST_REPLY)
+
+    def _run(self, requests: int, replies: int) -> subprocess.Popen[bytes]:
+        """Start the process, and return it."""
         self._process = subprocess.Popen(  # noqa: S603 - our own interpreter, our own module
             self._command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
+            stdin=requests,
+            stdout=replies,
             stderr=subprocess.DEVNULL,
             env=self._environment,
             start_new_session=True,
         )
-        assert self._process.stdin is not None  # noqa: S101 - asked for as pipes
-        assert self._process.stdout is not None  # noqa: S101
-        return PipeChannel(self._process.stdin, self._process.stdout, LARGEST_REPLY)
+        return self._process
 
     def close(self) -> None:
         """End the process."""

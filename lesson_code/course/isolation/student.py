@@ -9,11 +9,11 @@ from __future__ import annotations
 import builtins
 import json
 import time
-from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections import Counter, deque
+from collections.abc import Callable, Mapping, Sequence
 from itertools import count
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 from lesson_code.course.grading.task import Arguments
 from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome
@@ -35,12 +35,20 @@ MOST_HANGS = 2
 up the time of the submission's other functions."""
 
 
+SECONDS_TOGETHER = 1.0
+"""Of the processor, for all calls that are made in one go, before each is made by itself; those of
+most chapters take some milliseconds."""
+
 ERRORS = frozenset(
     name
     for name, kind in vars(builtins).items()
     if isinstance(kind, type) and issubclass(kind, BaseException)
 )
 """Python's own errors, by name."""
+
+
+Request: TypeAlias = tuple[str, Arguments]
+"""A call: a function, and its arguments."""
 
 
 class Lender(Protocol):
@@ -116,6 +124,47 @@ class StudentProcess:
             outcome = self._called(function, arguments, lender)
         self._hangs[hangs] += outcome.kind == "timeout"
         return outcome
+
+    def together(self, groups: Sequence[Sequence[Request]]) -> Callable[..., CallOutcome]:
+        """Return a way to call the submission's functions for which some calls are made already.
+
+        They are made in one go, and handed out to whoever calls in the same order. A group ends
+        with the first call that neither returns nor raises. Where not all is answered, in
+        `SECONDS_TOGETHER` and in the form agreed on, nothing of it counts, and each call is made by
+        itself.
+
+        Parameters
+        ----------
+        groups : sequence of sequences of (function, arguments)
+            The calls.
+        """
+        made = deque(self._made_together(groups))
+
+        def call(function: str, arguments: Arguments) -> CallOutcome:
+            if made and made[0][0] == (function, arguments):
+                return made.popleft()[1]
+            made.clear()
+            return self.call(function, arguments)
+
+        return call
+
+    def _made_together(
+        self, groups: Sequence[Sequence[Request]]
+    ) -> list[tuple[Request, CallOutcome]]:
+        """Return calls that were made in one go, and what came of each; none if one failed."""
+        if self._channel is None or self._load_failed is not None:
+            return []
+        seconds = min(SECONDS_TOGETHER, self._limits.seconds_a_call)
+        reply = self._ask({"together": groups}, seconds)
+        answers = None if isinstance(reply, CallOutcome) else reply.get("answers")
+        match answers:
+            case list() if len(answers) == len(groups) and all(map(_is_list_of_objects, answers)):
+                return [
+                    (request, call_outcome(answer))
+                    for group, some in zip(groups, answers, strict=True)
+                    for request, answer in zip(group, some, strict=False)
+                ]
+        return []
 
     def _called(self, function: str, arguments: Arguments, lender: Lender | None) -> CallOutcome:
         """Return what came of one try of a call."""
@@ -258,6 +307,11 @@ def _borrows(reply: dict[str, Any], number: int, lender: Lender) -> bool:
     """Return whether a reply asks for a value that is lent."""
     name = reply.get("lend")
     return reply.get("number") == number and isinstance(name, str) and name in lender.parameters
+
+
+def _is_list_of_objects(value: Any) -> bool:
+    """Return whether a value is a list of JSON objects."""
+    return isinstance(value, list) and all(isinstance(item, dict) for item in value)
 
 
 def _object_in(line: bytes) -> dict[str, Any] | None:

@@ -446,3 +446,43 @@ def _open_files() -> int:
     """Return how many descriptors this process has open."""
     folder = Path("/proc/self/fd")
     return len(list(folder.iterdir())) if folder.exists() else 0
+
+
+ANSWERS = "def f(x): return x, 1 / (x - 2)\ndef g(x): return {}\ndef h(x): return x * x\n"
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "",
+        "def h(x):\n    while True: pass\n",
+        "import os\ndef g(x): os._exit(0)\n",
+        "def g(x): return ['a' * 9_000] * 100\n",
+        "import json\ndumps = json.dumps\n"
+        "json.dumps = lambda v: dumps({**v, 'answers': [[1], 2, []]} if 'answers' in v else v)\n",
+    ],
+    ids=["as asked", "hangs", "ends the process", "too long", "not in the form agreed on"],
+)
+def test_calls_made_together_come_to_what_each_would_by_itself(
+    best: Children, quick: Limits, more: str
+) -> None:
+    """A group ends with the first call that gives nothing, and costs no other group a call."""
+    groups = [[("f", (1.0,)), ("f", (2.0,))], [("g", (1.0,)), ("g", (2.0,))], [("h", (3.0,))]]
+    requests = [request for group in groups for request in group]
+    with StudentProcess(units(ANSWERS + more), best, quick) as student:
+        alone = [student.call(*request) for request in requests]
+    with StudentProcess(units(ANSWERS + more), best, quick) as student:
+        call = student.together(groups)
+        at_once = [call(*request) for request in requests]
+    assert at_once == alone
+
+
+def test_calls_made_together_take_one_message(best: Children) -> None:
+    """They are handed out in their order; after any other call each is made by itself."""
+    source = "calls = []\ndef f(x):\n    calls.append(x)\n    return calls"
+    with StudentProcess(units(source), best) as student:
+        call = student.together([[("f", (1.0,)), ("f", (2.0,)), ("f", (3.0,))]])
+        assert student.call("f", (4.0,)).value == [1.0, 2.0, 3.0, 4.0]
+        assert call("f", (1.0,)).value == [1.0]
+        assert call("f", (5.0,)).value == [1.0, 2.0, 3.0, 4.0, 5.0]
+        assert call("f", (2.0,)).value == [1.0, 2.0, 3.0, 4.0, 5.0, 2.0]

@@ -71,6 +71,8 @@ class Diagnosis:
 
 def diagnoses(task: Task, calls: Sequence[TriedCall], seed: int) -> tuple[Diagnosis, ...]:
     """Return what explains a wrong answer: nothing, one mistake, or two in different criteria."""
+    if all(call.is_right for call in calls):
+        return ()
     evidence = Evidence(task, calls, seed)
     if not evidence.failed:
         return ()

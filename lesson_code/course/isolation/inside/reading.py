@@ -125,8 +125,8 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
 
     Statements are named by their place. They stand in groups; a cell is one group, and in a
     program each statement is its own. `lines` says where each statement begins, `left_out` which
-    names come from which import, `missing` which names stand for nothing once that is gone, and
-    `uses` which names stand in the definition of another.
+    names come from which import, `missing` which names stand for nothing once that is gone, `uses`
+    which names stand in the definition of another, and `prints` the fingerprints of functions.
 
     Parameters
     ----------
@@ -160,6 +160,7 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
 
 def _kept_of(body: list[ast.stmt], missing: set[str], *, is_cell: bool) -> dict[str, Any]:
     """Return what a unit holds beside its name and source."""
+    prints = fingerprints(body)
     kept = [index for index, part in enumerate(body) if kept_part(part, missing) is not None]
     return {
         "groups": [kept] if is_cell else [[index] for index in kept],
@@ -168,6 +169,7 @@ def _kept_of(body: list[ast.stmt], missing: set[str], *, is_cell: bool) -> dict[
         "left_out": dict(_left_out(body)),
         "missing": sorted(missing),
         "uses": {name: sorted(used) for name, used in _uses(body).items()},
+        "prints": prints,
     }
 
 
@@ -351,7 +353,6 @@ DEEDS: dict[str, Callable[[Any], Any]] = {
     "read": read,
     "kept": kept_sources,
     "lost": DEFINITION.findall,
-    "prints": lambda sources: [fingerprints(parsed(source)) for source in sources],
 }
 
 

@@ -111,6 +111,7 @@ def main() -> None:
     for name in PRELOADED:
         importlib.import_module(name)
     forget_the_way_here(orders.readable)
+    answers.rehearse()
     gc.collect()
     gc.freeze()  # a child that cleans up need not copy what it shares with the server
     os.dup2(0, 2)  # nothing reads what a child may print

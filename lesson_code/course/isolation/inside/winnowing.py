@@ -15,7 +15,11 @@ from __future__ import annotations
 import ast
 import hashlib
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any
+
+LEFT_OUT = ("annotation", "returns", "ctx", "type_comment", "decorator_list")
+"""Fields of a node that say nothing of how its code computes."""
 
 K, W = 10, 6
 """Nodes. `a * b + c` has six, so that a formula alone is noise."""
@@ -36,20 +40,28 @@ def fingerprints(body: list[ast.stmt]) -> list[dict[str, Any]]:
 
 def winnowed(nodes: list[str]) -> list[str]:
     """Return the fingerprints of a sequence, each once, in the order in which they come."""
-    runs = (" ".join(nodes[k : k + K]) for k in range(len(nodes) - K + 1))
-    hashes = [hashlib.blake2b(run.encode(), digest_size=6).hexdigest() for run in runs]
+    hashes = [_hash(" ".join(nodes[k : k + K])) for k in range(len(nodes) - K + 1)]
     return list(dict.fromkeys(min(hashes[k : k + W]) for k in range(len(hashes) - W + 1)))
+
+
+@lru_cache(maxsize=50_000)  # answers of a class have most runs in common
+def _hash(run: str) -> str:
+    """Return the hash of some nodes in a row."""
+    return hashlib.blake2b(run.encode(), digest_size=6).hexdigest()
 
 
 def _nodes(tree: ast.AST) -> Iterator[str]:
     """Yield a tree's nodes from the outside in: their kinds, what is asked of others, numbers."""
-    yield f"{type(tree).__name__}{_of_others(tree)}"
-    for name, value in ast.iter_fields(tree):
-        if name in ("annotation", "returns", "ctx", "type_comment", "decorator_list"):
-            continue
-        for part in value if isinstance(value, list) else [value]:
-            if isinstance(part, ast.AST) and not _is_text_alone(part):
-                yield from _nodes(part)
+    left = [tree]
+    while left:
+        node = left.pop()
+        yield f"{type(node).__name__}{_of_others(node)}"
+        parts: list[ast.AST] = []
+        for name in node._fields:
+            value = None if name in LEFT_OUT else getattr(node, name, None)
+            found = value if isinstance(value, list) else (value,)
+            parts += [p for p in found if isinstance(p, ast.AST) and not _is_text_alone(p)]
+        left.extend(reversed(parts))
 
 
 def _of_others(tree: ast.AST) -> str:
