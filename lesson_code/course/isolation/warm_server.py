@@ -18,6 +18,7 @@ from typing import IO, Any
 from lesson_code.course.isolation import paths
 from lesson_code.course.isolation.channel import Channel, SocketChannel
 from lesson_code.course.isolation.in_force import IsolationError
+from lesson_code.course.isolation.inside.limits import BYTES_A_FILE
 from lesson_code.course.isolation.inside.wall import Orders
 from lesson_code.course.isolation.limits import Limits
 from lesson_code.course.isolation.unprivileged import UnprivilegedUser
@@ -119,6 +120,7 @@ class WarmServer:
             user=None if self._user is None else self._user.id,
             cpu_seconds=self._limits.seconds_a_child,
             bytes_of_memory=self._limits.bytes_of_memory,
+            bytes_a_file=BYTES_A_FILE if self._has_own_root else 0,
         )
 
     def start(self) -> Channel:

@@ -259,10 +259,25 @@ def test_every_solution_keeps_full_marks_with_values_that_are_lent(
         names = solved(exercise, root)
         for each in earlier:
             names[each.function] = StandIn(
-                each.function, list(each.parameters), partial(asked, each)
+                each.function, list(each.parameters), partial(asked, each), {}
             )
         verdict = judge(task, partial(call_here, names), SEED)
         assert verdict.is_full, verdict.lines
+
+
+def test_value_is_asked_for_once_and_made_afresh_each_time() -> None:
+    """What a student's code does to a vector that it was lent, the next call does not see."""
+    loans: list[dict[str, Any]] = []
+
+    def ask(loan: dict[str, Any]) -> dict[str, Any]:
+        loans.append(loan)
+        return {"value": {"array": [1.0, 2.0]}}
+
+    lent = StandIn("f", ["x"], ask, {})
+    lent(3.0)[0] = 9.0
+    assert lent(x=3.0).tolist() == [1.0, 2.0]
+    assert lent(4.0).tolist() == [1.0, 2.0]
+    assert [loan["arguments"] for loan in loans] == [[3.0], [4.0]]
 
 
 def asked(task: Task, loan: dict[str, Any]) -> dict[str, Any]:

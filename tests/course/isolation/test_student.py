@@ -15,8 +15,9 @@ from typing import Any
 import pytest
 from tiers import share
 
-from lesson_code.course.isolation import Children, Limits, StudentProcess
+from lesson_code.course.isolation import Children, Limits, Rung, StudentProcess
 from lesson_code.course.isolation.call_outcome import LONGEST_TEXT, CallOutcome
+from lesson_code.course.isolation.inside.disk import MOST_BYTES
 
 from .conftest import units
 
@@ -175,9 +176,35 @@ def g():
 """
     limits = Limits(seconds_a_submission=6, bytes_of_memory=900_000_000)
     with StudentProcess(units(source), children_with(limits), limits) as student:
-        most = [900_000_000, 7, 1_000_000, 64, 0]
+        *_, bytes_a_file = student.call("f", ()).value[2]
+        assert bytes_a_file in (0, 1_000_000)
+        most = [900_000_000, 7, bytes_a_file, 64, 0]
         assert student.call("f", ()).value == [[limit, limit] for limit in most]
-        assert "File too large" in student.call("g", ()).text
+        assert student.call("g", ()).text.startswith(("OSError: [Errno 27]", "PermissionError"))
+
+
+@POSIX
+def test_nothing_of_a_submission_comes_to_a_disk(children: Children, rung: Rung) -> None:
+    """Where its folder is on a disk not one byte can be written; in memory it has a size."""
+    source = """\
+import os
+def f():
+    written = 0
+    try:
+        for number in range(60):
+            with open(str(number), "wb") as file:
+                file.write(b"x" * 1_000_000)
+            written += 1
+    except OSError:
+        pass
+    return written, sum(entry.stat().st_size for entry in os.scandir())
+"""
+    with StudentProcess(units(source), children) as student:
+        files, size = student.call("f", ()).value
+    if rung.name in ("namespaces", "bubblewrap"):
+        assert 0 < size < MOST_BYTES + 1_000_000
+    else:
+        assert files == size == 0
 
 
 @POSIX

@@ -211,17 +211,19 @@ def _lent(value: Any) -> Any:
 
 
 class Lent:
-    """Stands in for a function of the student's: its values come from the parent."""
+    """Stands in for a function of the student's: its values come from the parent, each once."""
 
     def __init__(
         self,
         name: str,
         parameters: list[str],
         ask: Callable[[dict[str, Any]], dict[str, Any]],
+        kept: dict[str, dict[str, Any]],
     ) -> None:
         self.__name__ = name
         self._parameters = parameters
         self._ask = ask
+        self._kept = kept
 
     def __call__(self, *given: Any, **named: Any) -> Any:
         """Return the parent's value, or raise what it says against these arguments."""
@@ -229,7 +231,10 @@ class Lent:
         if len(given) > len(self._parameters) or set(missing) != set(named):
             raise TypeError(f"{self.__name__} takes {', '.join(self._parameters)}")
         arguments = plain([*given, *(named[name] for name in missing)])
-        reply = self._ask({"lend": self.__name__, "arguments": arguments})
+        key = json.dumps([self.__name__, arguments])
+        if key not in self._kept:
+            self._kept[key] = self._ask({"lend": self.__name__, "arguments": arguments})
+        reply = self._kept[key]
         if "refused" in reply:
             raise ValueError(reply["refused"])
         return _lent(reply["value"])
@@ -270,6 +275,7 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     answer_module = types.ModuleType("answer")  # dataclasses look up the module they stand in
     sys.modules["answer"] = answer_module
     namespace = vars(answer_module)
+    kept: dict[str, dict[str, Any]] = {}  # what was lent to each function that was called
     while line := requests.readline():
         request = json.loads(line)
         if "load" in request:
@@ -280,7 +286,7 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
         else:
             ask = partial(_asked, requests, answers, request["number"])
             lent = {
-                name: Lent(name, parameters, ask)
+                name: Lent(name, parameters, ask, kept.setdefault(request["call"], {}))
                 for name, parameters in request.get("lent", {}).items()
             }
             answer = call_with(lent, request["call"], request["arguments"], namespace)

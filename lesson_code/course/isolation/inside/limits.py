@@ -14,19 +14,24 @@ except ImportError:  # Windows has none; the report says so
     resource = None
 
 BYTES_A_FILE = 1_000_000
+"""Where a folder is in memory and has a size of its own. On a disk nothing can be written at all:
+the size of one file bounds no number of files."""
+
 OPEN_FILES = 64
 MORE_PROCESSES = 32
 """Threads count as processes. Those that the same user already runs come on top."""
 
 
-def lower(cpu_seconds: int, bytes_of_memory: int, processes: int | None = None) -> None:
+def lower(
+    cpu_seconds: int, bytes_of_memory: int, processes: int | None = None, bytes_a_file: int = 0
+) -> None:
     """Lower this process's limits; a process without privileges cannot raise them again."""
     if resource is None:
         return
     limits = [
         (resource.RLIMIT_CPU, cpu_seconds),
         (resource.RLIMIT_AS, bytes_of_memory),
-        (resource.RLIMIT_FSIZE, BYTES_A_FILE),
+        (resource.RLIMIT_FSIZE, bytes_a_file),
         (resource.RLIMIT_NOFILE, OPEN_FILES),
         (resource.RLIMIT_CORE, 0),
     ]

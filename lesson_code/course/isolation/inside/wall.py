@@ -22,6 +22,7 @@ class Orders:
     """What the parent has decided about the wall.
 
     `mounts` has what is readable and, where True stands, what is hidden in it, from the outside in.
+    `bytes_a_file` is 0 where the folder is on a disk, which nobody may fill.
     """
 
     kind: str
@@ -30,6 +31,7 @@ class Orders:
     user: int | None
     cpu_seconds: int
     bytes_of_memory: int
+    bytes_a_file: int
 
     @classmethod
     def from_dict(cls, sent: dict[str, Any]) -> Orders:
@@ -86,12 +88,16 @@ class Wall:
         os.environ["HOME"] = os.environ["TMPDIR"] = self.folder
         os.setsid()
         os.umask(0o077)
-        limits.lower(self.orders.cpu_seconds, self.orders.bytes_of_memory, self._processes)
+        orders = self.orders
+        limits.lower(
+            orders.cpu_seconds, orders.bytes_of_memory, self._processes, orders.bytes_a_file
+        )
         self._become_nobody()
         system.prctl(system.PR_SET_PDEATHSIG, signal.SIGKILL)
         if landlock.is_strong():
-            writable = [(path, landlock.ALL_WRITES) for path in (self.folder, os.devnull)]
-            landlock.restrict([("/", landlock.READ), *writable])
+            writable = (self.folder, os.devnull) if orders.bytes_a_file else (os.devnull,)
+            rules = [(path, landlock.ALL_WRITES) for path in writable]
+            landlock.restrict([("/", landlock.READ), *rules])
         seccomp.restrict()
 
     def _become_nobody(self) -> None:
