@@ -298,5 +298,6 @@ TASKS = (
             Criterion("mass ratios 1, 100, 10,000, ...", hundreds),
             Criterion("any mass ratio", any_ratio, points=2),
         ),
+        has_one_form=True,
     ),
 )

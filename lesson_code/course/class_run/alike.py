@@ -2,7 +2,8 @@
 
 Alike are functions that share most of their fingerprints
 (:mod:`lesson_code.course.isolation.inside.winnowing`): those of two students, or of a student and
-of the lesson. What is short is written alike by everybody, and is left out.
+of the lesson. What is short is written alike by everybody, and is left out; so is the answer to a
+task that has one form.
 """
 
 from __future__ import annotations
@@ -78,16 +79,21 @@ def alike_in(students: Sequence[Student], exercises: Iterable[Exercise]) -> tupl
 
 
 def _handed_in(students: Sequence[Student], exercise: Exercise) -> Iterator[Passage]:
-    """Yield the functions that were handed in for an exercise, but for those that were given."""
+    """Yield the functions that were handed in for an exercise and tell something.
+
+    Those that were given tell nothing, nor do answers to a task that has one form.
+    """
     of_file: dict[str, list[Student]] = defaultdict(list)
     for student in students:
         if exercise.name in student.papers:
             of_file[student.papers[exercise.name].name].append(student)
     given = fresh_exercise(exercise, home()) if of_file else ""
+    usual = {task.function for task in exercise.tasks if task.has_one_form}
     for team in of_file.values():
         report: Mapping[str, Any] = team[0].reports.get(exercise.name, {})
         for found in report.get("passages", ()):
-            if found["name"] in exercise.task_ids or f"def {found['name']}(" not in given:
+            is_given = f"def {found['name']}(" in given and found["name"] not in exercise.task_ids
+            if not is_given and found["name"] not in usual:
                 prints = frozenset(found["prints"])
                 yield Passage(tuple(team), found["name"], found["text"], prints)
 

@@ -138,6 +138,8 @@ class Task:
     """A function to write, its criteria, and the expected answer, which students never see.
 
     `section` is that of the chapter's notebook in which the formula stands; a program has none.
+    `has_one_form` says that honest answers are the same line by line, so that two that are alike
+    tell nothing.
     """
 
     id: str
@@ -150,6 +152,7 @@ class Task:
     explain: Callable[[Arguments, Any], str] | None = None
     parameters: tuple[str, ...] = ()
     section: int | None = None
+    has_one_form: bool = False
 
     @property
     def points(self) -> int:

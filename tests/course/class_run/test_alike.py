@@ -21,9 +21,6 @@ from lesson_code.course.isolation.inside.winnowing import K, W, fingerprints, wi
 
 from .conftest import MakeClass
 
-KNOWN_TWINS = {("7.5", "from_hit_to_hit")}
-"""Right answers that are the solution itself, line by line."""
-
 
 class Renamed(ast.NodeTransformer):
     """Calls arguments and variables otherwise, and says something else."""
@@ -100,8 +97,13 @@ def known(exercise: Exercise, root: Path) -> dict[str, list[tuple[str, frozenset
 
 
 def test_right_answers_by_other_ways_are_not_remarked(root: Path) -> None:
-    """No two of them are alike, though one hand wrote them all; nor is one like a formula."""
+    """No two of them are alike, though one hand wrote them all; nor is one like a formula.
+
+    Where two are, as from_hit_to_hit and the solution in 7.5, the task is said to have one form.
+    """
     formulas = [passage for passage in _lesson() if "/chapters/" not in passage.name]
+    one_form = {task.id for e in exercises() for task in e.tasks if task.has_one_form}
+    coincide: set[str] = set()
     count = 0
     for exercise in exercises():
         for task, answers in known(exercise, root).items():
@@ -109,10 +111,11 @@ def test_right_answers_by_other_ways_are_not_remarked(root: Path) -> None:
             count += len(passages)
             for k, passage in enumerate(passages):
                 for other in [*passages[:k], *formulas]:
-                    if (task, passage.name) in KNOWN_TWINS and other.name == "solution":
-                        continue
-                    assert not alike(passage, other), (task, passage.name, other.name)
+                    twins = alike(passage, other)
+                    assert not twins or (task in one_form and k), (task, passage.name, other.name)
+                    coincide |= {task} if twins else set()
     assert count > 150
+    assert coincide == one_form
 
 
 def alike(one: Passage, other: Passage) -> bool:
@@ -192,6 +195,31 @@ def test_copies_are_remarked_with_both_passages(book: Gradebook) -> None:
     assert all("passages" not in r for s in as_dict(book)["students"] for r in s["exercises"])
 
 
+def test_packed_formulas_are_remarked_one_by_one(
+    make_class: MakeClass, root: Path, tmp_path: Path
+) -> None:
+    """Of a file that packs all formulas, each function that is long enough is shown."""
+    paths = sorted((root / "lesson_code" / "formulas").rglob("*.py"))
+    functions = [
+        part
+        for path in paths
+        for part in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(part, ast.FunctionDef)
+    ]
+    packed = "\n\n".join(ast.unparse(Renamed().visit(part)) for part in functions)
+    folder = make_class({"eve/05_spin_and_friction.py": packed})
+    book = grade_class(folder, tmp_path / "out", exercises=["05"], seed=7, hands=Hands(1))
+    said = json.loads((tmp_path / "out" / "grades.json").read_text(encoding="utf-8"))["alike"]
+    page = (tmp_path / "out" / "class.html").read_text(encoding="utf-8")
+    remarked = {passage["function"] for alike in said for passage in alike["passages"]}
+    long = {name for name, prints in prints_of(packed).items() if len(prints) >= FEWEST}
+    assert len(long) >= 10
+    assert long <= remarked
+    assert all(alike["passages"][0]["who"] == [] for alike in said)
+    assert all(name in page for name in long)
+    assert book.students[0].status == "graded"
+
+
 def test_remark_changes_no_mark_and_no_student_sees_it(book: Gradebook) -> None:
     """The class's page has the passages; a student's has neither them nor a word of it."""
     page = class_page(book)
@@ -202,6 +230,30 @@ def test_remark_changes_no_mark_and_no_student_sees_it(book: Gradebook) -> None:
     for student in book.students:
         assert "alike" not in student_page(student, book)
         assert "share_impact" not in student_page(student, book)
+
+
+BLOCKS = """
+def pi_collisions(mass_ratio):
+    inner, outer, count = 0.0, -1.0, 0
+    while inner > outer:
+        centre = (inner + mass_ratio * outer) / (1 + mass_ratio)
+        inner, outer, count = 2 * centre - inner, 2 * centre - outer, count + 1
+        if inner < 0:
+            inner, count = -inner, count + 1
+    return count
+"""
+
+
+def test_honest_answers_to_a_task_of_one_form_are_not_remarked(
+    make_class: MakeClass, tmp_path: Path
+) -> None:
+    """Both have full marks, long enough to tell as they are; nobody is named for it."""
+    other = ast.unparse(Renamed().visit(ast.parse(BLOCKS)))
+    assert len(prints_of(BLOCKS)["pi_collisions"]) >= FEWEST
+    folder = make_class({"ada/07_time_of_impact.py": BLOCKS, "bob/07_time_of_impact.py": other})
+    book = grade_class(folder, tmp_path / "out", exercises=["07"], seed=7, hands=Hands(1))
+    assert [student.points for student in book.students] == [3, 3]
+    assert book.alike == ()
 
 
 def test_what_is_short_is_no_evidence() -> None:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import ctypes
+import importlib.util
 import json
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from lesson_code.course.grading.exercises import Exercise, exercises
-from lesson_code.course.grading.grader import grade
+from lesson_code.course.grading.grader import Grader, grade
 from lesson_code.course.grading.practice import practice_draws
 from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.verdict import CONSTANT, judge
@@ -124,3 +127,28 @@ def test_physics_engine_of_others_earns_nothing(write: Write, inside: str) -> No
     report = grade(write("answer.py", PYMUNK.format(inside=inside)), exercise="01", seed=SEED)
     assert report.points == 0
     assert "answers can use Python's own modules, NumPy and pygame" in report.verdicts[0].lines[1]
+
+
+LOADS = """\
+import ctypes
+def elastic_1d(m1, v1, m2, v2):
+    return [ctypes.CDLL({library!r}).cpSpaceNew is None]
+"""
+
+
+def test_library_of_a_physics_engine_is_out_of_reach(write: Write) -> None:
+    """What ctypes could load is not there: the folders of other packages are empty for a child."""
+    spec = importlib.util.find_spec("pymunk")
+    places = (spec and spec.submodule_search_locations) or ()
+    libraries = [
+        path for place in places for path in Path(place).parent.glob("*pymunk*/*chipmunk*.so")
+    ]
+    assert libraries
+    assert ctypes.CDLL(str(libraries[0]))
+    with Grader() as grader:
+        if grader.isolation.level != "full":
+            pytest.skip("files are hidden by a full wall only")
+        path = write("answer.py", LOADS.format(library=str(libraries[0])))
+        report = grader.grade(path, exercise="01", seed=SEED)
+    assert report.points == 0
+    assert "cannot open shared object file" in report.verdicts[0].lines[1]
