@@ -33,7 +33,8 @@ class Unit:
     Statements are kept in groups, which run one after another. A statement that fails ends its
     group: a cell is one group, as in a notebook; in a .py file each statement is its own. `lines`
     says where each statement begins; `missing` names what an import gives that is left out; `uses`
-    says which names stand in a definition, and `prints` has the fingerprints of its functions.
+    says which names stand in a definition, `prints` has the fingerprints of its functions, and
+    `codes` the kept statements compiled, by their places.
     """
 
     name: str
@@ -45,10 +46,11 @@ class Unit:
     missing: tuple[str, ...] = ()
     uses: dict[str, list[str]] = field(default_factory=dict)
     prints: tuple[dict[str, Any], ...] = ()
+    codes: tuple[str | None, ...] = ()
 
     def as_request(self) -> dict[str, Any]:
         """Return the unit as the child process is sent it."""
-        names = ("name", "source", "groups", "missing")
+        names = ("name", "source", "groups", "missing", "codes")
         return {name: getattr(self, name) for name in names}
 
     @property
@@ -135,7 +137,7 @@ def _may_answer(read: dict[str, Any]) -> bool:
 
 def _unit(read: dict[str, Any]) -> Unit:
     """Return a unit as it was read."""
-    sequences = ("lines", "functions", "missing", "prints")
+    sequences = ("lines", "functions", "missing", "prints", "codes")
     groups = tuple(map(tuple, read["groups"]))
     return Unit(**{**read, "groups": groups, **{name: tuple(read[name]) for name in sequences}})
 

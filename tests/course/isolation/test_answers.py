@@ -21,6 +21,7 @@ from lesson_code.course.isolation.inside.answers import (
     arguments_from,
     plain,
 )
+from lesson_code.course.isolation.inside.reading import read
 
 
 class Impostor:
@@ -218,6 +219,31 @@ def test_load_future_import_holds_for_what_follows() -> None:
     namespace: dict[str, Any] = {}
     assert not list(answers.load([_unit(source, (0,), (1,))], namespace))
     assert answers.call("f", [2.0], namespace) == {"kind": "returned", "value": 2.0}
+
+
+@pytest.mark.parametrize("broken", [False, True])
+def test_load_of_compiled_code_is_the_load_of_its_source(broken: bool) -> None:
+    """The same names, errors and future imports; one statement that no compiler takes changes none.
+
+    Then nothing is taken compiled, or an import from the future would not hold for what follows.
+    """
+    sources = [
+        "from __future__ import annotations\nx = 1 / 0\nn = 1",
+        "def f(x: Unknown): return x",
+        "return 3" if broken else "n = 2",
+        "def g(): raise ValueError('g')",
+    ]
+    given = [
+        {"name": f"your cell {n}", "source": s, "is_cell": True} for n, s in enumerate(sources)
+    ]
+    compiled = json.loads(json.dumps(read(given)))
+    plain_units = [{**unit, "codes": []} for unit in compiled]
+    names: list[dict[str, Any]] = [{}, {}]
+    errors = [list(answers.load(u, n)) for u, n in zip((compiled, plain_units), names, strict=True)]
+    assert errors[0] == errors[1]
+    assert [error[2] for error in errors[0]] == ["ZeroDivisionError"] + ["SyntaxError"] * broken
+    assert set(names[0]) == set(names[1]) >= {"f", "g"}
+    assert answers.call("g", [], names[0]) == answers.call("g", [], names[1])
 
 
 def test_load_does_not_lend_its_own_future_imports() -> None:

@@ -10,9 +10,12 @@ Reading runs no code, but may take any time and memory: it is done in a process 
 from __future__ import annotations
 
 import ast
+import base64
 import codecs
+import codeop
 import io
 import json
+import marshal
 import re
 import sys
 import tokenize
@@ -126,7 +129,8 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     Statements are named by their place. They stand in groups; a cell is one group, and in a
     program each statement is its own. `lines` says where each statement begins, `left_out` which
     names come from which import, `missing` which names stand for nothing once that is gone, `uses`
-    which names stand in the definition of another, and `prints` the fingerprints of functions.
+    which names stand in the definition of another, `prints` the fingerprints of functions, and
+    `codes` what is kept, compiled.
 
     Parameters
     ----------
@@ -152,9 +156,11 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
             units.append({"name": name, "source": code, "is_cell": given["is_cell"]})
             bodies.append(body)
     missing = _missing([statement for body in bodies for statement in body])
+    compiler = codeop.Compile()  # of which a from __future__ import holds for all that follows
     for unit, body in zip(units, bodies, strict=True):
         if "unreadable" not in unit:
             unit |= _kept_of(body, missing, is_cell=unit.pop("is_cell"))
+            unit["codes"] = _codes(unit, body, compiler)
     return units
 
 
@@ -171,6 +177,31 @@ def _kept_of(body: list[ast.stmt], missing: set[str], *, is_cell: bool) -> dict[
         "uses": {name: sorted(used) for name, used in _uses(body).items()},
         "prints": prints,
     }
+
+
+def _codes(
+    unit: dict[str, Any], body: list[ast.stmt], compiler: codeop.Compile
+) -> list[str | None]:
+    """Return the kept statements compiled, for a child to load; None for all others.
+
+    So no child parses what has been parsed here.
+    """
+    codes: list[str | None] = [None] * len(body)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for index in (index for group in unit["groups"] for index in group):
+            try:
+                code = compiled(body[index], unit, compiler)
+            except UNPARSABLE:  # a child finds out, too, and says where
+                continue
+            codes[index] = base64.b64encode(marshal.dumps(code)).decode()
+    return codes
+
+
+def compiled(statement: ast.stmt, unit: dict[str, Any], compiler: codeop.Compile) -> Any:
+    """Return what is kept of a statement as code."""
+    tree = ast.Module([kept_part(statement, unit["missing"]) or statement], type_ignores=[])
+    return compiler(tree, unit["name"], "exec")  # type: ignore[arg-type] # a tree
 
 
 def _uses(body: Iterable[ast.stmt]) -> dict[str, set[str]]:
