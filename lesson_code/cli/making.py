@@ -46,29 +46,34 @@ def regenerate(
     from lesson_code.course.grading.exercises import exercises
     from lesson_code.course.notebooks.regenerate import derived_files, drifted
     from lesson_code.course.notebooks.root import find_root, require_instructors
-    from lesson_code.view.browser import programs
+    from lesson_code.view.browser import programs, stills
 
     tasks = {exercise.name: exercise.task_ids for exercise in exercises()}
     with clear_errors():
         root = find_root()
         require_instructors(root)
         if only_check:
-            lines = drifted(root, tasks) + programs.drifted(root)
+            lines = drifted(root, tasks) + programs.drifted(root) + stills.drifted(root)
             for line in lines:
                 say_error(line)
             raise typer.Exit(1 if lines else 0)
         begins = tuple(names or [""])
-        wanted = [f for f in derived_files(root, tasks) if f.path.name.startswith(begins)]
-        stale = [
-            name
-            for name in programs.names_in(root)
-            if name.startswith(begins) and (names or programs.fault(name))
-        ]
-        if not wanted and not stale:
+        made = 0
+        # Figures hold programs, and notebooks hold figures.
+        for kind in (programs, stills):
+            for name in kind.names_in(root):
+                if name.startswith(begins) and (names or kind.fault(name)):
+                    say_made(kind.write(name), root)
+                    made += 1
+        for file in derived_files(root, tasks):
+            if file.path.name.startswith(begins):
+                file.write()
+                say_made(file.path, root)
+                made += 1
+        if names and not made:
             raise ValueError(f"names must begin a file's name, such as 01, got {', '.join(begins)}")
-        for file in wanted:
-            file.write()
-            console.print(f"{file.path.relative_to(root)}", soft_wrap=True, highlight=False)
-        for name in stale:
-            made = programs.write(name)
-            console.print(f"{made.relative_to(root)}", soft_wrap=True, highlight=False)
+
+
+def say_made(file: Path, root: Path) -> None:
+    """Say which file has been made."""
+    console.print(f"{file.relative_to(root)}", soft_wrap=True, highlight=False)

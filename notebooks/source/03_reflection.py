@@ -30,7 +30,7 @@ from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.formulas import bounce, reflect, scaled_reflection
 from lesson_code.formulas.arithmetic import dot, perpendicular
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 
@@ -57,19 +57,16 @@ check("tangent part", tangent_part, (3, 0))
 check("taken away once: along the wall", incident - normal_part, (3, 0))
 check("taken away twice: the mirror image", reflect(incident, normal), (3, 4))
 
+# %% [markdown]
+# Drag the ring where I begins. **Predict** where R ends when you take (I · N) N away only once.
+# Then break the formula: give N another length than 1. What does the mirror do to the speed?
+
 # %%
-tilted = np.array([np.sin(0.35), np.cos(0.35)])
-incident = np.array([2.0, -4.0])
-outgoing = {
-    "R": (reflect(incident, tilted), style.BLUE, False),
-    "T": (incident - dot(incident, tilted) * tilted, style.GREEN, True),
-}
-fig, ax = style.figure(width=5.4, height=4.4)
-plots.velocity_at_wall(ax, incident, tilted, outgoing)
-show(
-    fig,
-    "A tilted wall with its normal N. The incoming velocity I, the mirror image R, and the "
-    "tangent part T between them along the wall.",
+live(
+    "ch03_reflection/mirror",
+    "A tilted wall with its normal N. The incoming velocity I goes on below the wall; twice the "
+    "normal part leads back up to the mirror image R. You can drag I and change the tilt, how many "
+    "times the normal part is taken away, and the length of N.",
 )
 
 # %% [markdown]
@@ -185,30 +182,14 @@ show(
 # `lesson_code` keeps the variant under its own name, `scaled_reflection`, because programs use
 # it. Now you know what it costs.
 #
-# Move the sliders and compare both rules. Where do they agree?
+# Drag I, move the sliders and compare both rules. Where do they agree?
 
 
 # %%
-def draw_bounce(tilt, restitution):
-    angle = np.radians(tilt)
-    n = np.array([np.sin(angle), np.cos(angle)])
-    v = np.array([3.0, -3.0])
-    outgoing = {
-        "bounce": (bounce(v, n, restitution), style.BLUE, False),
-        "e R": (scaled_reflection(v, n, restitution), style.VERMILION, True),
-    }
-    fig, ax = style.figure(width=5.4, height=4.4)
-    plots.velocity_at_wall(ax, v, n, outgoing)
-    return fig
-
-
-# %%
-explore(
-    draw_bounce,
+live(
+    "ch03_reflection/bounce",
     "A ball comes in at 45 degrees on a level wall, e = 0.5. The bounce leaves flat along the "
-    "wall; e R leaves at 45 degrees and slower. The sliders tilt the wall and change e.",
-    tilt=Slider("tilt of the wall, degrees", -40, 40, 0, step=1),
-    restitution=Slider("restitution e", 0, 1, 0.5, step=0.05),
+    "wall; e R leaves at 45 degrees and slower. You can drag I, tilt the wall and change e.",
 )
 
 # %% [markdown]

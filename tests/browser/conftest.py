@@ -16,7 +16,9 @@ import pytest
 from lesson_code.course.notebooks.server import ServerError
 from lesson_code.course.site.build import MissingToolsError, build
 
-from .in_browser import JupyterLab, NoBrowserError, chromium, jupyterlab
+from lesson_code.view.browser.chromium import NoBrowserError, chromium
+
+from .in_browser import JupyterLab, jupyterlab
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, ConsoleMessage, Page, Request

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import os
-import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -17,9 +15,6 @@ from lesson_code.course.notebooks import server
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
-
-NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
-"""What the browser may be called on this machine."""
 
 SETTINGS: dict[str, dict[str, Any]] = {
     # All cells stand in the page, also those that are not in sight.
@@ -40,43 +35,6 @@ ALL_HAVE_RUN = r"""() => {
     return prompts.length && prompts.every((prompt) => /\[\d+\]/.test(prompt.textContent));
 }"""
 """In the page: whether every prompt holds a number, and none is empty or a star."""
-
-
-class NoBrowserError(RuntimeError):
-    """Playwright or Chromium is not installed; the message says what to do."""
-
-
-def browser_path() -> str:
-    """Return where Chromium is.
-
-    Raises
-    ------
-    NoBrowserError
-        It is not there, or Playwright is not installed.
-    """
-    if importlib.util.find_spec("playwright") is None:
-        raise NoBrowserError("Playwright is not installed: pip install -e '.[browser]'")
-    for name in NAMES:
-        if found := shutil.which(name):
-            return found
-    raise NoBrowserError("Chromium is not installed: apt-get install chromium, for example")
-
-
-@contextmanager
-def chromium() -> Iterator[Browser]:
-    """Start Chromium without a window, and close it afterwards."""
-    path = browser_path()
-    from playwright.sync_api import sync_playwright
-
-    as_root = hasattr(os, "geteuid") and os.geteuid() == 0
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=path, args=["--no-sandbox"] if as_root else []
-        )
-        try:
-            yield browser
-        finally:
-            browser.close()
 
 
 @contextmanager
