@@ -15,7 +15,6 @@ import pytest
 
 from lesson_code.course.notebooks.server import ServerError
 from lesson_code.course.site.build import MissingToolsError, build
-
 from lesson_code.view.browser.chromium import NoBrowserError, chromium
 
 from .in_browser import JupyterLab, jupyterlab

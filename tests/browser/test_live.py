@@ -1,0 +1,159 @@
+"""Every live figure in Chromium: what it draws, and that it answers to pointer, keys and numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from lesson_code.view.browser import stills
+from lesson_code.view.browser.live import file_of, html_of
+
+from .test_pages import violations_in
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Locator, Page
+
+FIGURES = stills.names()
+FIGURE = "ch03_reflection/bounce"
+NONSENSE = ("NaN", "Infinity", "undefined", "null")
+
+SHEET = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Figure</title>
+<body style="background: {background}; color: {ink}"><main><h1>Figure</h1>{figure}</main>"""
+
+
+def opened(page: Page, folder: Path, figure: str, scheme: Any = "light") -> Locator:
+    """Open a page that holds a figure, from a folder, and return the figure once it is alive."""
+    still = file_of(figure).with_suffix(".svg").read_text("utf-8")
+    colors = {"background": "#fff", "ink": "#222"}
+    if scheme == "dark":
+        colors = {"background": "#131416", "ink": "#ddd"}
+    file = folder / "figure.html"
+    file.write_text(SHEET.format(figure=html_of(figure, "A figure.", still), **colors), "utf-8")
+    page.goto(file.as_uri())
+    page.locator("figure[data-ready]").wait_for()
+    return page.locator("figure[data-ready]")
+
+
+def seen(figure: Locator) -> tuple[str, str]:
+    """Return what a figure draws and says, and hold it to be drawn without nonsense."""
+    drawing = figure.locator("svg > g").first.inner_html()
+    words = figure.locator("p").first.inner_text()
+    assert drawing and words
+    assert not any(word in drawing + words for word in NONSENSE)
+    assert figure.locator("svg").get_attribute("aria-label") == words
+    return drawing, words
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_figure_draws_what_its_still_picture_shows(figure: str) -> None:
+    """A reader without scripts sees how it starts."""
+    assert stills.drawn(figure) == file_of(figure).with_suffix(".svg").read_text("utf-8")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("figure", FIGURES)
+def test_figure_passes_axe_and_has_no_errors(
+    page: Page, faults: list[str], tmp_path: Path, figure: str, scheme: str
+) -> None:
+    """Its controls have names, its words contrast enough."""
+    opened(page, tmp_path, figure, scheme)
+    assert violations_in(page) == []
+    assert faults == []
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_figure_answers_to_each_slider_up_to_its_ends(
+    page: Page, faults: list[str], tmp_path: Path, figure: str
+) -> None:
+    """By keyboard: End and Home. Somewhere on the way the picture or the words change."""
+    live = opened(page, tmp_path, figure)
+    start = seen(live)
+    for slider in live.locator("input[type=range]").all():
+        slider.focus()
+        shown = []
+        for key in ("End", "Home"):
+            page.keyboard.press(key)
+            shown.append(seen(live))
+        assert {*shown} - {start}, slider.get_attribute("aria-label")
+        live.get_by_role("button", name="Start again").click()
+        assert seen(live) == start
+    assert faults == []
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_figure_at_all_ends_at_once_draws_no_nonsense(
+    page: Page, faults: list[str], tmp_path: Path, figure: str
+) -> None:
+    """All sliders at their least, at their most, and in turn."""
+    live = opened(page, tmp_path, figure)
+    sliders = live.locator("input[type=range]").all()
+    for keys in (["Home"], ["End"], ["Home", "End"], ["End", "Home"]):
+        for k, slider in enumerate(sliders):
+            slider.focus()
+            page.keyboard.press(keys[k % len(keys)])
+        seen(live)
+    assert faults == []
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_points_of_a_figure_move_by_key_and_by_pointer(
+    page: Page, faults: list[str], tmp_path: Path, figure: str
+) -> None:
+    """While they are dragged, not after."""
+    live = opened(page, tmp_path, figure)
+    for handle in live.locator(".handle").all():
+        start = seen(live)
+        handle.focus()
+        said = handle.get_attribute("aria-valuetext")
+        for key in ("ArrowLeft", "ArrowDown"):
+            page.keyboard.press(key)
+        assert handle.get_attribute("aria-valuetext") != said
+        assert seen(live) != start
+        box = handle.bounding_box()
+        assert box
+        middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        by_key = seen(live)
+        page.mouse.move(*middle)
+        page.mouse.down()
+        page.mouse.move(middle[0] + 25, middle[1] + 20)
+        assert seen(live) != by_key
+        page.mouse.up()
+        dropped = seen(live)
+        page.mouse.move(middle[0] + 90, middle[1])
+        assert seen(live) == dropped
+    assert faults == []
+
+
+def test_number_that_is_typed_in_is_taken_as_it_is(page: Page, tmp_path: Path) -> None:
+    """Though it lies between two steps of the slider; one out of range is put right at the end."""
+    live = opened(page, tmp_path, FIGURE)
+    box = live.get_by_role("spinbutton", name="restitution e, as a number")
+    box.fill("0.123")
+    assert "out at 3.02 m/s by the bounce" in seen(live)[1]  # |(3, .123 * 3)|
+    box.fill("7")
+    assert "out at 3.02 m/s" in seen(live)[1]
+    box.blur()
+    assert box.input_value() == "0.123"
+
+
+def test_words_are_read_out_once_the_figure_rests(page: Page, tmp_path: Path) -> None:
+    """Not at each of the many states that it goes through."""
+    live = opened(page, tmp_path, FIGURE)
+    slider = live.get_by_role("slider", name="restitution e")
+    slider.focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowLeft")
+    status = live.get_by_role("status")
+    status.get_by_text(seen(live)[1]).wait_for()
+    assert slider.get_attribute("aria-valuetext") == "0.25"
+
+
+def test_figure_is_a_picture_where_no_script_runs(page: Page, tmp_path: Path) -> None:
+    """With its text."""
+    still = file_of(FIGURE).with_suffix(".svg").read_text("utf-8")
+    page.set_content(html_of(FIGURE, "A wall.", still).split("<script")[0])
+    image = page.get_by_role("img", name="A wall.")
+    assert image.evaluate("image => image.naturalWidth") > 300
