@@ -26,6 +26,9 @@ CHAPTERS = [
 ANSWERED = 20_000
 """ms: a figure is drawn anew and an answer judged within a second, if the machine is idle."""
 
+FIGURE = ".widget-slider, figure[data-ready] input[type=range]"
+"""A figure that moves: one that asks the kernel, or one that is alive by itself."""
+
 PICTURE = "output => (output.querySelector('img') || output.querySelector('svg')).outerHTML"
 """In the page: what an output shows."""
 
@@ -59,8 +62,8 @@ def test_notebook_runs_from_top_to_bottom(chapter: LabNotebook) -> None:
 
 def test_slider_moved_by_a_key_draws_the_figure_anew(chapter: LabNotebook) -> None:
     """An arrow key moves a slider by a step, and the picture with it is another one."""
-    output = output_with(chapter.page, ".widget-slider")
-    slider = output.locator(".noUi-handle").first
+    output = output_with(chapter.page, f":is({FIGURE})")
+    slider = output.locator(".noUi-handle, input[type=range]").first
     before = output.evaluate(PICTURE)
     slider.focus()
     chapter.page.keyboard.press("ArrowLeft")
@@ -70,6 +73,27 @@ def test_slider_moved_by_a_key_draws_the_figure_anew(chapter: LabNotebook) -> No
         arg=[output.element_handle(), before],
         timeout=ANSWERED,
     )
+
+
+def test_live_figure_needs_no_kernel_once_it_is_saved(browser: Browser, lab: JupyterLab) -> None:
+    """The notebook is run and saved, its kernel ended, and opened again: the figure answers."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    notebook = lab.open(page, "notebooks/03_reflection.ipynb")
+    notebook.run_all()
+    page.keyboard.press("Control+S")
+    page.locator(".jp-Notebook[data-jp-dirty=true]").wait_for(state="detached", timeout=ANSWERED)
+    lab.end_kernels(page)
+    page.close()
+
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    lab.open(page, "notebooks/03_reflection.ipynb")
+    lab.end_kernels(page)
+    figure = page.locator("figure[data-ready]").first
+    before = figure.evaluate(PICTURE)
+    figure.locator("input[type=range]").first.focus()
+    page.keyboard.press("ArrowLeft")
+    assert figure.evaluate(PICTURE) != before
+    page.close()
 
 
 def test_quiz_gives_the_feedback_to_the_answer_that_was_clicked(
