@@ -14,9 +14,14 @@ import tiers
 from every_scene import DT, SCENES
 
 from lesson_code import Body, Circle, MixingRule, Scene
-from lesson_code.engine.compiled import as_arrays, program_of
+from lesson_code.engine.compiled import as_arrays
 from lesson_code.engine.compiled.arrays import row_kinds
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.choice import names_used
+from lesson_code.engine.event_driven import ExactSolver
+from lesson_code.engine.event_driven.rows import Tables
+from lesson_code.engine.event_driven.solver import why_not
+from lesson_code.engine.event_driven.tables import exact_arrays_of
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.formulas.validation import (
@@ -358,10 +363,14 @@ def test_scene_that_cannot_go_on_is_refused_in_the_words_of_python(
     assert in_page(page, solver, lines, tables, 2 * STEPS) == str(refused.value)
 
 
-@pytest.mark.parametrize("solver", STEPPED)
-def test_rows_in_a_page_have_the_fields_and_numbers_of_numpy(page: Page, solver: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "tables"),
+    [*((name, World) for name in STEPPED), ("exact", Tables), ("geometry", Pair)],
+)
+def test_rows_in_a_page_have_the_fields_and_numbers_of_numpy(
+    page: Page, name: str, tables: type
+) -> None:
     """Each field of each table is written in the page and read by NumPy, and begins as there."""
-    source = source_of(solver)
     lines = """
         const world = await load(program_bytes);
         const memory = () => world.exports.memory.buffer;
@@ -376,11 +385,74 @@ def test_rows_in_a_page_have_the_fields_and_numbers_of_numpy(page: Page, solver:
             return [table.name, text(memory().slice(table.address, end))];
         });
     """
-    got = dict(in_page(page, solver, lines))
-    kinds = row_kinds(World)
-    for table in program_of(source, "advance", World).layout:
+    got = dict(in_page(page, name, lines))
+    kinds = row_kinds(tables)
+    for table in next(iter(programs.program(name).entries.values())).layout:
         written, fresh = np.frombuffer(got[table.name].encode("latin-1"), table.dtype)
-        for k, name in enumerate(table.dtype.names or ()):
-            is_flag = table.dtype[name] == np.bool_
-            assert written[name] == (k % 2 == 0 if is_flag else k + 1), (table.name, name)
-            assert fresh[name] == getattr(kinds[table.name](), name), (table.name, name)
+        for k, field in enumerate(table.dtype.names or ()):
+            is_flag = table.dtype[field] == np.bool_
+            assert written[field] == (k % 2 == 0 if is_flag else k + 1), (table.name, field)
+            assert fresh[field] == getattr(kinds[table.name](), field), (table.name, field)
+
+
+# The exact solver
+
+SECONDS = 2.0
+MOMENTS = np.linspace(0.0, SECONDS, 5)
+EXACT = {name: build for name, build in SCENES.items() if not why_not(build())}
+
+GO_ON = """
+    const [tables, until, moments] = given;
+    const world = await load(program_bytes);
+    for (const table of world.tables) {
+        const [rows, content] = tables[table.name];
+        table.resize(rows);
+        new Uint8Array(world.exports.memory.buffer, table.address).set(bytes(content));
+    }
+    const discs = Array.from({ length: world.discs.length }, (_, k) => k);
+    world.moments.resize(moments.length);
+    moments.forEach((time, k) => (world.moments.at(k).time = time));
+    world.frames.resize(moments.length * discs.length);
+    world.state.moments = moments.length;
+    const impulses = [];
+    try {
+        world.advanceTo(until, (record, count) => {
+            for (let k = 0; k < count; k++) {
+                const row = record.at(k);
+                for (const field in row) if (field !== "place") impulses.push(row[field]);
+            }
+        });
+    } catch (error) {
+        return [error.message, "", ""];
+    }
+    const frames = Array.from({ length: world.frames.length }, (_, k) => world.frames.at(k));
+    const states = frames.flatMap(({ x, y, angle, vx, vy, w }) => [x, y, angle, vx, vy, w]);
+    return ["", text(Float64Array.from(states).buffer), text(Float64Array.from(impulses).buffer)];
+"""
+"""Lets a world go on, and returns an error's words, the states at all moments, and impulses."""
+
+
+@pytest.mark.one_in(6)
+@pytest.mark.parametrize("build", EXACT.values(), ids=EXACT)
+def test_exact_solver_in_a_page_has_the_bits_of_python(
+    page: Page, build: Callable[[], Scene]
+) -> None:
+    """All states and impulses; Python leaves out what a scene does not need, so 0 may be -0."""
+    scene = build()
+    run = ExactSolver(scene, combine=MixingRule())
+    has_grid = "broad_phase" in names_used(run.effects)
+    source = programs.program("exact").entries["advance"].source
+    start = as_arrays(exact_arrays_of(scene, MixingRule(), has_grid), source)
+    tables = {
+        name: [len(np.atleast_1d(table)), as_text(np.asarray(table).tobytes())]
+        for name, table in start._asdict().items()
+    }
+    error, states, impulses = in_page(page, "exact", GO_ON, tables, SECONDS, MOMENTS.tolist())
+    if error:
+        with pytest.raises(RuntimeError, match=error.partition(" at ")[0]):
+            run.advance(SECONDS)
+        return
+    expected = np.concatenate([*run.states_at(MOMENTS)])[:, scene.columns.is_free]
+    assert (np.frombuffer(states.encode("latin-1")) + 0.0).tobytes() == (expected + 0.0).tobytes()
+    got = np.frombuffer(impulses.encode("latin-1")).reshape(-1, 10)
+    assert (got + 0.0).tobytes() == (run.events() + 0.0).tobytes()

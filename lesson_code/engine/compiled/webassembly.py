@@ -15,6 +15,7 @@ from __future__ import annotations
 import ast
 import hashlib
 import json
+import math
 import os
 import pickle
 import platform
@@ -23,7 +24,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, fields, replace
 from importlib import metadata
 from inspect import Parameter, signature, unwrap
 from pathlib import Path
@@ -72,6 +73,10 @@ class WebProgram:
 
     entries: Mapping[str, Program]
     about: Mapping[str, Any]
+
+    def telling(self, **more: Any) -> WebProgram:
+        """Return the program with more that the page has to know."""
+        return replace(self, about={**self.about, **more})
 
     @property
     def fingerprint(self) -> str:
@@ -137,7 +142,7 @@ def _starts(row: Any) -> dict[str, list[Any]]:
 
 def _number(value: Any) -> Any:
     """Return a number, or its name in JavaScript, where JSON has none for it."""
-    return "Infinity" if value == float("inf") else value
+    return {math.inf: "Infinity", -math.inf: "-Infinity"}.get(value, value)
 
 
 # Formulas
@@ -328,7 +333,7 @@ def _linked(code: bytes, entries: list[str]) -> bytes:
 def _section(program: WebProgram) -> bytes:
     """Return the section in which a module says what it was made of."""
     about = {"sources": program.fingerprint, "makers": makers(), **program.about}
-    content = json.dumps(about, separators=(",", ":")).encode()
+    content = json.dumps(about, separators=(",", ":"), allow_nan=False).encode()
     named = _number_as_bytes(len(SECTION)) + SECTION.encode() + content
     return bytes([CUSTOM]) + _number_as_bytes(len(named)) + named
 

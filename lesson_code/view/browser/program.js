@@ -78,6 +78,28 @@ class Program {
     this.hand(take);
   }
 
+  /** Go on until a time, from event to event, and note the states of all discs at the moments
+   *  before it. Returns whether a collision has stopped it, as state.stops_at_collision asks. */
+  advanceTo(until, take = () => {}) {
+    const { state, impulses } = this;
+    const { stops, events_a_call, record_rows } = this.about.events;
+    state.until = Math.min(until, Number.MAX_VALUE);
+    for (;;) {
+      const stop = this.run("advance");
+      if (stop === stops.NO_END)
+        throw new Error(`the exact solver finds no end of the collisions at ${state.now} s`);
+      if (stop === stops.NO_ORDER)
+        throw new Error(`the exact solver finds no order of two collisions at ${state.now} s`);
+      if (stop === stops.PAUSE) {
+        state.events_left = events_a_call;
+        continue;
+      }
+      this.hand(take);
+      if (stop !== stops.RECORD_FULL) return stop === stops.COLLISION;
+      impulses.resize(Math.min(2 * impulses.length + 1, record_rows));
+    }
+  }
+
   hand(take) {
     if (this.state.impulse_count > 0) take(this.impulses, this.state.impulse_count);
     this.state.impulse_count = 0;

@@ -6,7 +6,6 @@ them by the rules of :mod:`lesson_code.engine.core.capacity`, which the program 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from lesson_code.engine.compiled.webassembly import WebProgram, table_program
@@ -30,7 +29,7 @@ def pipeline_of(solver: Solver) -> Pipeline:
 def stepped_program(solver: Solver) -> WebProgram:
     """Return the program of a solver."""
     program = table_program(World, advance, pipeline=pipeline_of(solver))
-    return replace(program, about={**program.about, "capacity": capacity_rules()})
+    return program.telling(capacity=capacity_rules())
 
 
 def capacity_rules() -> dict[str, Any]:
