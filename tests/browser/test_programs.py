@@ -50,7 +50,6 @@ from lesson_code.view.browser.stepping import pipeline_of
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
-MODULE = Path(programs.FOLDER).with_name("program.js")
 STEPPED = [name for name in programs.names() if "capacity" in programs.program(name).about]
 """The programs that make steps: each has the name of its solver."""
 
@@ -114,7 +113,7 @@ MAKE_STEPS = """
 
 def in_page(page: Page, name: str, lines: str, *given: Any) -> Any:
     """Run lines in a page, which load a program by its name."""
-    files = MODULE.read_bytes(), programs.file_of(name).read_bytes()
+    files = programs.LOADER.read_bytes(), programs.file_of(name).read_bytes()
     return page.evaluate(PAGE.replace("LINES", lines), [*map(as_text, files), *given])
 
 
@@ -163,7 +162,6 @@ def numbers_of(value: Any) -> list[float]:
     return np.ravel(value).tolist()
 
 
-@pytest.mark.browser
 @pytest.mark.one_in(7)
 @pytest.mark.parametrize("name", with_doors())
 def test_formula_in_a_page_has_the_bits_of_python(page: Page, name: str) -> None:
@@ -185,7 +183,6 @@ def test_formula_in_a_page_has_the_bits_of_python(page: Page, name: str) -> None
     assert results.tobytes() == np.array(expected).tobytes()
 
 
-@pytest.mark.browser
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -205,6 +202,24 @@ def test_call_with_a_wrong_argument_is_refused_by_name(page: Page, call: str, wo
     lines = f"const lesson = await load(program_bytes); try {{ lesson.{call}; }}"
     caught = " catch (error) { return error.message; }"
     assert in_page(page, "formulas", lines + caught) == words
+
+
+def test_page_opened_from_a_folder_has_its_program_in_it(
+    page: Page, faults: list[str], tmp_path: Path
+) -> None:
+    """Nothing is asked for, and a second program of the page has a memory of its own."""
+    lines = """
+        const [lesson, other] = [await open_program(), await open_program()];
+        const reflected = lesson.reflect([3, -4], [0, 1]);
+        document.body.textContent = [reflected, other.disc_inertia(4, 0.5)].flat().join(" ");
+    """
+    script = programs.script_with("formulas", lines)
+    html = f'<!doctype html><title>A page</title><body><script type="module">{script}</script>'
+    file = tmp_path / "page.html"
+    file.write_text(html, encoding="utf-8")
+    page.goto(file.as_uri())
+    page.wait_for_function("document.body.textContent === '3 4 0.5'")
+    assert faults == []
 
 
 # Geometry
@@ -246,6 +261,30 @@ def shape_drawn(rng: np.random.Generator, corners: list[Corner]) -> ShapeRow:
     moves = {"x": x, "y": y, "angle": angle, "vx": vx, "vy": vy, "w": w}
     reach = {"radius": radius, "bounding_radius": size + radius * (count > 0)}
     return ShapeRow(**moves, **reach, first_corner=first, corner_count=count)
+
+
+def test_disc_against_a_box_is_seen_in_a_page_as_by_hand(page: Page) -> None:
+    """A box of 2 m and a disc of 0.5 m that reaches 0.25 m into its right side, then moves on."""
+    lines = """
+        const pair = await load(program_bytes);
+        const square = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+        pair.corners.resize(square.length);
+        pair.axes.resize(square.length);
+        square.forEach(([x, y], k) => {
+            pair.corners.at(k).local_x = x;
+            pair.corners.at(k).local_y = y;
+        });
+        Object.assign(pair.a, { corner_count: 4 });
+        Object.assign(pair.b, { radius: 0.5, x: 1.25 });
+        pair.run("look");
+        const { nx, ny, penetration0 } = pair.manifold;
+        Object.assign(pair.b, { x: 3.5, vx: -4 });
+        pair.found.duration = 1;
+        pair.run("look");
+        pair.run("look_ahead");
+        return [nx, ny, penetration0, pair.manifold.count, pair.found.time];
+    """
+    assert in_page(page, "geometry", lines) == [1, 0, 0.25, 0, 0.5]
 
 
 PAIRS = tiers.share(10_000, one_in=10)

@@ -3,10 +3,12 @@
 //   const p = await load("formulas.wasm");
 //   p.reflect([3, -4], [0, 1]);                    // [3, 4], as in Python
 //
-//   const world = await load("sequential.wasm");   // a program that works on tables of rows
-//   world.bodies.resize(2);
-//   world.bodies.at(0).vx = 1;                     // fields have the names that they have in Python
-//   world.advance(1);                              // a step of the engine
+//   const pair = await load("geometry.wasm");      // a program that works on tables of rows
+//   pair.a.radius = 0.5;                           // fields have the names they have in Python
+//   pair.b.radius = 1;
+//   pair.b.x = 1.25;
+//   pair.run("look");
+//   pair.manifold.penetration0;                    // 0.25
 //
 // A program tells itself what its functions take, and how its tables lie in memory.
 
@@ -65,7 +67,8 @@ class Program {
     return this.view.getFloat64(this.result, true);
   }
 
-  /** Make steps. A record of impulses that is full or complete is handed to `take`, then emptied. */
+  /** Make steps; the tables must be as engine/core/tables.py makes them. The record of impulses is
+   *  handed to `take` when it is full and at the end, and then emptied. */
   advance(steps, take = () => {}) {
     const { state } = this;
     state.steps_left = steps;

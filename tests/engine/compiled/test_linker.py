@@ -33,6 +33,7 @@ from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes.events import balls_at_wall, turning_rod
 from lesson_code.evidence.scenes.gas import gas_of
 from lesson_code.evidence.scenes.speed import bin_of_shapes
+from lesson_code.formulas import elastic_1d
 
 Make = Callable[..., types.ModuleType]
 
@@ -145,6 +146,14 @@ def test_formula_is_taken_without_the_door_that_checks_its_numbers() -> None:
 
 
 # What is worked out
+
+
+def test_equation_that_a_formula_asks_for_by_name_is_taken_too() -> None:
+    """`equation(collide_1d)(...)` skips the door in Python, and is a plain call in a program."""
+    source = link(inspect.unwrap(elastic_1d))
+    assert "    return collide_1d(m1, v1, m2, v2, 1)" in source
+    assert "def mass_fraction(" in source
+    assert "equation" not in source
 
 
 def test_branches_that_cannot_be_reached_disappear(make: Make) -> None:

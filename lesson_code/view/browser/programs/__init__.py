@@ -9,6 +9,7 @@ them.
 
 from __future__ import annotations
 
+import base64
 import pkgutil
 from importlib import import_module
 from pathlib import Path
@@ -16,6 +17,9 @@ from pathlib import Path
 from lesson_code.engine.compiled.webassembly import WebProgram, built, told_by
 
 FOLDER = Path(__file__).parent
+
+LOADER = FOLDER.with_name("program.js")
+"""What loads a program in a page."""
 
 
 def names() -> list[str]:
@@ -41,6 +45,31 @@ def program(name: str) -> WebProgram:
 def file_of(name: str) -> Path:
     """Return where a program lies."""
     return FOLDER / f"{name}.wasm"
+
+
+def script_with(name: str, lines: str) -> str:
+    """Return an ES module in which lines of JavaScript can use a program.
+
+    All of it is in the text, as a page needs it that is opened from a folder, and a widget that
+    stays alive without a kernel: such a page may read no other file.
+
+    Parameters
+    ----------
+    name : str
+        The program.
+    lines : str
+        What uses it: ``open_program()`` there is the promise of a program of its own.
+
+    Examples
+    --------
+    >>> lines = "const lesson = await open_program(); lesson.disc_inertia(4, 0.5);"
+    >>> script_with("formulas", lines).splitlines()[-1] == lines
+    True
+    """
+    code = base64.b64encode(file_of(name).read_bytes()).decode()
+    return f"""{LOADER.read_text("utf-8")}
+const open_program = () => load(Uint8Array.from(atob("{code}"), (byte) => byte.charCodeAt(0)));
+{lines}"""
 
 
 def fault(name: str) -> str:
