@@ -1,4 +1,4 @@
-"""Every live figure in Chromium: what it draws, and that it answers to pointer, keys and numbers."""
+"""Every live figure in Chromium: what it draws, and that it answers to pointer and keys."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ def seen(figure: Locator) -> tuple[str, str]:
     """Return what a figure draws and says, and hold it to be drawn without nonsense."""
     drawing = figure.locator("svg > g").first.inner_html()
     words = figure.locator("p").first.inner_text()
-    assert drawing and words
+    assert drawing
+    assert words
     assert not any(word in drawing + words for word in NONSENSE)
     assert figure.locator("svg").get_attribute("aria-label") == words
     return drawing, words

@@ -15,8 +15,6 @@
 // it is put somewhere. `draw` is called after each change; `lesson` holds the compiled functions
 // of the course (program.js), one pen for each panel follows. Nothing else decides what is seen.
 
-import { load } from "./program.js";
-
 const MARGIN = 14; // pixels between panels
 const TIP = 9; // pixels: the length of an arrow's head
 const QUIET = 400; // ms without a change, after which a screen reader is told what can be seen
@@ -191,8 +189,7 @@ export function sizeOf(figure) {
 }
 
 /** Bring a figure to life where its still picture stands. */
-export async function start(name, figure, program) {
-  const lesson = await load(Uint8Array.from(atob(program), (letter) => letter.charCodeAt(0)));
+export function start(name, figure, lesson) {
   const waiting = `figure[data-live="${name}"]:not([data-ready])`;
   document.querySelectorAll(waiting).forEach((place) => new Live(place, figure, lesson));
 }

@@ -80,7 +80,7 @@ def html_of(figure: str, alt: str, still: str) -> str:
         f'<figure data-live="{name}" style="{colors()}">'
         f'<img alt="{escape(alt)}" style="display:block;max-width:100%;background:#fff" '
         f'src="data:image/svg+xml;base64,{picture}">\n'
-        f'<script type="module">\n{script}start("{name}", shown, lesson);\n</script></figure>'
+        f'<script type="module">\n{script}start("{name}", shown, await open_program());\n</script></figure>'
     )
 
 
@@ -95,16 +95,15 @@ def script_of(figure: str) -> str:
         raise ValueError(
             f"{file_of(figure)} must name its program, such as 'program: \"formulas\"'"
         )
-    lesson = base64.b64encode(programs.file_of(named[1]).read_bytes()).decode()
-    text = "\n".join([_ours("program.js"), _ours("figure.js"), described])
-    text = EXPORT.sub(lambda found: "const shown = " if found[1] else "", IMPORT.sub("", text))
-    return f'{NOTHING.sub("", text)}const lesson = "{lesson}";\n'
+    text = IMPORT.sub("", programs.script_with(named[1], f"{_framework()}\n{described}"))
+    text = EXPORT.sub(lambda found: "const shown = " if found[1] else "", text)
+    return NOTHING.sub("", text)
 
 
 @cache
-def _ours(name: str) -> str:
-    """Return a module of this folder."""
-    return files("lesson_code.view.browser").joinpath(name).read_text("utf-8")
+def _framework() -> str:
+    """Return what brings a figure to life."""
+    return files("lesson_code.view.browser").joinpath("figure.js").read_text("utf-8")
 
 
 def colors() -> str:

@@ -36,7 +36,7 @@ def capacity_rules() -> dict[str, Any]:
     """Return which tables grow when a field of the state wants rows, and by how much.
 
     >>> capacity_rules()["wanted"]["contacts_wanted"]
-    ['contacts', 'static_contacts', 'memory', 'resting']
+    ['contacts', 'visits', 'static_contacts', 'memory', 'resting']
     """
     wanted = [name for name in State.__slots__ if name.endswith("_wanted")]
     return {

@@ -1,4 +1,4 @@
-"""Live figures as HTML: one piece, the same each time, and a still picture for those without scripts.
+"""Live figures as HTML: one piece, the same each time, with a still picture.
 
 What they do is tried in a browser: ``tests/browser/test_live.py``.
 """
