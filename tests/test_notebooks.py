@@ -121,8 +121,9 @@ def test_chapter_has_its_own_quiz(path: Path) -> None:
 
 @chapters
 def test_chapter_has_something_to_move(path: Path) -> None:
-    """At least one figure has sliders."""
-    assert any(re.search(r"^explore\(", c.source, flags=re.MULTILINE) for c in code_cells(path))
+    """At least one figure answers to a hand."""
+    moved = re.compile(r"^(explore|live)\(", re.MULTILINE)
+    assert any(moved.search(c.source) for c in code_cells(path))
 
 
 @chapters

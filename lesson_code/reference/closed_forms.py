@@ -24,7 +24,9 @@ import numpy as np
 from lesson_code.formulas.validation import (
     Number,
     Vector,
+    equation,
     finite,
+    formula,
     non_negative,
     one_vector,
     positive,
@@ -152,6 +154,13 @@ def bounce_times(height: float, restitution: float, count: int, gravity: float) 
     return _fall_time(height, gravity) * (2 * np.cumsum(powers) - 1)
 
 
+def _comes_to_rest(values: dict[str, Any]) -> None:
+    """Refuse a restitution of 1: that ball bounces for ever."""
+    if values["restitution"] == 1:
+        raise ValueError("restitution must be < 1 for a ball that comes to rest, got 1")
+
+
+@formula(together=_comes_to_rest, height=positive, restitution=unit_interval, gravity=positive)
 def rest_time(height: float, restitution: float, gravity: float) -> float:
     """Return when a dropped ball comes to rest, after infinitely many impacts.
 
@@ -182,10 +191,8 @@ def rest_time(height: float, restitution: float, gravity: float) -> float:
     >>> rest_time(height=5, restitution=0.5, gravity=10)
     3.0
     """
-    e = unit_interval("restitution", restitution)
-    if e == 1:
-        raise ValueError(f"restitution must be < 1 for a ball that comes to rest, got {e}")
-    return _fall_time(height, gravity) * float((1 + e) / (1 - e))
+    e = restitution
+    return equation(_fall_time)(height, gravity) * float((1 + e) / (1 - e))
 
 
 def bouncing_ball(times: Number, height: float, restitution: float, gravity: float) -> Any:
@@ -294,9 +301,10 @@ def ball_in_box(
     )
 
 
+@formula(height=positive, gravity=positive)
 def _fall_time(height: float, gravity: float) -> float:
     """Return T = sqrt(2 h / g), the time of the first fall, s."""
-    return float(np.sqrt(2 * positive("height", height) / positive("gravity", gravity)))
+    return float(np.sqrt(2 * height / gravity))
 
 
 def _flight(t: Any, e: float) -> tuple[Any, Any]:

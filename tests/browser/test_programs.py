@@ -150,6 +150,8 @@ def fitting(name: str, values: dict[str, Any], rng: np.random.Generator) -> dict
         values["inv_m_a"] += 1e-3
     if name == "restitution_1d" and values["v1"] == values["v2"]:
         values["v1"] += 1.0
+    if name == "rest_time" and values["restitution"] == 1:
+        values["restitution"] = 0.5
     if "m2" in values and rng.uniform() < 0.1:
         values["m2"] = math.inf
     return values

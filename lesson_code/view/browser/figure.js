@@ -22,7 +22,7 @@ const COLORS = ["blue", "orange", "green", "vermilion", "purple", "sky"]; // of 
 const OURS = { "data-lm-suppress-shortcuts": "true" }; // makes JupyterLab leave the keys to us
 
 /** Write a number with a true minus sign, and decimals as a step has them. */
-function written(value, step) {
+export function written(value, step) {
   const decimals = (String(step).split(".")[1] ?? "").length;
   return value.toFixed(decimals).replace(/^-(0\.?0*)$/, "$1").replace("-", "\u2212");
 }
@@ -103,6 +103,15 @@ class Pen {
     const place = { x: (this.x(x) + shift[0]).toFixed(1), y: (this.y(y) + shift[1]).toFixed(1) };
     const weight = bold ? { "font-weight": "bold" } : {};
     this.put("text", { ...place, "text-anchor": anchor, "font-size": size, ...weight }, words);
+  }
+
+  /** Say below a place, line by line, what lines of some style are: [[name, style], ...]. */
+  legend([x, y], lines) {
+    const at = (right, down) => [x + right / this.scale, y - down / this.scaleY];
+    lines.forEach(([name, style], row) => {
+      this.line([at(0, 18 * row + 10), at(28, 18 * row + 10)], style);
+      this.text(at(36, 18 * row + 14), name, { anchor: "start", size: 13 });
+    });
   }
 
   /** Draw a wall at a place, its unit normal pointing out of it. */

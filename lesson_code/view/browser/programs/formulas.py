@@ -1,4 +1,7 @@
-"""Every equation of ``lesson_code.formulas`` that has a door of its own."""
+"""Every equation of ``lesson_code.formulas`` that has a door of its own, and a few that figures need.
+
+These are products of vectors, which have no door, and a closed form.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,9 @@ from typing import Any
 
 from lesson_code import formulas
 from lesson_code.engine.compiled.webassembly import formula_program
+from lesson_code.formulas.arithmetic import cross, dot
+from lesson_code.formulas.validation import formula, vector
+from lesson_code.reference.closed_forms import rest_time
 
 
 def with_doors() -> dict[str, Callable[..., Any]]:
@@ -17,12 +23,14 @@ def with_doors() -> dict[str, Callable[..., Any]]:
         import_module(f"{formulas.__name__}.{module.name}")
         for module in pkgutil.iter_modules(formulas.__path__)
     ]
-    return {
+    found = {
         name: value
         for module in modules
         for name, value in vars(module).items()
         if hasattr(value, "rules") and value.__module__ == module.__name__
     }
+    products = {product.__name__: formula(a=vector, b=vector)(product) for product in (cross, dot)}
+    return found | products | {"rest_time": rest_time}
 
 
 PROGRAM = formula_program(with_doors())
