@@ -29,9 +29,9 @@ from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import CheckFailedError, check
 from lesson_code.formulas import reflect
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
-from lesson_code.view.matplotlib import diagrams, plots, style
+from lesson_code.view.matplotlib import diagrams, style
 
 # %% [markdown]
 # ## 1 Every collision goes through one pipeline
@@ -107,26 +107,15 @@ check("at a right angle", dot(looking, (0.0, 1.0)), 0.0)
 check("behind", dot(looking, (-2.0, 1.0)) < 0, True)
 
 # %% [markdown]
-# Move the slider. Before you do: at which angles does the dot product change its sign?
-
+# Drag the tip of b round the circle. The thick bar is the dot product: how far b reaches along a.
+# Before you do: at which angles does the dot product change its sign? Where is it largest?
 
 # %%
-def draw_dot_product(angle):
-    a, b = (1.0, 0.0), (np.cos(np.radians(angle)), np.sin(np.radians(angle)))
-    fig, ax = style.figure(width=5.2, height=4.2)
-    plots.arrow(ax, (0, 0), a, "a", style.BLUE, beside=(10, 8))
-    plots.arrow(ax, (0, 0), b, "b", style.VERMILION, dashed=True, beside=(10 * b[0], 10 * b[1]))
-    side = "in front" if dot(a, b) > 1e-9 else "behind" if dot(a, b) < -1e-9 else "beside"
-    ax.set_title(f"a · b = {dot(a, b):+.2f}: b is {side}", fontsize=11)
-    ax.set(xlim=(-1.3, 1.3), ylim=(-1.3, 1.3), aspect="equal", xlabel="x", ylabel="y")
-    return fig
-
-
-explore(
-    draw_dot_product,
-    "Two unit vectors a and b, 60 degrees apart; their dot product is 0.5, so b is in front of a. "
-    "The slider turns b.",
-    angle=Slider("angle of b, degrees", -180, 180, 60, step=5),
+live(
+    "ch00_start_here/dot_product",
+    "Two unit vectors a and b, 60 degrees apart. A thick bar along a, up to below the tip of b, is "
+    "their dot product, 0.5: b is in front of a. Their cross product is 0.866: b lies "
+    "counter-clockwise of a. You can drag the tip of b, or set its angle.",
 )
 
 # %% [markdown]
