@@ -35,7 +35,7 @@ from lesson_code.evidence import check
 from lesson_code.formulas import collide_1d, elastic_1d, inelastic_1d, momentum
 from lesson_code.formulas.restitution import energy_lost_1d
 from lesson_code.formulas.validation import equation
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 
@@ -134,25 +134,19 @@ check("e = 0 sticks", collide_1d(1, 2, 3, -1, 0), inelastic_1d(1, 2, 3, -1))
 check("e = 1 is elastic", collide_1d(1, 2, 3, -1, 1), elastic_1d(1, 2, 3, -1))
 
 # %% [markdown]
-# Move the sliders. **Predict first:** for which mass of cart 2 does cart 1 stop dead when e = 1
-# and cart 2 is at rest? And when e = 0.5?
-
+# Here both carts are seen from the ground and from the centre of mass. Drag the tips of the
+# velocities, or set numbers. **Predict first:** for which mass of cart 2 does cart 1 stop dead when
+# e = 1 and cart 2 is at rest? And when e = 0.5? Then watch the lower rows: what does e do to a
+# velocity there, and what do the masses do?
 
 # %%
-def draw_collision(mass_2, velocity_2, restitution):
-    before, after = (2.0, velocity_2), collide_1d(1, 2.0, mass_2, velocity_2, restitution)
-    fig, ax = style.figure(width=6.4, height=2.8)
-    plots.carts(ax, 1, [before, after], mass_2, ["before", f"after, e = {restitution:.2f}"])
-    return fig
-
-
-explore(
-    draw_collision,
-    "Cart 1 (1 kg) at +2 m/s meets cart 2 (1 kg) at rest, e = 1: cart 1 stops, cart 2 goes on at "
-    "+2 m/s. The sliders change the second cart's mass and velocity and the restitution.",
-    mass_2=Slider("mass of cart 2, kg", 0.2, 5, 1, step=0.1),
-    velocity_2=Slider("velocity of cart 2, m/s", -3, 1.5, 0, step=0.1),
-    restitution=Slider("restitution e", 0, 1, 1, step=0.05),
+live(
+    "ch01_one_dimension/carts",
+    "Two carts on a track, before and after they meet. Seen from the ground, cart 1 (1 kg) comes "
+    "at +2 m/s and stops; cart 2 (1 kg) was at rest and goes on at +2 m/s. Seen from the centre of "
+    "mass both come at 1 m/s and turn round. Below, the momenta tip to tail reach the same total "
+    "before and after, and the bars of energy are equally long. You can drag the tips of the "
+    "velocities and change both masses and the restitution, which is 1.",
 )
 
 # %% [markdown]
