@@ -32,7 +32,7 @@ from lesson_code.evidence import check
 from lesson_code.formulas import bounce, collide_1d, energy_lost_1d, restitution_1d
 from lesson_code.reference.closed_forms import bounce_heights, bouncing_ball, rest_time
 from lesson_code.reference.pymunk_reference import drop_onto_floor
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 
@@ -110,6 +110,18 @@ check("the first bounce", heights[0], 0.64, tolerance=1e-12)
 check("the fifth bounce", heights[4], 0.8**10, tolerance=1e-12)
 
 # %% [markdown]
+# Read the other way, two heights tell e: it is the root of their ratio. So a ruler is enough to
+# measure restitution. **Predict:** a ball is dropped from 1 m and comes back to 0.25 m. What is
+# e? How high must it come back for e = 0.9? Then drag the two balls, or type the heights.
+
+# %%
+live(
+    "ch02_restitution/read_e",
+    "A ball is dropped from 1 m and comes back to 0.64 m. Beside it, two arrows: it hits the floor "
+    "at 4.43 m/s and leaves it at 3.54 m/s, so e = 0.8. You can drag both heights, or set them.",
+)
+
+# %% [markdown]
 # ## 4 Infinitely many bounces end in finite time
 #
 # The first fall takes $t_0 = \sqrt{2h/g}$. Each flight up and down after it takes $2 t_0 e, 2 t_0
@@ -128,30 +140,14 @@ check("the sum of 199 flights", t0 + flights.sum(), rest_time(1.0, 0.8, 9.81), t
 check("the same with g = 10 m/s²", rest_time(1.0, 0.8, 10.0), np.sqrt(0.2) * 9, tolerance=1e-12)
 
 # %% [markdown]
-# Move the slider and watch the time of rest. **Predict:** by how much does T grow from e = 0.8 to
-# e = 0.9?
-
-
-# %%
-def draw_bouncing_ball(restitution):
-    times = np.linspace(0, 5, 2001)
-    fig, ax = style.figure(width=8, height=3.4)
-    heights = bouncing_ball(times, 1.0, restitution, 9.81)
-    plots.curves(ax, {"": (times, heights)}, "time, s", "height, m")
-    ax.set(ylim=(0, 1.05), xlim=(0, 5.9))
-    if restitution < 1 and rest_time(1.0, restitution, 9.81) < 5:
-        rest = rest_time(1.0, restitution, 9.81)
-        ax.axvline(rest, color=style.VERMILION, linestyle="--")
-        ax.text(rest + 0.05, 0.9, f"at rest from {rest:.2f} s", color=style.VERMILION)
-    return fig
-
+# Change e and watch the time of rest. **Predict:** by how much does T grow from e = 0.8 to e = 0.9?
+# And what becomes of T when the ball is dropped from a quarter of the height?
 
 # %%
-explore(
-    draw_bouncing_ball,
+live(
+    "ch02_restitution/bounce_heights",
     "Height of a ball over time, dropped from 1 m with e = 0.8: ever lower arcs, at rest from "
-    "4.06 s. The slider changes e.",
-    restitution=Slider("restitution e", 0, 1, 0.8, step=0.01),
+    "4.06 s. You can change e, and drag the place where the ball is dropped or set its height.",
 )
 
 # %% [markdown]

@@ -125,11 +125,11 @@ class Pen {
     this.line([at(-half, 0), at(half, 0)]);
   }
 
-  /** Draw axes at the left and at the bottom, with numbers and names. */
+  /** Draw axes at the left and at the bottom, with numbers and names; one without a name has no numbers. */
   axes(nameX, nameY) {
     const [west, east, south, north] = this.view;
     this.line([[west, north], [west, south], [east, south]], { thick: 1, color: "grey" });
-    for (const value of ticks(west, east))
+    for (const value of nameX ? ticks(west, east) : [])
       this.text([value, south], written(value, tickStep(west, east)), { shift: [0, 17], size: 12 });
     for (const value of ticks(south, north))
       this.text([west, value], written(value, tickStep(south, north)), { shift: [-6, 4], anchor: "end", size: 12 });
