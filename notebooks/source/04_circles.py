@@ -38,7 +38,7 @@ from lesson_code.formulas.arithmetic import dot, perpendicular
 from lesson_code.formulas.smooth_pair import separating_push, smooth_impulse
 from lesson_code.formulas.validation import equation
 from lesson_code.geometry import Circle, collide
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, scene_plots, style
 
@@ -162,38 +162,18 @@ impulse = smooth_impulse((3, -4), 2, (0, 0), inf, (0, -1), 0.5)
 check("against a fixed disc: chapter 03", np.array([3, -4]) - impulse / 2, (3, 2))
 
 # %% [markdown]
-# Move the sliders. Disc 2 is at rest, and disc 1 comes from the left. Its path misses the centre
-# of disc 2 by a part of $r_1 + r_2$. In which direction does disc 2 always leave?
-
-
-# %%
-def oblique_hit(offset, restitution, mass_2):
-    n = np.array([np.sqrt(1 - offset**2), -offset])  # disc 1 comes along x
-    v1, v2 = np.array([3.0, 0.0]), np.zeros(2)
-    impulse = smooth_impulse(v1, 1.0, v2, mass_2, n, restitution)
-    return n, (v1, v2), (v1 - impulse / 1.0, v2 + impulse / mass_2)
-
+# Disc 2 is at rest, and disc 1 comes from the left at 3 m/s. Its path misses the centre of disc 2
+# by the offset, a part of $r_1 + r_2$. Drag disc 2 to where it is to be hit. In which direction
+# does it always leave? **Predict** the angle between the two ways for equal masses and e = 1, and
+# whether it grows or shrinks when disc 2 becomes heavier, or e smaller.
 
 # %%
-def draw_hit(offset, restitution, mass_2):
-    n, before, after = oblique_hit(offset, restitution, mass_2)
-    left = kinetic_energy([1.0, mass_2], after) / kinetic_energy([1.0, mass_2], before)
-    fig, ax = style.figure(width=6.4, height=5)
-    figures.hit(ax, n, (0.5, 0.5 * np.sqrt(mass_2)), before, after)
-    ax.set(xlim=(-2.4, 2.6), ylim=(-1.7, 1.7))
-    ax.set_title(f"energy left: {left:.2f}", y=1.08, fontsize=11)
-    return fig
-
-
-# %%
-explore(
-    draw_hit,
+live(
+    "ch04_circles/oblique_hit",
     "Disc 1 comes from the left and hits disc 2, which is at rest, half a radius sum off its "
-    "centre. Disc 2 leaves along the line of the centres, disc 1 at a right angle to it. The "
-    "sliders change the offset, the restitution and the mass of disc 2.",
-    offset=Slider("offset, in r1 + r2", -0.95, 0.95, 0.5, step=0.05),
-    restitution=Slider("restitution e", 0, 1, 1, step=0.05),
-    mass_2=Slider("mass of disc 2, kg", 0.5, 4, 1, step=0.5),
+    "centre. Disc 2 leaves along the line of the centres, disc 1 at a right angle to it, and no "
+    "energy is lost. You can drag disc 2 round disc 1, and change the offset, both masses and the "
+    "restitution.",
 )
 
 # %% [markdown]
@@ -202,8 +182,11 @@ explore(
 # plays pool uses this to guess where the cue ball goes.
 
 # %%
+v1, v2 = np.array([3.0, 0.0]), np.zeros(2)
 for offset in (0.1, 0.5, 0.9):
-    n, _, (w1, w2) = oblique_hit(offset, restitution=1.0, mass_2=1.0)
+    n = np.array([np.sqrt(1 - offset**2), offset])
+    impulse = smooth_impulse(v1, 1.0, v2, 1.0, n, restitution=1.0)
+    w1, w2 = v1 - impulse, v2 + impulse
     check(f"offset {offset}: the velocities are at a right angle", dot(w1, w2), 0, 1e-12)
     check("  ball 2 leaves along n", dot(w2, perpendicular(n)), 0, 1e-12)
 

@@ -1,4 +1,4 @@
-"""Every equation of ``lesson_code.formulas`` that has a door of its own, and a few that figures need.
+"""Every equation of ``lesson_code.formulas`` that has a door, and a few others that figures need.
 
 These are products of vectors, which have no door, and a closed form.
 """
