@@ -36,7 +36,7 @@ from lesson_code.evidence.scenes import slopes, spinning_discs
 from lesson_code.evidence.scenes.spinning_discs import Disc, hit, normal_between
 from lesson_code.formulas import contact_velocity, effective_mass, friction_impulse
 from lesson_code.reference import impact_closed_forms, rigid_body_closed_forms
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, scene_plots, style
 from lesson_code.view.svg.animation import animate
@@ -270,31 +270,17 @@ check("no pressure, no friction", friction_impulse(3.0, 2.0, friction=0.5, norma
 # height. On the right is the friction impulse over the sliding: a ramp, with a floor and a
 # ceiling.
 #
-# **Predict, then move the sliders:** at which μ does the contact begin to stick when it slides at
-# 3 m/s?
-
-
-# %%
-def draw_friction(friction, sliding):
-    jn, m_eff = 4.0, 1.0
-    jt = friction_impulse(sliding, m_eff, friction, jn)
-    fig, (left, right) = style.figure(2, width=9.5, height=3.6)
-    figures.friction_cone(left, jn, -m_eff * sliding, jt, friction)
-    speeds = np.linspace(-6, 6, 241)
-    ramp = friction_impulse(speeds, m_eff, friction, jn)
-    figures.clamped_ramp(right, speeds, ramp, sliding, jt)
-    right.set_title("it sticks" if abs(jt) < friction * jn else "it slides on", fontsize=11)
-    return fig
-
+# **Predict, then try:** at which μ does the contact begin to stick when it slides at 3 m/s, pressed
+# with 4 N s? The effective mass is 1 kg. And when it is pressed with 6 N s? Drag the tip of the
+# dashed arrow into the cone and out of it.
 
 # %%
-explore(
-    draw_friction,
+live(
+    "ch05_spin_and_friction/friction_cone",
     "Left: the cone of Coulomb's limit for mu = 0.5. The dashed arrow that would stop a sliding of "
-    "3 m/s points out of it; the impulse ends on its edge. Right: the friction impulse over the "
-    "sliding, a ramp between two limits. The sliders change mu and the sliding.",
-    friction=Slider("friction coefficient mu", 0, 1.5, 0.5, step=0.05),
-    sliding=Slider("sliding, m/s", -6, 6, 3, step=0.25),
+    "3 m/s points out of it; the impulse ends on its edge, at 2 N s, and the contact slides on. "
+    "Right: the friction impulse over the sliding, a ramp between two limits. You can drag the tip "
+    "of the dashed arrow and the sliding, and change mu, the sliding and the normal impulse.",
 )
 
 # %% [markdown]

@@ -1,4 +1,4 @@
-"""The figures of chapter 05: points of a spinning body, and impulses under Coulomb's limit."""
+"""The figures of chapter 05: points of a spinning body, triangles, and measured points."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
 
 from lesson_code.formulas import contact_velocity
@@ -77,67 +76,6 @@ def fan_of_triangles(ax: Axes, vertices: Any, centre: Point) -> Axes:
     ax.plot(*centre, marker="+", color=style.VERMILION, markersize=12, markeredgewidth=2)
     ax.set_aspect("equal")
     ax.set(xlabel="x, m", ylabel="y, m")
-    return ax
-
-
-def friction_cone(ax: Axes, jn: float, needed: float, jt: float, friction: float) -> Axes:
-    """Draw the impulse of a contact, and the cone that Coulomb's limit allows.
-
-    Parameters
-    ----------
-    ax : Axes
-        Where to draw.
-    jn : float
-        Normal impulse, N s, > 0.
-    needed : float
-        The tangent impulse that would stop the sliding, N s.
-    jt : float
-        The tangent impulse that friction gives, N s.
-    friction : float
-        Friction coefficient mu, >= 0.
-    """
-    top, width = 1.35 * jn, 1.6 * jn
-    cone = np.array([(0, 0), (friction * top, top), (-friction * top, top)])
-    ax.add_patch(Polygon(cone, facecolor=style.SKY, alpha=0.35, edgecolor="none"))
-    for side in (1, -1):
-        ax.plot((0, side * friction * top), (0, top), color=style.BLUE, linewidth=1)
-    ax.plot((-width, width), (jn, jn), color=style.GREY, linestyle=":", linewidth=1)
-    ax.axhline(0, color=style.INK, linewidth=2)
-    arrow(ax, (0, 0), (needed, jn), "", style.VERMILION, dashed=True)
-    arrow(ax, (0, 0), (jt, jn), "", style.INK)
-    ax.set(xlim=(-width, width), ylim=(-0.08 * jn, top))
-    ax.set_aspect("equal")
-    ax.set(xlabel="tangent impulse, N s", ylabel="normal impulse, N s")
-    ax.legend(
-        handles=[
-            Line2D([], [], color=style.VERMILION, linestyle="--", label="would stop the sliding"),
-            Line2D([], [], color=style.INK, label="the impulse"),
-        ],
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=2,
-        frameon=False,
-        fontsize=9,
-    )
-    return ax
-
-
-def clamped_ramp(ax: Axes, sliding: Any, impulses: Any, here: float, impulse: float) -> Axes:
-    """Draw the friction impulse over the sliding velocity, and mark where a contact stands.
-
-    Parameters
-    ----------
-    ax : Axes
-        Where to draw.
-    sliding, impulses : array_like, shape (K,)
-        The curve: sliding velocities, m/s, and the impulses of friction, N s.
-    here, impulse : float
-        The contact's own sliding and impulse.
-    """
-    ax.axhline(0, color=style.GREY, linewidth=0.8)
-    ax.axvline(0, color=style.GREY, linewidth=0.8)
-    curves(ax, {"": (sliding, impulses)}, "sliding before, m/s", "friction impulse, N s")
-    ax.plot(here, impulse, marker="o", markersize=9, color=style.INK)
     return ax
 
 

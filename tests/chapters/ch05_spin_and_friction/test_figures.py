@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from matplotlib.text import Annotation
 
 from lesson_code.chapters.ch05_spin_and_friction import figures as friction_plots
-from lesson_code.formulas import friction_impulse
 from lesson_code.view.matplotlib import style
 
-READABLE: Any = Callable[[Figure], None]
 BOX = [(0.0, 0.0), (1.5, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0)]
 
 
@@ -91,56 +87,6 @@ def test_fan_has_a_line_from_the_centre_to_every_vertex(ax: Axes) -> None:
     assert centre == [[1.5, 1.0]]
     assert isinstance(ax.patches[0], Polygon)
     assert ax.get_aspect() == 1
-
-
-# friction_cone
-
-
-def test_impulse_and_what_was_needed_start_at_the_contact_and_are_as_high(ax: Axes) -> None:
-    """Both have the normal impulse; the one that is cut down ends on the edge of the cone."""
-    assert friction_plots.friction_cone(ax, jn=4.0, needed=-3.0, jt=-2.0, friction=0.5) is ax
-    assert arrows(ax) == [((0, 0), (-3.0, 4.0)), ((0, 0), (-2.0, 4.0))]
-    right_edge, left_edge = (np.array(line) for line in data(ax)[:2])
-    assert right_edge[1] == pytest.approx([0.5 * right_edge[1][1], right_edge[1][1]])
-    assert left_edge[1] == pytest.approx([-0.5 * left_edge[1][1], left_edge[1][1]])
-    assert left_edge[1][1] > 4.0
-
-
-def test_needed_impulse_is_dashed_and_named(ax: Axes) -> None:
-    """The second cue beside colour, in the figure and in the legend."""
-    friction_plots.friction_cone(ax, 4.0, -3.0, -2.0, 0.5)
-    needed, given = (text.arrow_patch for text in ax.texts)  # type: ignore[attr-defined]
-    assert needed.get_linestyle() != "solid"
-    assert given.get_linestyle() == "solid"
-    names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert names == ["would stop the sliding", "the impulse"]
-
-
-@pytest.mark.parametrize("friction", [0.0, 0.5, 1.5])
-@pytest.mark.parametrize("sliding", [-6.0, 0.0, 3.0, 6.0])
-def test_no_word_of_chapter_05s_sliders_is_cut_or_written_over_another(
-    assert_texts_are_clear: READABLE, friction: float, sliding: float
-) -> None:
-    """At all corners of the sliders."""
-    figure, (left, right) = style.figure(2, width=9.5, height=3.6)
-    jt = friction_impulse(sliding, 1.0, friction, 4.0)
-    friction_plots.friction_cone(left, 4.0, -sliding, jt, friction)
-    speeds = np.linspace(-6, 6, 241)
-    ramp = friction_impulse(speeds, 1.0, friction, 4.0)
-    friction_plots.clamped_ramp(right, speeds, ramp, sliding, jt)
-    assert_texts_are_clear(figure)
-
-
-# clamped_ramp
-
-
-def test_ramp_is_drawn_with_the_contact_on_it(ax: Axes) -> None:
-    """The curve, and one dot where the contact stands."""
-    assert friction_plots.clamped_ramp(ax, [-1, 0, 1], [1, 0, -1], 0.5, -0.5) is ax
-    *_, curve, dot = data(ax)
-    assert curve == [[-1, 1], [0, 0], [1, -1]]
-    assert dot == [[0.5, -0.5]]
-    assert ("m/s" in ax.get_xlabel(), "N s" in ax.get_ylabel()) == (True, True)
 
 
 # measured_on_curves
