@@ -19,6 +19,7 @@ export default {
       label: "Tip of b: arrow keys move it",
       at: ({ angle }) => along(angle),
       moved: (_, [x, y]) => ({ angle: Math.round((Math.atan2(y, x) * 180) / Math.PI) }),
+      says: ({ angle }) => `${angle} degrees`,
       step: 0.05,
     },
   ],

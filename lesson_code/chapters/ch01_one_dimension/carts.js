@@ -70,6 +70,7 @@ export default {
     label: `Tip of the velocity of cart ${k + 1}: arrow keys move it`,
     at: (values) => [place + values[`v${k + 1}`], ROWS.ground[0] + LEVEL],
     moved: (_, [x]) => ({ [`v${k + 1}`]: x - place }),
+    says: (values) => `${signed(values[`v${k + 1}`])} m/s`,
   })),
 
   draw(lesson, { m1, v1, m2, v2, e }, pen) {
@@ -87,7 +88,7 @@ export default {
     const momentum = (velocities) => velocities.map((velocity, k) => masses[k] * velocity);
     const energy = (velocities) => velocities.map((velocity, k) => (masses[k] * velocity * velocity) / 2);
     pen.text([-10.4, -1.9], "momenta, tip to tail", { anchor: "start", bold: true });
-    pen.text([3, -1.9], "energies", { anchor: "start", bold: true });
+    pen.text([3, -1.9], "energies (dashed: lost)", { anchor: "start", bold: true });
     ["before", "after"].forEach((name, k) => pen.text([-13, BARS[k]], name, { shift: [0, 4], anchor: "start", size: 13 }));
     momenta(pen, momentum(before), momentum(after));
     energies(pen, energy(before), energy(after));

@@ -22,6 +22,7 @@ export default {
       label: "Where the ball is dropped: arrow keys move it",
       at: ({ height }) => [0, height],
       moved: (_, [, y]) => ({ height: y }),
+      says: ({ height }) => `${written(height, 0.01)} m`,
       step: 0.05,
     },
   ],

@@ -44,6 +44,7 @@ export default {
       label: "Centre of disc 2: arrow keys move it round disc 1",
       at: ({ offset, m1, m2 }) => times(radius(m1) + radius(m2), [Math.sqrt(1 - offset * offset), offset]),
       moved: (_, [x, y]) => ({ offset: Number((y / Math.hypot(Math.max(x, 0), y) || 0).toFixed(2)) }),
+      says: ({ offset }) => `offset ${written(offset, 0.01)}`,
       step: 0.05,
     },
   ],

@@ -26,12 +26,14 @@ export default {
       label: "Tip of the impulse that would stop the sliding: arrow keys move it",
       at: ({ sliding, jn }) => [-M_EFF * sliding, jn],
       moved: (_, [x, y]) => ({ sliding: -x / M_EFF, jn: y }),
+      says: ({ sliding, jn }) => `tangent ${written(-M_EFF * sliding, 0.01)}, normal ${written(jn, 0.01)} N s`,
     },
     {
       label: "Sliding on the axis of the ramp: arrow keys move it",
       panel: 1,
       at: ({ sliding }) => [sliding, 0],
       moved: (_, [x]) => ({ sliding: x }),
+      says: ({ sliding }) => `${written(sliding, 0.01)} m/s`,
     },
   ],
 

@@ -6,14 +6,15 @@
 //     program: "formulas",  // what computes: one of programs/
 //     panels: [{ view: [-5, 5, -2, 4], width: 480 }],  // left, right, bottom, top; pixels
 //     numbers: { e: { label: "restitution e", low: 0, high: 1, start: 0.5, step: 0.05 } },
-//     handles: [{ label: "tip of the velocity", panel: 0, at, moved, step }],
+//     handles: [{ label: "tip of the velocity", panel: 0, at, moved, says, step }],
 //     draw(lesson, values, pen) { ... return "what can be seen, in words"; },
 //   };
 //
 // `numbers` can be changed by slider and keyboard. A handle can be dragged, or moved by arrow keys
 // in steps of `step`: `at(values)` says where it is, and `moved(values, [x, y])` what changes when
-// it is put somewhere. `draw` is called after each change; `lesson` holds the compiled functions
-// of the course (program.js), one pen for each panel follows. Nothing else decides what is seen.
+// it is put somewhere. A screen reader is told its place, or the words of `says(values)` instead.
+// `draw` is called after each change; `lesson` holds the compiled functions of the course
+// (program.js), one pen for each panel follows. Nothing else decides what is seen.
 
 const MARGIN = 14; // pixels between panels
 const TIP = 9; // pixels: the length of an arrow's head
@@ -326,11 +327,11 @@ class Live {
       slider.setAttribute("aria-valuetext", written(this.values[key], step));
       if (box !== typing) box.value = String(Number(this.values[key].toFixed(6)));
     }
-    for (const { group, at, panel = 0, step } of this.handles) {
+    for (const { group, at, says, panel = 0, step } of this.handles) {
       const [x, y] = at(this.values);
       group.setAttribute("transform", `translate(${pens[panel].place([x, y]).replace(" ", ",")})`);
       group.setAttribute("aria-valuenow", x);
-      group.setAttribute("aria-valuetext", `${written(x, step)}, ${written(y, step)}`);
+      group.setAttribute("aria-valuetext", says?.(this.values) ?? `${written(x, step)}, ${written(y, step)}`);
     }
   }
 }

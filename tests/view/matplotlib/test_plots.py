@@ -273,7 +273,7 @@ SPEEDS = (-3.0, -0.6, 0.0, 1.5)
 def test_no_word_of_carts_is_cut_or_written_over_another(
     assert_texts_are_clear: READABLE, mass_2: float
 ) -> None:
-    """At all corners of chapter 01's sliders, and with its longest name of a row."""
+    """For light and heavy carts, slow and fast, and with chapter 01's longest name of a row."""
     for velocity_2 in SPEEDS:
         figure, ax = style.figure(width=6.4, height=3.6)
         before = (2.0, velocity_2)
