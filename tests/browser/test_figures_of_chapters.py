@@ -1,0 +1,79 @@
+"""What live figures say: at values that their notebooks ask for, and where they could be wrong."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from .test_live import opened, seen
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Locator, Page
+
+CARTS = "ch01_one_dimension/carts"
+BOUNCES = "ch02_restitution/bounce_heights"
+HEIGHTS = "ch02_restitution/read_e"
+HIT = "ch04_circles/oblique_hit"
+FRICTION = "ch05_spin_and_friction/friction_cone"
+
+
+def put(figure: Locator, numbers: dict[str, float]) -> None:
+    """Type numbers in, each into the box of a label that begins so."""
+    for label, value in numbers.items():
+        figure.locator("label", has_text=label).locator("input[type=number]").fill(str(value))
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(
+    ("name", "numbers", "words"),
+    [
+        ("ch00_start_here/dot_product", {"angle": 90}, "b is beside a, at a right angle"),
+        ("ch00_start_here/dot_product", {"angle": -135}, "b lies clockwise of a"),
+        (CARTS, {}, "cart 1 stands still, cart 2 has +2.00 m/s"),
+        (CARTS, {"mass of cart 2": 2, "restitution": 0.5}, "cart 1 stands still"),
+        (CARTS, {"velocity of cart 2": 2}, "they never meet"),
+        (CARTS, {"restitution": 0}, "2.00 J before and 1.00 J after; lost: 1.00 J"),
+        (BOUNCES, {"restitution": 0.9}, "lies still from 8.58 s on."),
+        (BOUNCES, {"restitution": 0.99}, "from 89.85 s on, which is beyond the axis"),
+        (BOUNCES, {"restitution": 1}, "never rests"),
+        (BOUNCES, {"restitution": 0}, "from 0.45 s on"),
+        (HEIGHTS, {"height after": 0.25}, "e = 0.500"),
+        (HEIGHTS, {"height after": 0.81}, "e = 0.900"),
+        (HEIGHTS, {"height after": 1.01}, "something has added energy"),
+        (HIT, {}, "at a right angle. Of 4.50 J, 4.50 J are left"),
+        (HIT, {"mass of disc 2": 2}, "120.0° apart"),
+        (HIT, {"offset": 0}, "Disc 1 stops, disc 2 leaves at 3.00 m/s"),
+        (HIT, {"offset": -1}, "only grazes disc 2: nothing changes"),
+        (FRICTION, {}, "slides on, at 1.00 m/s"),
+        (FRICTION, {"friction": 0.75}, "sticks"),
+        (FRICTION, {"friction": 0.5, "normal impulse": 6}, "sticks"),
+        (FRICTION, {"friction": 0.74}, "slides on, at 0.04 m/s"),
+        (FRICTION, {"sliding": 0}, "nothing to do"),
+    ],
+)
+def test_figure_says_what_the_formulas_give(
+    page: Page, tmp_path: Path, name: str, numbers: dict[str, float], words: str
+) -> None:
+    """Worked by hand: m2 = m1 / e stops cart 1, T = sqrt(2 h / g) (1 + e) / (1 - e), mu jn = m vt."""
+    figure = opened(page, tmp_path, name)
+    put(figure, numbers)
+    assert words in seen(figure)[1]
+
+
+@pytest.mark.browser
+def test_cart_is_as_large_as_its_own_mass_says(page: Page, tmp_path: Path) -> None:
+    """Raising the mass of cart 2 leaves cart 1 alone; each side grows with its cube root."""
+    figure = opened(page, tmp_path, CARTS)
+
+    def sides() -> list[float]:
+        found = [
+            figure.locator(f"svg path.{color}:not([fill])").first for color in ("blue", "orange")
+        ]
+        return [cart.evaluate("cart => cart.getBBox().width") for cart in found]
+
+    start = sides()
+    put(figure, {"mass of cart 2": 8})
+    assert sides() == pytest.approx([start[0], 2 * start[1]], abs=0.2)  # drawn to 0.1 pixels
