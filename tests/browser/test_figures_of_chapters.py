@@ -57,7 +57,7 @@ def put(figure: Locator, numbers: dict[str, float]) -> None:
 def test_figure_says_what_the_formulas_give(
     page: Page, tmp_path: Path, name: str, numbers: dict[str, float], words: str
 ) -> None:
-    """Worked by hand: m2 = m1 / e stops cart 1, T = sqrt(2 h / g) (1 + e) / (1 - e), mu jn = m vt."""
+    """By hand: m2 = m1 / e stops cart 1, T = sqrt(2 h / g) (1 + e) / (1 - e), mu jn = m vt."""
     figure = opened(page, tmp_path, name)
     put(figure, numbers)
     assert words in seen(figure)[1]
