@@ -29,7 +29,6 @@ import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.chapters.ch06_sat_and_manifolds import figures, manifold_figures, wrong_answers
-from lesson_code.chapters.ch06_sat_and_manifolds.drag_polygon import drag_polygon
 from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import check
 from lesson_code.evidence.scenes import corner_impacts, rigid_bodies
@@ -37,6 +36,7 @@ from lesson_code.formulas import reflect
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
 from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.svg.animation import animate
@@ -107,18 +107,10 @@ check("each at right angles to its edge", (axes * edges).sum(axis=1), 0)
 # Drag B. Find a place where only one of the five axes shows a gap.
 
 # %%
-turn = np.radians(15)
-tilted = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
-box = np.array(Polygon.box(2.6, 1.3).vertices) @ tilted
-wedge = np.array(Polygon([(0, 0), (1.6, 0), (0.4, 1.3)]).vertices)
-drag_polygon(
-    box,
-    wedge,
+live(
+    "ch06_sat_and_manifolds/two_polygons",
     "A tilted box A and a triangle B that overlap at the right end of A. On the axis that decides, "
     "A2, the two shadows overlap by 0.81 m; on four others by more. B can be moved and turned.",
-    x=1.0,
-    y=0.6,
-    angle=20,
 )
 
 # %% [markdown]

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pytest
+
+from lesson_code.geometry import mtv
 
 from .test_live import opened, seen
 
@@ -18,6 +21,7 @@ BOUNCES = "ch02_restitution/bounce_heights"
 HEIGHTS = "ch02_restitution/read_e"
 HIT = "ch04_circles/oblique_hit"
 FRICTION = "ch05_spin_and_friction/friction_cone"
+POLYGONS = "ch06_sat_and_manifolds/two_polygons"
 
 
 def put(figure: Locator, numbers: dict[str, float]) -> None:
@@ -77,3 +81,31 @@ def test_cart_is_as_large_as_its_own_mass_says(page: Page, tmp_path: Path) -> No
     start = sides()
     put(figure, {"mass of cart 2": 8})
     assert sides() == pytest.approx([start[0], 2 * start[1]], abs=0.2)  # drawn to 0.1 pixels
+
+
+@pytest.mark.browser
+def test_two_polygons_part_as_python_says(page: Page, tmp_path: Path) -> None:
+    """The way out, to the centimetres that are shown, for places of B drawn at random."""
+    figure = opened(page, tmp_path, POLYGONS)
+    box = placed([(-1.3, -0.65), (1.3, -0.65), (1.3, 0.65), (-1.3, 0.65)], (0, 0), 15)
+    wedge = np.array([(0, 0), (1.6, 0), (0.4, 1.3)]) - np.array([2.0, 1.3]) / 3
+    rng = np.random.default_rng(seed=6)
+    overlaps = 0
+    for _ in range(30):
+        x, y, angle = (rng.uniform(-end, end) for end in (2.2, 1.8, 180))
+        put(figure, {"x of B": x, "y of B": y, "angle of B": angle})
+        way = mtv(box, placed(wedge, (x, y), angle))
+        overlaps += way is not None
+        if way is None:
+            expected = "No overlap. Axis "
+        else:
+            (nx, ny), depth = way
+            expected = f"out of A is {depth:.2f} m along ({nx:.2f}, {ny:.2f}), on axis "
+        assert expected in seen(figure)[1].replace("\N{MINUS SIGN}", "-")
+    assert 5 <= overlaps <= 25
+
+
+def placed(corners: Any, place: tuple[float, float], degrees: float) -> Any:
+    """Return corners, turned and then moved."""
+    cos, sin = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.asarray(corners) @ np.array([[cos, sin], [-sin, cos]]) + place

@@ -49,9 +49,9 @@ def seen(figure: Locator) -> tuple[str, str]:
 
 
 @pytest.mark.parametrize("figure", FIGURES)
-def test_figure_draws_what_its_still_picture_shows(figure: str) -> None:
+def test_figure_draws_what_its_still_picture_shows(page: Page, figure: str) -> None:
     """A reader without scripts sees how it starts."""
-    assert stills.drawn(figure) == file_of(figure).with_suffix(".svg").read_text("utf-8")
+    assert stills.drawn(page, figure) == file_of(figure).with_suffix(".svg").read_text("utf-8")
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

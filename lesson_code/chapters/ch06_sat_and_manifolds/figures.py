@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon as Outline
 
-from lesson_code.geometry import mtv, project, sat_axes
+from lesson_code.geometry import mtv, project
 from lesson_code.view.matplotlib import style
 from lesson_code.view.matplotlib.plots import arrow
 
@@ -19,79 +18,17 @@ Vertices: TypeAlias = Any
 
 Interval: TypeAlias = tuple[float, float]
 
-SAME_LINE = 1e-9
-"""Two unit axes whose cross product is smaller than this are one line: parallel edges."""
+SAME_PLACE = 1e-9
+"""m: corners that lie as deep as each other, but for rounding, are an edge."""
 
 ROOM = 0.25
 """m between the polygons and the axis that their shadows fall on."""
-
-
-@dataclass(frozen=True)
-class AxisShadows:
-    """What two polygons look like along one axis.
-
-    Attributes
-    ----------
-    name : str
-        Whose edge the axis is normal to, and which: "B2" is the second one of B.
-    axis : ndarray, shape (2,)
-        Unit vector.
-    a, b : (float, float)
-        The shadows of A and B, m.
-    """
-
-    name: str
-    axis: Any
-    a: Interval
-    b: Interval
-
-    @property
-    def depth(self) -> float:
-        """The shorter way out along this axis, m; a gap is negative."""
-        return min(self.a[1] - self.b[0], self.b[1] - self.a[0])
-
-
-def shadows(vertices_a: Vertices, vertices_b: Vertices) -> list[AxisShadows]:
-    """Return the shadows of two polygons on each axis that has to be tested.
-
-    Parallel edges of one polygon share an axis, which is listed once.
-
-    Parameters
-    ----------
-    vertices_a, vertices_b : array_like, shape (N, 2)
-        m.
-
-    Examples
-    --------
-    >>> square, triangle = [(0, 0), (2, 0), (2, 2), (0, 2)], [(1, 1), (5, 1), (1, 4)]
-    >>> [(on.name, on.a, on.b) for on in shadows(square, triangle)][:2]
-    [('A1', (-2.0, 0.0), (-4.0, -1.0)), ('A2', (0.0, 2.0), (1.0, 5.0))]
-    """
-    return [
-        AxisShadows(name, axis, _interval(vertices_a, axis), _interval(vertices_b, axis))
-        for letter, vertices in (("A", vertices_a), ("B", vertices_b))
-        for name, axis in _named_axes(letter, vertices)
-    ]
-
-
-def _named_axes(letter: str, vertices: Vertices) -> list[tuple[str, Any]]:
-    """Return the different axes of one polygon with their names."""
-    kept: list[Any] = []
-    for axis in sat_axes(vertices):
-        if all(abs(axis[0] * old[1] - axis[1] * old[0]) > SAME_LINE for old in kept):
-            kept.append(axis)
-    return [(f"{letter}{number}", axis) for number, axis in enumerate(kept, start=1)]
 
 
 def _interval(vertices: Vertices, axis: Any) -> Interval:
     """Return a shadow as plain floats."""
     low, high = project(vertices, axis)
     return float(low), float(high)
-
-
-def shortest(found: Sequence[AxisShadows]) -> AxisShadows:
-    """Return the axis that decides: with the widest gap, or else with the shortest way out."""
-    return min(found, key=lambda on: on.depth)
 
 
 def polygon(ax: Axes, vertices: Vertices, name: str, *, first: bool = True) -> Axes:
@@ -188,50 +125,6 @@ def _shadow(ax: Axes, vertices: Vertices, ends: Interval, n: Any, foot: Any, fir
         ax.plot(*zip(corner, end, strict=True), color=color, linewidth=1, linestyle=":")
 
 
-def shadow_rows(ax: Axes, found: Sequence[AxisShadows]) -> Axes:
-    """Draw the shadows on every axis as a row of two bars, with the way out or the gap beside it.
-
-    The axis that decides has its name and number in bold.
-
-    Parameters
-    ----------
-    ax : Axes
-        Where to draw.
-    found : sequence of AxisShadows
-        From :func:`shadows`.
-    """
-    decides = shortest(found)
-    right = max(max(on.a[1], on.b[1]) for on in found)
-    for row, on in enumerate(found):
-        weight = "bold" if on is decides else "normal"
-        for (low, high), offset, color, hatch in (
-            (on.a, -0.17, style.FIRST, ""),
-            (on.b, 0.17, style.SECOND, "///"),
-        ):
-            ax.barh(row + offset, high - low, 0.3, low, color=color, hatch=hatch, edgecolor="white")
-        ax.text(right + 0.15, row, way_out(on), va="center", fontweight=weight)
-    left = min(min(on.a[0], on.b[0]) for on in found)
-    ax.set_xlim(left - 0.15, right + 0.05)
-    ax.set_yticks(range(len(found)), [on.name for on in found])
-    ax.get_yticklabels()[list(found).index(decides)].set_fontweight("bold")
-    ax.invert_yaxis()
-    ax.set_xlabel("place along the axis, m")
-    return ax
-
-
-def way_out(on: AxisShadows) -> str:
-    """Return in words what the shadows on an axis say.
-
-    >>> way_out(AxisShadows("A1", (1, 0), (0, 2), (1.5, 4)))
-    'out after 0.50 m'
-    >>> way_out(AxisShadows("A1", (1, 0), (0, 2), (2.25, 4)))
-    'gap of 0.25 m'
-    """
-    if on.depth > 0:
-        return f"out after {on.depth:.2f} m"
-    return "touching" if on.depth == 0 else f"gap of {-on.depth:.2f} m"
-
-
 def translation(ax: Axes, vertices_a: Vertices, vertices_b: Vertices) -> Axes:
     """Draw where the minimum translation vector puts B, beside two polygons that are drawn already.
 
@@ -266,4 +159,4 @@ def deepest(vertices_b: Vertices, normal: Any) -> Any:
     """
     corners = np.asarray(vertices_b, dtype=float)
     along = corners @ np.asarray(normal, dtype=float)
-    return corners[along <= along.min() + SAME_LINE].mean(axis=0)
+    return corners[along <= along.min() + SAME_PLACE].mean(axis=0)

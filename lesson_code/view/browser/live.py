@@ -80,7 +80,8 @@ def html_of(figure: str, alt: str, still: str) -> str:
         f'<figure data-live="{name}" style="{colors()}">'
         f'<img alt="{escape(alt)}" style="display:block;max-width:100%;background:#fff" '
         f'src="data:image/svg+xml;base64,{picture}">\n'
-        f'<script type="module">\n{script}start("{name}", shown, await open_program());\n</script></figure>'
+        f'<script type="module">\n{script}start("{name}", shown, await open_program());\n'
+        "</script></figure>"
     )
 
 

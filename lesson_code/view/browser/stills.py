@@ -9,9 +9,13 @@ from __future__ import annotations
 import hashlib
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from lesson_code.view.browser.chromium import chromium
 from lesson_code.view.browser.live import CHAPTERS, PROGRAM, colors, file_of, html_of, script_of
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
 
 SUM = re.compile(r'data-sum="(\w+)"')
 """Stands in a picture: a sum over the script that drew it."""
@@ -68,17 +72,17 @@ def write(figure: str) -> Path:
         Playwright or Chromium is not installed.
     """
     file = file_of(figure).with_suffix(".svg")
-    file.write_text(drawn(figure), encoding="utf-8", newline="\n")
+    with chromium() as browser:
+        picture = drawn(browser.new_page(), figure)
+    file.write_text(picture, encoding="utf-8", newline="\n")
     return file
 
 
-def drawn(figure: str) -> str:
+def drawn(page: Page, figure: str) -> str:
     """Return the picture that a figure draws when it is opened, as an SVG."""
-    with chromium() as browser:
-        page = browser.new_page()
-        page.set_content(f"<!doctype html><body>{html_of(figure, figure, '')}</body>")
-        page.wait_for_selector("figure[data-ready]")
-        style, picture, view = page.evaluate(DRAWN)
+    page.set_content(f"<!doctype html><body>{html_of(figure, figure, '')}</body>")
+    page.wait_for_selector("figure[data-ready]")
+    style, picture, view = page.evaluate(DRAWN)
     width, height = view.split()[2:]
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" data-live="" data-sum="{sum_of(figure)}" '
