@@ -19,7 +19,7 @@ collision, how to compute what happens in it, and how to know that the answer is
 formula is compared with a physics engine that is not ours, with closed forms and with the
 conservation laws.
 
-**In these pages** you can read everything, play the animations, move the sliders of figures and
+**In these pages** you can read everything, play the animations, drag what the figures show and
 take the quizzes. **To run and change the code**, get the workbook's folder and follow its README:
 the pages are its notebooks.
 
