@@ -21,7 +21,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 from lesson_code.formulas.rigid_body import (
     disc_inertia,
@@ -31,7 +31,7 @@ from lesson_code.formulas.rigid_body import (
 )
 from lesson_code.formulas.validation import Vector, equation, non_negative, one_number, positive
 from lesson_code.geometry.closest_point import segment_ends
-from lesson_code.geometry.edges import outward_normal
+from lesson_code.geometry.edges import direction, outward_normal
 from lesson_code.geometry.outline import Point, convex_outline
 
 CENTRED = 1e-14
@@ -167,20 +167,13 @@ class Polygon:
 
     @cached_property
     def min_width(self) -> float:
-        """Smallest width, m. Between parallel lines a polygon is narrowest with an edge on one."""
-        ends = self.outline[1:] + self.outline[:1]
-        normals = (outward_normal(*a, *b) for a, b in zip(self.outline, ends, strict=True))
-        return min(self._width(*normal) for normal in normals)
+        """Smallest width, m."""
+        return smallest_width(self.outline)
 
     @cached_property
     def bounding_radius(self) -> float:
         """Distance from the body's position to the farthest point, m."""
-        return max(math.hypot(x, y) for x, y in self.outline)
-
-    def _width(self, nx: float, ny: float) -> float:
-        """Return the width of the polygon along a direction."""
-        along = [x * nx + y * ny for x, y in self.outline]
-        return max(along) - min(along)
+        return farthest(self.outline)
 
 
 @dataclass(frozen=True)
@@ -230,7 +223,7 @@ class Segment:
     @property
     def length(self) -> float:
         """Distance between the ends, m."""
-        return math.dist(self.start, self.end)
+        return length_of(self.outline)
 
     @property
     def area(self) -> float:
@@ -245,16 +238,8 @@ class Segment:
 
     @property
     def inertia_per_mass(self) -> float:
-        """Moment of inertia of 1 kg about the middle, m^2: L^2 / 12 for a thin rod.
-
-        The mass is spread over the rectangle between the ends, L^2/12 + r^2/3, and over the two
-        half discs, r^2/2 + L^2/4 + 4 r L / (3 pi), in the ratio of their areas, 2 L : pi r.
-        """
-        length, r = self.length, self.radius
-        rectangle, discs = 2 * length, math.pi * r
-        of_rectangle = length * length / 12 + r * r / 3
-        of_discs = r * r / 2 + length * length / 4 + 4 * r * length / (3 * math.pi)
-        return float((rectangle * of_rectangle + discs * of_discs) / (rectangle + discs))
+        """Moment of inertia of 1 kg about the middle, m^2: L^2 / 12 for a thin rod."""
+        return rod_inertia(self.length, self.radius)
 
     @property
     def min_width(self) -> float:
@@ -264,7 +249,7 @@ class Segment:
     @property
     def bounding_radius(self) -> float:
         """Distance from the body's position to the farthest point, m."""
-        return max(math.hypot(*self.start), math.hypot(*self.end)) + self.radius
+        return farthest(self.outline) + self.radius
 
 
 Shape: TypeAlias = Circle | Polygon | Segment
@@ -272,7 +257,81 @@ Shape: TypeAlias = Circle | Polygon | Segment
 
 def _centred(corners: list[Point]) -> tuple[Point, ...]:
     """Return corners seen from their centroid; those that are already stay as they are."""
-    x, y = (float(c) for c in polygon_centroid(corners))
-    if math.hypot(x, y) <= CENTRED * max(math.hypot(*corner) for corner in corners):
-        x = y = 0.0
+    x, y = centre_of(corners)
     return tuple((cx - x, cy - y) for cx, cy in corners)
+
+
+# Outlines. Programs for pages run these lines too, on tables of corners.
+
+
+def centre_of(outline: Any) -> Point:
+    """Return the centroid of a polygon, m; one that is the origin but for rounding is the origin.
+
+    >>> centre_of([(0.0, 0.0), (3.0, 0.0), (0.0, 3.0)])
+    (1.0, 1.0)
+    """
+    x, y = polygon_centroid(outline)
+    distance, _, _ = direction(x, y, 1.0, 0.0)
+    if distance <= CENTRED * farthest(outline):
+        return 0.0, 0.0
+    return float(x), float(y)
+
+
+def farthest(outline: Any) -> float:
+    """Return the distance from the body's position to the farthest corner, m.
+
+    >>> farthest([(3.0, 4.0), (-1.0, 0.0)])
+    5.0
+    """
+    most = 0.0
+    for k in range(len(outline)):
+        distance, _, _ = direction(outline[k][0], outline[k][1], 1.0, 0.0)
+        most = max(most, distance)
+    return most
+
+
+def smallest_width(outline: Any) -> float:
+    """Return the smallest width of a polygon, m.
+
+    Between parallel lines it is narrowest with an edge on one of them.
+
+    >>> smallest_width([(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0)])
+    2.0
+    """
+    least = math.inf
+    for k in range(len(outline)):
+        start, end = outline[k], outline[(k + 1) % len(outline)]
+        nx, ny = outward_normal(start[0], start[1], end[0], end[1])
+        least = min(least, width_along(outline, nx, ny))
+    return least
+
+
+def width_along(outline: Any, nx: float, ny: float) -> float:
+    """Return the width of an outline along a direction, m."""
+    low, high = math.inf, -math.inf
+    for k in range(len(outline)):
+        along = outline[k][0] * nx + outline[k][1] * ny
+        low, high = min(low, along), max(high, along)
+    return high - low
+
+
+def length_of(outline: Any) -> float:
+    """Return the distance between the two ends of a segment, m."""
+    end, start = outline[0], outline[1]
+    length, _, _ = direction(end[0] - start[0], end[1] - start[1], 1.0, 0.0)
+    return length
+
+
+def rod_inertia(length: float, r: float) -> float:
+    """Return the moment of inertia of 1 kg of a segment about its middle, m^2.
+
+    The mass is spread over the rectangle between the ends, L^2/12 + r^2/3, and over the two
+    half discs, r^2/2 + L^2/4 + 4 r L / (3 pi), in the ratio of their areas, 2 L : pi r.
+
+    >>> rod_inertia(6.0, 0.0)
+    3.0
+    """
+    rectangle, discs = 2 * length, math.pi * r
+    of_rectangle = length * length / 12 + r * r / 3
+    of_discs = r * r / 2 + length * length / 4 + 4 * r * length / (3 * math.pi)
+    return (rectangle * of_rectangle + discs * of_discs) / (rectangle + discs)

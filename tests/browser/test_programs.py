@@ -340,8 +340,8 @@ def at_work(scene: Scene, solver: str) -> EngineStepper:
 
 
 def source_of(solver: str) -> str:
-    """Return the source of a solver's program."""
-    return programs.program(solver).entries["advance"].source
+    """Return the sources of a solver's program, which say what fields its rows have."""
+    return "\n".join(entry.source for entry in programs.program(solver).entries.values())
 
 
 def tables_of(run: EngineStepper, source: str) -> dict[str, list[Any]]:

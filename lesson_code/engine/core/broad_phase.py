@@ -259,7 +259,10 @@ def slot_of(grid: Grid, cell_x: int, cell_y: int) -> int:
 
 def slots_for(bodies: int) -> int:
     """Return the number of slots of a grid for N bodies: at least 2 N."""
-    return 1 << (2 * bodies + 3).bit_length()
+    slots = 4
+    while slots <= 2 * bodies + 3:
+        slots *= 2
+    return slots
 
 
 def row_stride_for(slots: int) -> int:

@@ -58,6 +58,8 @@ class BodyRow:
     bounding_radius: float = 0.0  # m, distance of its farthest point from the centre of mass
     quiet: float = 0.0  # s, for how long it has been still
     island: int = 0  # the first body of the island that it belongs to (sleep.py)
+    mass: float = math.inf  # kg, and kg m^2, as a page gives them; its program inverts them and
+    inertia: float = 0.0  # takes 0 for the inertia of the filled shape (view/browser/set_up.py)
 
 
 @dataclass(slots=True)

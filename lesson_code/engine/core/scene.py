@@ -25,11 +25,12 @@ from lesson_code.formulas.validation import (
     one_vector,
     unit_interval,
 )
-from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
+from lesson_code.geometry.edges import direction
+from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape, length_of
 
 XY: TypeAlias = tuple[float, float]
 
-CENTRED = 1e-9
+OFF_CENTRE = 1e-9
 """Of a segment's length: how far the middle of a rod may lie from its centre of mass."""
 
 
@@ -317,12 +318,18 @@ def _inertia(value: float | None, body_mass: float | None, shape: Shape) -> floa
 
 def _require_centred(segment: Segment) -> None:
     """Refuse a rod whose centre of mass is not where its body is."""
-    (ax, ay), (bx, by) = segment.start, segment.end
-    if math.hypot(ax + bx, ay + by) > CENTRED * math.hypot(bx - ax, by - ay):
+    if is_off_centre(segment.outline):
         raise ValueError(
             "a segment with a mass must be centred on its body's position (end = -start), "
             f"got start {segment.start} and end {segment.end}"
         )
+
+
+def is_off_centre(outline: Any) -> bool:
+    """Return whether the middle of a segment is not its body's position."""
+    end, start = outline[0], outline[1]
+    off, _, _ = direction(start[0] + end[0], start[1] + end[1], 1.0, 0.0)
+    return off > OFF_CENTRE * length_of(outline)
 
 
 def _materials(material: Material | Sequence[Material], count: int) -> Sequence[Material]:

@@ -12,13 +12,14 @@ from lesson_code.engine.compiled.webassembly import WebProgram, table_program
 from lesson_code.engine.core import capacity
 from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.constants import PAIRS_ANYWAY, PAIRS_PER_BODY
-from lesson_code.engine.core.mixing import MixingRule
+from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import State, World
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import advance
 from lesson_code.engine.core.tables import world_of
+from lesson_code.view.browser.set_up import FAULTS, set_up
 
 
 def pipeline_of(solver: Solver) -> Pipeline:
@@ -28,8 +29,25 @@ def pipeline_of(solver: Solver) -> Pipeline:
 
 def stepped_program(solver: Solver) -> WebProgram:
     """Return the program of a solver."""
-    program = table_program(World, advance, pipeline=pipeline_of(solver))
-    return program.telling(capacity=capacity_rules())
+    program = table_program(World, set_up, advance, pipeline=pipeline_of(solver))
+    return program.telling(capacity=capacity_rules(), scene=scene_rules(solver))
+
+
+def scene_rules(solver: Solver) -> dict[str, Any]:
+    """Return what a page has to know to write down a scene for a solver.
+
+    >>> from lesson_code.engine.solvers.substep import SOLVER
+    >>> scene_rules(SOLVER)["usual"]["substeps"]
+    4
+    """
+    usual = {
+        "dt": 1 / 60,
+        "iterations": solver.iterations,
+        "substeps": solver.substeps,
+        "restitution": MixingRule().restitution,
+        "friction": MixingRule().friction,
+    }
+    return {"usual": usual, "mixing": RULES, "faults": FAULTS}
 
 
 def capacity_rules() -> dict[str, Any]:
