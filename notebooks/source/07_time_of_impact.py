@@ -24,8 +24,6 @@
 # **You need** notebooks 00 to 06. **Time:** about 75 minutes to read, fifteen seconds to run.
 
 # %%
-from math import inf
-
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
@@ -38,6 +36,7 @@ from lesson_code.formulas.smooth_pair import smooth_impulse
 from lesson_code.geometry import collide, time_of_impact
 from lesson_code.reference import closed_forms, event_closed_forms
 from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.svg.animation import animate
@@ -193,6 +192,20 @@ foot = np.arcsin(0.5 / 1.2)  # of the angle that the rod still has to go when it
 check("a rod that turns at 1.5 rad/s", turning, (np.pi / 2 - foot) / 1.5, tolerance=1e-6)
 
 # %% [markdown]
+# Drag the disc and the tip of its velocity. The filled disc shows the first touch, the dashed one
+# what a program sees that looks at one time only. **Predict first:** let the box turn at 2 rad/s.
+# Does the disc reach it earlier or later? And how fast must the disc be so that a look after 1 s
+# finds it behind the box?
+
+# %%
+live(
+    "ch07_time_of_impact/two_bodies",
+    "A disc flies at 2 m/s to the right and a little down, and first touches the upper left corner "
+    "of a box after 1.794 s. A program that looks after 2.6 s finds it deep inside. You can drag "
+    "the disc and its velocity, let the box turn, and change the time of the look.",
+)
+
+# %% [markdown]
 # ## 4 The formula from school loses digits
 #
 # Why two forms of the same root? A ball is 1 m above the floor and moves down at 1 m/s, with a
@@ -309,7 +322,7 @@ check("the others overlap by rounding only, m", deepest, 0, tolerance=1e-14)
 turned_round = []
 for p2, (_, v2) in zip(places, pairs, strict=True):
     n = p2 / np.hypot(*p2)
-    impulse = smooth_impulse((0, 0), inf, v2, 1.0, n, restitution=0.5)
+    impulse = smooth_impulse((0, 0), np.inf, v2, 1.0, n, restitution=0.5)
     turned_round.append((v2 + impulse) @ n / -(v2 @ n))
 check("separation over approach, 1,000 times", turned_round, 0.5, tolerance=1e-12)
 

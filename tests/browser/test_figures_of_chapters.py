@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from lesson_code.geometry import mtv
+from lesson_code import Circle, Polygon
+from lesson_code.geometry import mtv, time_of_impact
 
 from .test_live import opened, seen
 
@@ -22,6 +23,7 @@ HEIGHTS = "ch02_restitution/read_e"
 HIT = "ch04_circles/oblique_hit"
 FRICTION = "ch05_spin_and_friction/friction_cone"
 POLYGONS = "ch06_sat_and_manifolds/two_polygons"
+IMPACT = "ch07_time_of_impact/two_bodies"
 
 
 def put(figure: Locator, numbers: dict[str, float]) -> None:
@@ -103,6 +105,24 @@ def test_two_polygons_part_as_python_says(page: Page, tmp_path: Path) -> None:
             expected = f"out of A is {depth:.2f} m along ({nx:.2f}, {ny:.2f}), on axis "
         assert expected in seen(figure)[1].replace("\N{MINUS SIGN}", "-")
     assert 5 <= overlaps <= 25
+
+
+@pytest.mark.browser
+def test_two_bodies_touch_when_python_says(page: Page, tmp_path: Path) -> None:
+    """The time of impact, to the milliseconds that are shown, for motions drawn at random."""
+    figure = opened(page, tmp_path, IMPACT)
+    box, disc = Polygon.box(2, 1), Circle(0.5)
+    rng = np.random.default_rng(seed=7)
+    hits = 0
+    for _ in range(30):
+        x, y, w = rng.uniform(-4, 0), rng.uniform(-2.5, 2.5), rng.choice([0, rng.uniform(-3, 3)])
+        vx, vy = rng.uniform(1, 5), rng.uniform(-1.5, 1.5)
+        put(figure, {"x of": x, "y of": y, "along x": vx, "along y": vy, "spin": w})
+        time = time_of_impact(box, (2, -0.5, 0), (0, 0, w), disc, (x, y, 0), (vx, vy, 0), 4)
+        hits += time is not None
+        words = "do not touch within 4 s" if time is None else f"first touch after {time:.3f} s."
+        assert words in seen(figure)[1]
+    assert 5 <= hits <= 25
 
 
 def placed(corners: Any, place: tuple[float, float], degrees: float) -> Any:
