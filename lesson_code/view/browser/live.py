@@ -96,7 +96,12 @@ def script_of(figure: str) -> str:
         raise ValueError(
             f"{file_of(figure)} must name its program, such as 'program: \"formulas\"'"
         )
-    text = IMPORT.sub("", programs.script_with(named[1], f"{_framework()}\n{described}"))
+    return plain(programs.script_with(named[1], f"{_framework()}\n{described}"))
+
+
+def plain(modules: str) -> str:
+    """Return modules that stand one after the other as one script."""
+    text = IMPORT.sub("", modules)
     text = EXPORT.sub(lambda found: "const shown = " if found[1] else "", text)
     return NOTHING.sub("", text)
 

@@ -74,6 +74,25 @@ export class World {
     return this.state.steps_done * this.state.whole;
   }
 
+  /** Return the sums over all bodies with a mass: centre of mass and its velocity, momentum,
+   *  kinetic energy with spin, and the energy of height. */
+  totals() {
+    const { gravity_x, gravity_y } = this.state;
+    const sums = { mass: 0, x: 0, y: 0, px: 0, py: 0, energy: 0, potential: 0 };
+    for (const { inv_m, inv_i, mass, x, y, vx, vy, w } of this.bodies) {
+      if (inv_m === 0) continue;
+      sums.mass += mass;
+      sums.x += mass * x;
+      sums.y += mass * y;
+      sums.px += mass * vx;
+      sums.py += mass * vy;
+      sums.energy += (mass * (vx * vx + vy * vy) + (inv_i > 0 ? (w * w) / inv_i : 0)) / 2;
+      sums.potential -= mass * (gravity_x * x + gravity_y * y);
+    }
+    const whole = sums.mass || 1;
+    return { ...sums, x: sums.x / whole, y: sums.y / whole, vx: sums.px / whole, vy: sums.py / whole };
+  }
+
   /** Make steps, and keep the impulses of the last one. */
   step(steps = 1) {
     if (steps > 1) this.program.advance(steps - 1);

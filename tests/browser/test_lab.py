@@ -1,0 +1,269 @@
+"""The collision lab in Chromium: what it shows is what the engine computes, by every control."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote, unquote
+
+import pytest
+
+from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code.engine.core.run import Run
+from lesson_code.view.browser.lab import lab_html
+
+from .test_pages import violations_in
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Locator, Page
+
+SHEET = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Lab</title>
+<meta name="color-scheme" content="light dark"><body><main><h1>Lab</h1>{lab}</main>"""
+
+FEW = ["Oblique hit", "Head on, equal masses", "Heavy on light", "They stay together"]
+FEW += ["Row of five", "Friction makes spin", "Boxes and discs that fall"]
+MANY = ["Rack of fifteen", "Gas of 500"]
+
+TWO_FRAMES = """() => new Promise(
+    (done) => requestAnimationFrame(() => requestAnimationFrame(done)))"""
+"""In the page: lets two frames pass."""
+
+SHOWN = 5e-5
+"""Numbers have four decimals."""
+
+
+def opened(page: Page, folder: Path, link: str = "") -> Locator:
+    """Open a page with the lab from a folder, and return the lab once it is alive."""
+    file = folder / "lab.html"
+    file.write_text(SHEET.format(lab=lab_html()), "utf-8")
+    page.goto(file.as_uri() + link)
+    page.locator("[data-lab][data-ready] canvas").wait_for()
+    return page.locator("[data-lab]")
+
+
+def press(lab: Locator, name: str, times: int = 1) -> None:
+    """Press a button some times."""
+    button = lab.get_by_role("button", name=name, exact=True)
+    button.evaluate("(button, times) => { while (times--) button.click(); }", times)
+
+
+def set_up_of(lab: Locator) -> dict[str, Any]:
+    """Return the set-up that the link holds."""
+    href = lab.get_by_role("link", name="Link to this set-up").get_attribute("href") or ""
+    set_up: dict[str, Any] = json.loads(unquote(href.removeprefix("#lab=")))
+    return set_up
+
+
+def numbers_of(lab: Locator, name: str) -> list[float]:
+    """Return a number of each body, as its card shows it."""
+    boxes = lab.locator(f'fieldset input[aria-label^="{name},"]').all()
+    return [float(box.input_value()) for box in boxes]
+
+
+def words_of(lab: Locator) -> str:
+    """Return the totals in words."""
+    return lab.locator(".lab-words").inner_text()
+
+
+def simulated(set_up: dict[str, Any], steps: int) -> Run:
+    """Return a run of a set-up in Python, by the lab's solver."""
+    is_track = set_up["dimensions"] == 1
+    friction = 0.0 if is_track else set_up["friction"]
+    surface = Material(set_up["elasticity"] / 100, friction)
+    bodies = []
+    for b in set_up["bodies"]:
+        size = b["size"]
+        shape = Polygon.box(2 * size, 2 * size) if b["shape"] == "box" else Circle(size)
+        given: dict[str, Any] = {"mass": b["mass"], "material": surface}
+        if is_track:
+            given |= {"position": (b["x"], 0), "velocity": (b["vx"], 0), "inertia": float("inf")}
+        else:
+            given |= {"position": (b["x"], b["y"]), "velocity": (b["vx"], b["vy"])}
+            given |= {"angle": b["angle"], "angular_velocity": b["w"]}
+        bodies.append(Body(shape, **given))
+    if set_up["walls"]:
+        high = 1.0 if is_track else 2.5
+        corners = [(-4, -high), (4, -high), (4, high), (-4, high)]
+        sides = [Segment(corners[k], corners[(k + 1) % 4]) for k in range(4)]
+        bodies += [Body(side, material=surface) for side in (sides[1::2] if is_track else sides)]
+    gravity = (0, -9.81 if set_up["gravity"] and not is_track else 0)
+    return simulate(Scene(bodies, gravity), steps / 60, solver="sequential")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_lab_passes_axe_without_errors(
+    page: Page, faults: list[str], tmp_path: Path, scheme: Any
+) -> None:
+    """Its controls have names, its words contrast enough."""
+    page.emulate_media(color_scheme=scheme)
+    lab = opened(page, tmp_path)
+    press(lab, "Step", 60)
+    assert violations_in(page) == []
+    assert faults == []
+
+
+@pytest.mark.parametrize("preset", FEW + MANY)
+def test_lab_fits_a_telephone(page: Page, faults: list[str], tmp_path: Path, preset: str) -> None:
+    """360 pixels wide, nothing has to be scrolled sideways; the picture is not empty."""
+    page.set_viewport_size({"width": 360, "height": 740})
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option(preset)
+    assert page.evaluate("document.documentElement.scrollWidth") == 360
+    assert lab.locator("canvas").evaluate(
+        """canvas => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height)
+            .data.some((value) => value > 0)"""
+    )
+    assert faults == []
+
+
+@pytest.mark.parametrize("preset", FEW)
+def test_lab_shows_what_the_engine_computes(page: Page, tmp_path: Path, preset: str) -> None:
+    """Places and velocities after 70 steps, momentum and energies, as a run in Python has them."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option(preset)
+    press(lab, "Step", 70)
+    run = simulated(set_up_of(lab), 70)
+    count = len(set_up_of(lab)["bodies"])
+    for name, expected in [
+        ("x", run.positions[-1, :count, 0]),
+        ("y", run.positions[-1, :count, 1]),
+        ("velocity x", run.velocities[-1, :count, 0]),
+        ("velocity y", run.velocities[-1, :count, 1]),
+    ]:
+        assert numbers_of(lab, name) == pytest.approx(expected, abs=SHOWN), name
+    lost = run.energy[0] - run.energy[-1]
+    px, py = run.momentum[-1]
+    told = words_of(lab).replace("\N{MINUS SIGN}", "-")
+    is_track = set_up_of(lab)["dimensions"] == 1
+    momentum = f"{px + 0.0:.2f}" if is_track else f"({px:.2f}, {py:.2f})"
+    assert f"Momentum {momentum} kg m/s" in told.replace("-0.00", "0.00") or "-0.00" in momentum
+    assert f"kinetic energy {run.kinetic_energy[-1]:.2f} J" in told
+    assert f"energy lost since t = 0: {abs(lost):.2f} J" in told
+
+
+def test_steps_back_lead_to_what_was_seen(page: Page, tmp_path: Path) -> None:
+    """Over a hundred steps, past the states that are kept, and forward again."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option("Boxes and discs that fall")
+
+    def seen() -> tuple[Any, ...]:
+        return words_of(lab), numbers_of(lab, "x"), lab.locator(".lab-clock").inner_text()
+
+    press(lab, "Step", 20)
+    early = seen()
+    press(lab, "Step", 100)
+    late = seen()
+    press(lab, "Step back", 100)
+    assert seen() == early
+    press(lab, "Step", 100)
+    assert seen() == late
+    press(lab, "Reset")
+    assert numbers_of(lab, "y") == [body["y"] for body in set_up_of(lab)["bodies"]]
+    assert lab.get_by_role("button", name="Step back").is_disabled()
+
+
+def test_body_and_tip_of_a_velocity_are_dragged(page: Page, tmp_path: Path) -> None:
+    """The picture is 8.2 m wide, its middle at (0, 0); an arrow has 0.4 m for 1 m/s."""
+    lab = opened(page, tmp_path)
+    box = lab.locator("canvas").bounding_box()
+    assert box
+    metre = box["width"] / 8.2
+
+    def drag(start: tuple[float, float], end: tuple[float, float]) -> None:
+        for move, (x, y) in ((page.mouse.down, start), (page.mouse.up, end)):
+            middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+            page.mouse.move(middle[0] + x * metre, middle[1] - y * metre)
+            move()
+
+    drag((-2.5, -0.3), (-1.5, 1.2))
+    assert (numbers_of(lab, "x")[0], numbers_of(lab, "y")[0]) == (-1.5, 1.2)
+    assert numbers_of(lab, "velocity x")[0] == 3
+    drag((-0.3, 1.2), (-0.7, 0.8))  # the tip lies 3 * 0.4 m to the right
+    assert (numbers_of(lab, "velocity x")[0], numbers_of(lab, "velocity y")[0]) == (2, -1)
+    drag((0.5, 0), (9, 9))
+    assert (numbers_of(lab, "x")[1], numbers_of(lab, "y")[1]) == (3.5, 2.0)  # at the walls
+    drag((-3.9, -2.4), (0, 0))
+    assert numbers_of(lab, "x") == [-1.5, 3.5]  # nothing was there
+
+
+def test_every_number_is_set_by_keyboard_and_read_out(page: Page, tmp_path: Path) -> None:
+    """Typed, or by arrow keys; what is out of range is put right at the end."""
+    lab = opened(page, tmp_path)
+    mass = lab.get_by_role("spinbutton", name="mass, kg, of body 1")
+    mass.focus()
+    page.keyboard.press("ArrowUp")
+    page.keyboard.press("Shift+ArrowUp")
+    assert mass.input_value() == "2.1"
+    mass.fill("2.345")
+    assert set_up_of(lab)["bodies"][0]["mass"] == 2.345
+    mass.fill("-1")
+    mass.blur()
+    assert mass.input_value() == "2.345"
+    elasticity = lab.get_by_role("slider", name="Elasticity, %")
+    elasticity.focus()
+    page.keyboard.press("ArrowLeft")
+    assert set_up_of(lab)["elasticity"] == 95
+    heard = lab.get_by_role("status").filter(has_text="Momentum (7.04")  # 2.345 kg at 3 m/s
+    heard.filter(has_text="Body 1 at (\N{MINUS SIGN}2.50").wait_for()
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.parentElement.textContent").startswith("Friction")
+
+
+def test_change_in_motion_begins_where_the_bodies_are(page: Page, tmp_path: Path) -> None:
+    """Gravity is switched on after 30 steps: places and velocities stay."""
+    lab = opened(page, tmp_path)
+    press(lab, "Step", 30)
+    before = numbers_of(lab, "x"), numbers_of(lab, "velocity x")
+    lab.get_by_label("Gravity").check()
+    assert (numbers_of(lab, "x"), numbers_of(lab, "velocity x")) == before
+    press(lab, "Step", 6)
+    fallen = numbers_of(lab, "velocity y")
+    assert fallen == pytest.approx([-9.81 * 6 / 60] * 2, abs=SHOWN)
+    lab.get_by_label("Motion").select_option("on a line")
+    assert lab.get_by_label("Gravity").is_hidden()
+    press(lab, "Add a body")
+    assert len(numbers_of(lab, "mass")) == 3
+    press(lab, "Remove body 1")
+    assert numbers_of(lab, "mass") == [2, 1]
+
+
+def test_link_opens_the_same_set_up_and_a_wrong_one_is_refused(page: Page, tmp_path: Path) -> None:
+    """In another page; the words name argument, rule and value."""
+    lab = opened(page, tmp_path)
+    press(lab, "Step", 50)
+    lab.get_by_role("slider", name="Friction").fill("0.3")
+    shared = set_up_of(lab)
+    page.goto("about:blank")
+    again = opened(page, tmp_path, "#lab=" + quote(json.dumps(shared)))
+    assert set_up_of(again) == shared
+    wrong = json.dumps(shared | {"elasticity": 101})
+    page.evaluate("hash => { location.hash = hash; }", "lab=" + quote(wrong))
+    words = "The link holds no set-up: elasticity must lie between 0 and 100, got 101"
+    again.get_by_role("alert").get_by_text(words).wait_for()
+    assert set_up_of(again) == shared
+
+
+def test_lab_runs_until_it_is_paused(page: Page, faults: list[str], tmp_path: Path) -> None:
+    """With 500 discs too; the clock goes on, and stands still afterwards."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option("Gas of 500")
+    clock = lab.locator(".lab-clock")
+    press(lab, "Run")
+    page.wait_for_function(
+        "document.querySelector('[data-lab] .lab-clock').textContent > 't = 0.2'"
+    )
+    press(lab, "Pause")
+    stopped = clock.inner_text()
+    page.evaluate(
+        "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
+    assert clock.inner_text() == stopped
+    assert faults == []
+
+
+def test_lab_says_what_it_needs_where_no_script_runs() -> None:
+    """In words, which the script replaces."""
+    before = lab_html().split("<script")[0]
+    assert "needs a browser that runs JavaScript" in before
