@@ -29,9 +29,10 @@ def site(
     """Make the workbook's pages: a folder that needs no server and no network."""
     from lesson_code.course.notebooks.root import find_root
     from lesson_code.course.site.build import build
+    from lesson_code.view.browser.lab import lab_html
 
     with clear_errors(), share_bar() as told:
-        pages = build(find_root(), folder, moving=() if still else None, told=told)
+        pages = build(find_root(), folder, moving=() if still else None, lab=lab_html(), told=told)
     console.print(f"{pages} pages. Open {folder / 'index.html'}", soft_wrap=True, highlight=False)
 
 

@@ -16,6 +16,7 @@ import pytest
 from lesson_code.course.notebooks.server import ServerError
 from lesson_code.course.site.build import MissingToolsError, build
 from lesson_code.view.browser.chromium import NoBrowserError, chromium
+from lesson_code.view.browser.lab import lab_html
 
 from .in_browser import JupyterLab, jupyterlab
 
@@ -69,7 +70,7 @@ def site(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the pages of the workbook, the figures with sliders standing still."""
     folder = tmp_path_factory.mktemp("site")
     try:
-        build(ROOT, folder, moving=())
+        build(ROOT, folder, moving=(), lab=lab_html())
     except MissingToolsError as error:
         pytest.skip(str(error))
     return folder

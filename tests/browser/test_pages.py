@@ -23,7 +23,14 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).parents[2]
 CHAPTERS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.ipynb"))
 HANDBOOK = ["pages/students", "pages/glossary", "api/lesson_code", "api/lesson_code.formulas"]
-PAGES = ["index", "exercises", "search", *HANDBOOK, *(f"notebooks/{name}" for name in CHAPTERS)]
+PAGES = [
+    "index",
+    "lab",
+    "exercises",
+    "search",
+    *HANDBOOK,
+    *(f"notebooks/{name}" for name in CHAPTERS),
+]
 PHONE: Any = {"width": 360, "height": 740}
 AXE: Any = {"resultTypes": ["violations"], "preload": False}
 """What axe-core is asked. By itself it would load style sheets, which a folder does not let it."""

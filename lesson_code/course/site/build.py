@@ -16,7 +16,7 @@ from typing import Any
 from lesson_code.course.notebooks.root import how_to_install
 from lesson_code.course.site.api_pages import MODULES, write_api_pages
 from lesson_code.course.site.finishing import finish
-from lesson_code.course.site.front_pages import PAGES, TITLE, exercise_page, front_page
+from lesson_code.course.site.front_pages import PAGES, TITLE, exercise_page, front_page, lab_page
 from lesson_code.course.site.mathml import write_font
 from lesson_code.course.site.moving import MovingFigure, figures_of
 from lesson_code.course.site.notebook_page import NotebookPage
@@ -81,6 +81,7 @@ def build(
     site: Path,
     *,
     moving: Collection[str] | None = None,
+    lab: str = "",
     told: Told = lambda *_: None,
 ) -> int:
     """Make the workbook's pages.
@@ -95,6 +96,8 @@ def build(
     moving : collection of str, optional
         The notebooks whose figures with sliders are drawn ahead, by name; None for all. In the
         others they stand still. Drawing them for all places of the sliders takes the time.
+    lab : str, optional
+        The collision lab as HTML, for the home page and a page of its own.
     told : callable, optional
         Receives progress messages.
 
@@ -116,10 +119,10 @@ def build(
     figures = _moving_figures(drawn, told)
     told("pages", 1.0)
     with tempfile.TemporaryDirectory(prefix="workbook-site-") as folder:
-        _write_sources(root, Path(folder), notebooks, figures)
+        _write_sources(root, Path(folder), notebooks, figures, lab)
         _run_sphinx(Path(folder), site)
     finish(site)
-    return len(notebooks) + len(PAGES) + len(MODULES) + 2
+    return len(notebooks) + len(PAGES) + len(MODULES) + 2 + bool(lab)
 
 
 def missing_tools() -> list[str]:
@@ -158,7 +161,11 @@ def _moving_figures(notebooks: list[Path], told: Told) -> dict[str, list[MovingF
 
 
 def _write_sources(
-    root: Path, folder: Path, notebooks: Iterable[Path], moving: dict[str, list[MovingFigure]]
+    root: Path,
+    folder: Path,
+    notebooks: Iterable[Path],
+    moving: dict[str, list[MovingFigure]],
+    lab: str,
 ) -> None:
     """Write what Sphinx reads."""
     import nbformat
@@ -180,7 +187,9 @@ def _write_sources(
         text = nbformat.writes(page)  # type: ignore[no-untyped-call]
         (folder / "notebooks" / f"{name}.ipynb").write_text(text, encoding="utf-8")
     reference = write_api_pages(folder)
-    (folder / "index.md").write_text(front_page(read, reference), encoding="utf-8")
+    (folder / "index.md").write_text(front_page(read, reference, lab), encoding="utf-8")
+    if lab:
+        (folder / "lab.md").write_text(lab_page(lab), encoding="utf-8")
     (folder / "exercises.md").write_text(exercise_page(root), encoding="utf-8")
 
 

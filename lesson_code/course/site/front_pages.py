@@ -14,14 +14,16 @@ TITLE = "Collision workbook"
 
 FRONT = """# {title}
 
+{lab}
+
 Two-dimensional collision response, from two carts on a line to piles of polygons: how to find a
 collision, how to compute what happens in it, and how to know that the answer is right. Every
 formula is compared with a physics engine that is not ours, with closed forms and with the
 conservation laws.
 
-**In these pages** you can read everything, play the animations, drag what the figures show and
-take the quizzes. **To run and change the code**, get the workbook's folder and follow its README:
-the pages are its notebooks.
+**In these pages** you can throw bodies at each other, read everything, play the animations, drag
+what the figures show and take the quizzes. **To run and change the code**, get the workbook's
+folder and follow its README: the pages are its notebooks.
 
 ## Chapters
 
@@ -34,6 +36,7 @@ After each of them you will be able to do what stands below it.
 
 {documents}
 exercises
+{lab_page}
 ```
 
 ```{{toctree}}
@@ -63,6 +66,15 @@ PAGES = (
 )
 """The handbook, in its order: files in the folder ``pages``."""
 
+LAB_PAGE = """# Collision lab
+
+{lab}
+
+Drag a body, or the tip of its velocity, or type numbers. What moves the bodies is the course's own
+engine, compiled for the browser from the Python that the chapters show. **Link to this set-up**
+opens the same bodies for somebody else.
+"""
+
 EXERCISE_PAGE = """# Exercises
 
 Each exercise is a file to complete. Every task is a function with an empty body; the cell below it
@@ -79,7 +91,9 @@ ABLE = re.compile(r"\*\*After this notebook you will be able to\*\*\s+(.*?)\n\n\
 """The list of what a notebook teaches, in its first cell."""
 
 
-def front_page(notebooks: Sequence[tuple[str, Any]], reference: Sequence[str] = ()) -> str:
+def front_page(
+    notebooks: Sequence[tuple[str, Any]], reference: Sequence[str] = (), lab: str = ""
+) -> str:
     """Return the front page: what this is, and each chapter with what it teaches.
 
     Parameters
@@ -88,6 +102,8 @@ def front_page(notebooks: Sequence[tuple[str, Any]], reference: Sequence[str] = 
         The name of each chapter's file without its suffix, and the notebook.
     reference : sequence of str
         The names of the pages about the public names.
+    lab : str
+        The collision lab as HTML; without it the page has none.
     """
     contents = "\n\n".join(_entry(name, notebook) for name, notebook in notebooks)
     documents = "\n".join(f"notebooks/{name}" for name, _ in notebooks)
@@ -97,7 +113,19 @@ def front_page(notebooks: Sequence[tuple[str, Any]], reference: Sequence[str] = 
         documents=documents,
         pages="\n".join(f"pages/{name}" for name in PAGES),
         reference="\n".join(reference),
+        lab=as_html(lab) if lab else "",
+        lab_page="lab" if lab else "",
     )
+
+
+def lab_page(lab: str) -> str:
+    """Return the page of the collision lab alone, to which its set-ups link."""
+    return LAB_PAGE.format(lab=as_html(lab))
+
+
+def as_html(text: str) -> str:
+    """Return HTML as Sphinx is to take it: as it stands."""
+    return f"``````{{raw}} html\n{text}\n``````"
 
 
 def exercise_page(root: Path) -> str:

@@ -8,7 +8,7 @@ import nbformat
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from lesson_code.course.grading.exercises import exercises
-from lesson_code.course.site.front_pages import exercise_page, front_page
+from lesson_code.course.site.front_pages import exercise_page, front_page, lab_page
 
 ROOT = Path(__file__).parents[3]
 
@@ -21,6 +21,16 @@ def test_front_page_says_what_each_chapter_teaches() -> None:
         entry = page.split(f"](notebooks/{path.name})")[1].split("###")[0]
         assert all(f"\n{number}. " in entry for number in (1, 2, 3)), path.name
         assert f"\nnotebooks/{path.stem}\n" in page
+
+
+def test_lab_stands_first_and_alone() -> None:
+    """As it is given, on the front page above all text and on a page of its own; or nowhere."""
+    lab = "<div>`A` {lab}</div>"
+    page = front_page([], lab=lab)
+    assert page.index(lab) < page.index("Two-dimensional collision response")
+    assert "\nlab\n" in page
+    assert lab in lab_page(lab)
+    assert "\nlab\n" not in front_page([])
 
 
 def test_chapter_without_goals_stands_by_its_title() -> None:
