@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from math import cos, hypot, pi, sin
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote, unquote
 
@@ -17,13 +18,13 @@ from .test_pages import violations_in
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from playwright.sync_api import Locator, Page
+    from playwright.sync_api import Browser, Locator, Page
 
 SHEET = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Lab</title>
 <meta name="color-scheme" content="light dark"><body><main><h1>Lab</h1>{lab}</main>"""
 
 FEW = ["Oblique hit", "Head on, equal masses", "Heavy on light", "They stay together"]
-FEW += ["Row of five", "Friction makes spin", "Boxes and discs that fall"]
+FEW += ["Row of five", "Friction makes spin", "Polygons and discs that fall"]
 MANY = ["Rack of fifteen", "Gas of 500"]
 
 TWO_FRAMES = """() => new Promise(
@@ -39,7 +40,7 @@ def opened(page: Page, folder: Path, link: str = "") -> Locator:
     file = folder / "lab.html"
     file.write_text(SHEET.format(lab=lab_html()), "utf-8")
     page.goto(file.as_uri() + link)
-    page.locator("[data-lab][data-ready] canvas").wait_for()
+    page.locator("[data-lab][data-ready] canvas").first.wait_for()
     return page.locator("[data-lab]")
 
 
@@ -67,6 +68,17 @@ def words_of(lab: Locator) -> str:
     return lab.locator(".lab-words").inner_text()
 
 
+def shape_of(name: str, size: float) -> Circle | Polygon:
+    """Return a shape by its name: a regular polygon has a corner at the angle 0."""
+    if name == "disc":
+        return Circle(size)
+    if name == "box":
+        return Polygon.box(2 * size, 2 * size)
+    count = {"triangle": 3, "pentagon": 5, "hexagon": 6, "octagon": 8}[name]
+    turns = [2 * pi * k / count for k in range(count)]
+    return Polygon([(size * cos(turn), size * sin(turn)) for turn in turns])
+
+
 def simulated(set_up: dict[str, Any], steps: int) -> Run:
     """Return a run of a set-up in Python, by the lab's solver."""
     is_track = set_up["dimensions"] == 1
@@ -75,7 +87,7 @@ def simulated(set_up: dict[str, Any], steps: int) -> Run:
     bodies = []
     for b in set_up["bodies"]:
         size = b["size"]
-        shape = Polygon.box(2 * size, 2 * size) if b["shape"] == "box" else Circle(size)
+        shape = shape_of(b["shape"], size)
         given: dict[str, Any] = {"mass": b["mass"], "material": surface}
         if is_track:
             given |= {"position": (b["x"], 0), "velocity": (b["vx"], 0), "inertia": float("inf")}
@@ -99,6 +111,7 @@ def test_lab_passes_axe_without_errors(
     """Its controls have names, its words contrast enough."""
     page.emulate_media(color_scheme=scheme)
     lab = opened(page, tmp_path)
+    lab.get_by_text("Graphs and values").click()
     press(lab, "Step", 60)
     assert violations_in(page) == []
     assert faults == []
@@ -111,7 +124,7 @@ def test_lab_fits_a_telephone(page: Page, faults: list[str], tmp_path: Path, pre
     lab = opened(page, tmp_path)
     lab.get_by_label("Begin with").select_option(preset)
     assert page.evaluate("document.documentElement.scrollWidth") == 360
-    assert lab.locator("canvas").evaluate(
+    assert lab.locator("canvas").first.evaluate(
         """canvas => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height)
             .data.some((value) => value > 0)"""
     )
@@ -146,7 +159,7 @@ def test_lab_shows_what_the_engine_computes(page: Page, tmp_path: Path, preset: 
 def test_steps_back_lead_to_what_was_seen(page: Page, tmp_path: Path) -> None:
     """Over a hundred steps, past the states that are kept, and forward again."""
     lab = opened(page, tmp_path)
-    lab.get_by_label("Begin with").select_option("Boxes and discs that fall")
+    lab.get_by_label("Begin with").select_option("Polygons and discs that fall")
 
     def seen() -> tuple[Any, ...]:
         return words_of(lab), numbers_of(lab, "x"), lab.locator(".lab-clock").inner_text()
@@ -167,7 +180,7 @@ def test_steps_back_lead_to_what_was_seen(page: Page, tmp_path: Path) -> None:
 def test_body_and_tip_of_a_velocity_are_dragged(page: Page, tmp_path: Path) -> None:
     """The picture is 8.2 m wide, its middle at (0, 0); an arrow has 0.4 m for 1 m/s."""
     lab = opened(page, tmp_path)
-    box = lab.locator("canvas").bounding_box()
+    box = lab.locator("canvas").first.bounding_box()
     assert box
     metre = box["width"] / 8.2
 
@@ -267,3 +280,116 @@ def test_lab_says_what_it_needs_where_no_script_runs() -> None:
     """In words, which the script replaces."""
     before = lab_html().split("<script")[0]
     assert "needs a browser that runs JavaScript" in before
+
+
+def test_momenta_and_impulses_of_an_impact_add_up(page: Page, tmp_path: Path) -> None:
+    """What the list says of the oblique hit, against a run in Python and Newton's third law."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option("Friction makes spin")
+    press(lab, "Step", 70)
+    run = simulated(set_up_of(lab), 70)
+    lines = [line.replace("\N{MINUS SIGN}", "-") for line in lab.locator("li").all_inner_texts()]
+    contact = next(line for line in lines if line.startswith("Contact"))
+    normal, tangent = run.contacts.normal_impulse[-1], run.contacts.tangent_impulse[-1]
+    assert f"gave each other {normal:.2f} N s" in contact
+    assert f"and {abs(tangent):.2f} N s of friction" in contact
+    changes = [line.split("change (")[1].split(")")[0] for line in lines if "change (" in line]
+    (ax, ay), (bx, by) = ([float(part) for part in change.split(", ")] for change in changes)
+    assert (ax + bx, ay + by) == pytest.approx((0, 0), abs=0.011)  # two decimals each
+    assert hypot(ax, ay) == pytest.approx(hypot(normal, tangent), abs=0.01)
+
+
+@pytest.mark.parametrize(("friction", "verb"), [("1", "sticks"), ("0.05", "slips")])
+def test_contact_sticks_within_the_cone_and_slips_at_its_edge(
+    page: Page, tmp_path: Path, friction: str, verb: str
+) -> None:
+    """The same oblique hit with much friction and with little."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option("Friction makes spin")
+    lab.get_by_role("slider", name="Friction").fill(friction)
+    press(lab, "Step", 70)
+    contact = lab.locator("li").filter(has_text="Contact").first.inner_text()
+    assert contact.endswith(f"{verb}.")
+
+
+def test_values_of_every_step_are_saved_as_csv(page: Page, tmp_path: Path) -> None:
+    """The last row is the last state of a run in Python; graphs of every kind can be chosen."""
+    lab = opened(page, tmp_path)
+    press(lab, "Step", 70)
+    lab.get_by_text("Graphs and values").click()
+    for kind in lab.get_by_label("Show").locator("option").all_inner_texts():
+        lab.get_by_label("Show").select_option(kind)
+        label = lab.locator("details canvas").last.get_attribute("aria-label") or ""
+        assert label.startswith(f"{kind}, over 1.17 s: at the end")
+    with page.expect_download() as saving:
+        press(lab, "Save the values as CSV")
+    head, *rows = saving.value.path().read_text("utf-8").splitlines()
+    values = dict(zip(head.split(","), map(float, rows[-1].split(",")), strict=True))
+    run = simulated(set_up_of(lab), 70)
+    assert len(rows) == 71
+    assert (values["x_2"], values["y_2"]) == pytest.approx(tuple(run.positions[-1, 1]), abs=1e-12)
+    assert values["kinetic_energy"] == pytest.approx(run.kinetic_energy[-1], abs=1e-12)
+    assert values["time"] == pytest.approx(70 / 60)
+
+
+def test_body_is_moved_thrown_and_scaled_by_keys(page: Page, tmp_path: Path) -> None:
+    """Body 2 is chosen; one arrow is 0.05 m, with Shift 0.1 m/s."""
+    lab = opened(page, tmp_path)
+    lab.locator("canvas").first.focus()
+    for key in ("2", "ArrowRight", "ArrowUp", "Shift+ArrowLeft", "+", "+", "-"):
+        page.keyboard.press(key)
+    second = set_up_of(lab)["bodies"][1]
+    wanted = {"x": 0.55, "y": 0.05, "vx": -0.1, "vy": 0, "size": 0.55}
+    assert {name: second[name] for name in wanted} == pytest.approx(wanted)
+
+
+def test_size_is_dragged_by_its_handle(page: Page, tmp_path: Path) -> None:
+    """A press on a body chooses it; the handle stands on its rim, at its angle."""
+    lab = opened(page, tmp_path)
+    box = lab.locator("canvas").first.bounding_box()
+    assert box
+    metre = box["width"] / 8.2
+
+    def to(x: float, y: float) -> None:
+        page.mouse.move(
+            box["x"] + box["width"] / 2 + x * metre, box["y"] + box["height"] / 2 - y * metre
+        )
+
+    to(0.5, 0)
+    page.mouse.down()
+    page.mouse.up()
+    to(1.0, 0)
+    page.mouse.down()
+    to(1.3, 0)
+    page.mouse.up()
+    assert [body["size"] for body in set_up_of(lab)["bodies"]] == [0.4, 0.8]
+
+
+def test_finger_drags_a_body_and_scrolls_beside_it(browser: Browser, tmp_path: Path) -> None:
+    """Touch events of Chromium, on a telephone: a finger on a body moves it, the page stays."""
+    context = browser.new_context(viewport={"width": 360, "height": 740}, has_touch=True)
+    page = context.new_page()
+    lab = opened(page, tmp_path)
+    box = lab.locator("canvas").first.bounding_box()
+    assert box
+    metre = box["width"] / 8.2
+    touch = context.new_cdp_session(page)
+
+    def send(kind: str, *places: tuple[float, float]) -> None:
+        points = [
+            {
+                "x": box["x"] + box["width"] / 2 + x * metre,
+                "y": box["y"] + box["height"] / 2 - y * metre,
+            }
+            for x, y in places
+        ]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    send("touchStart", (0.5, 0))
+    for k in range(1, 6):
+        send("touchMove", (0.5 + 0.2 * k, -0.2 * k))
+    send("touchEnd")
+    moved = set_up_of(lab)["bodies"][1]
+    assert (moved["x"], moved["y"]) == pytest.approx((1.5, -1.0), abs=0.051)
+    assert page.evaluate("scrollY") == 0
+    context.close()

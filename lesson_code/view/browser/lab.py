@@ -10,6 +10,17 @@ from lesson_code.view.browser.live import colors, plain
 SOLVER = "sequential"
 """The program that steps the lab."""
 
+MODULES = (
+    "world.js",
+    "lab_setup.js",
+    "lab_picture.js",
+    "lab_hold.js",
+    "lab_controls.js",
+    "lab_account.js",
+    "lab.js",
+)
+"""What makes the lab, in the order in which one uses the other."""
+
 WITHOUT = "The collision lab needs a browser that runs JavaScript and WebAssembly."
 
 
@@ -20,7 +31,7 @@ def lab_html() -> str:
     1
     """
     here = files("lesson_code.view.browser")
-    modules = "\n".join(here.joinpath(name).read_text("utf-8") for name in ("world.js", "lab.js"))
+    modules = "\n".join(here.joinpath(name).read_text("utf-8") for name in MODULES)
     script = plain(programs.script_with(SOLVER, modules))
     return (
         f'<div data-lab style="{colors()}"><p>{WITHOUT}</p></div>\n'

@@ -1,0 +1,213 @@
+// The controls of the collision lab: buttons, switches, a card of numbers for each body; and what
+// a screen reader is told.
+
+function made(kind, attributes = {}, words = "") {
+  const element = document.createElement(kind);
+  for (const key in attributes) element.setAttribute(key, attributes[key]);
+  element.textContent = words;
+  return element;
+}
+
+function put(parent, kind, attributes, words) {
+  const element = made(kind, attributes, words);
+  parent.append(element);
+  return element;
+}
+
+function button(parent, words, pressed) {
+  const made = put(parent, "button", { ...FREE_KEYS, type: "button" }, words);
+  made.addEventListener("click", pressed);
+  return made;
+}
+
+function check(parent, label, isOn, changed) {
+  const whole = put(parent, "label");
+  const box = put(whole, "input", { ...FREE_KEYS, type: "checkbox" });
+  box.checked = isOn;
+  whole.append(` ${label}`);
+  box.addEventListener("change", () => changed(box.checked));
+  return { whole, box };
+}
+
+function select(parent, label, options, changed) {
+  const whole = put(parent, "label", {}, `${label} `);
+  const box = put(whole, "select", FREE_KEYS);
+  for (const option of options) put(box, "option", {}, option);
+  box.addEventListener("change", () => changed(box.value));
+  return { whole, box };
+}
+
+class Controls {
+  constructor(lab) {
+    this.lab = lab;
+    const { place } = lab;
+    this.words = put(place, "p", { class: "lab-words" });
+    this.error = put(place, "p", { role: "alert" });
+    this.told = put(place, "p", { class: "unseen", role: "status" });
+    this.buttons(put(place, "div", { class: "lab-row" }));
+    this.settings(put(place, "div", { class: "lab-row" }));
+    this.cards = put(place, "div");
+    const last = put(place, "p", { class: "lab-row" });
+    this.adds = button(last, "Add a body", () => lab.edit((setup) => setup.bodies.push(lab.another())));
+    this.link = put(last, "a", { href: "#" }, "Link to this set-up");
+    put(place, "p", { class: "lab-keys" }, KEYS);
+  }
+
+  /** A number that can be typed, or changed with the arrow keys. */
+  number(parent, label, range, changed, spoken = label) {
+    const whole = put(parent, "label", {}, `${label} `);
+    const { low: min, high: max, step } = range;
+    const box = put(whole, "input", { ...FREE_KEYS, type: "number", min, max, step: "any", "aria-label": spoken });
+    box.addEventListener("keydown", (event) => {
+      const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+      if (!way) return;
+      event.preventDefault(); // by whole steps
+      changed(limited(rounded(Number(box.value) + way * step * (event.shiftKey ? 10 : 1), step), range));
+    });
+    box.addEventListener("input", () => {
+      const value = box.valueAsNumber;
+      this.lab.typing = box;
+      if (value >= min && value <= max) changed(value);
+    });
+    box.addEventListener("change", () => {
+      this.lab.typing = null;
+      this.lab.refresh(); // what is out of range is put right
+    });
+    return { whole, box };
+  }
+
+  buttons(row) {
+    this.runs = button(row, "Run", () => this.lab.run(!this.lab.isRunning));
+    this.back = button(row, "Step back", () => this.lab.go(this.lab.count - 1));
+    button(row, "Step", () => this.lab.go(this.lab.count + 1));
+    button(row, "Reset", () => this.lab.open(this.lab.setup));
+    check(row, "Slow", false, (isOn) => (this.lab.isSlow = isOn));
+    this.clock = put(row, "span", { class: "lab-value lab-clock" });
+  }
+
+  settings(row) {
+    this.preset = select(row, "Begin with", ["Choose", ...Object.keys(PRESETS)], (name) => {
+      if (PRESETS[name]) this.lab.open(PRESETS[name]());
+    });
+    this.ways = select(row, "Motion", ["on a line", "in the plane"], (value) =>
+      this.lab.edit((setup) => (setup.dimensions = value === "on a line" ? 1 : 2)),
+    );
+    this.numbers = Object.entries(SETTINGS).map(([name, range]) => {
+      const whole = put(row, "label", {}, `${range.label} `);
+      const { low: min, high: max, step } = range;
+      const box = put(whole, "input", { ...FREE_KEYS, type: "range", min, max, step });
+      const value = put(whole, "span", { class: "lab-value" });
+      box.addEventListener("input", () => this.lab.edit((setup) => (setup[name] = box.valueAsNumber)));
+      return { name, whole, box, value, ...range };
+    });
+    this.switches = Object.entries(SWITCHES).map(([name, { label, isPlane }]) => {
+      const parts = check(row, label, false, (isOn) => this.lab.edit((setup) => (setup[name] = isOn)));
+      return { name, isPlane, ...parts };
+    });
+    for (const [name, label] of Object.entries(SHOWN))
+      check(row, label, this.lab.shown[name], (isOn) => {
+        this.lab.shown[name] = isOn;
+        this.lab.refresh();
+      });
+  }
+
+  /** A card of numbers for each body, if they are few. */
+  deal() {
+    const { bodies } = this.lab.setup;
+    const isFew = bodies.length <= MOST_WITH_NUMBERS;
+    this.adds.hidden = bodies.length >= MOST_WITH_NUMBERS;
+    this.cards.replaceChildren();
+    this.boxes = (isFew ? bodies : []).map((_, k) => {
+      const card = put(this.cards, "fieldset");
+      put(card, "legend", {}, `Body ${k + 1}`);
+      const shape = select(card, "shape", SHAPE_NAMES, (value) => this.lab.edit((setup) => (setup.bodies[k].shape = value)));
+      const fields = Object.entries(FIELDS).filter(([, { label }]) => label);
+      const numbers = fields.map(([name, range]) => {
+        const changed = (value) => this.lab.edit((setup) => (setup.bodies[k][name] = value));
+        return { name, ...range, ...this.number(card, range.label, range, changed, `${range.label}, of body ${k + 1}`) };
+      });
+      const takes = button(card, "Remove", () => this.lab.edit((setup) => setup.bodies.splice(k, 1)));
+      takes.setAttribute("aria-label", `Remove body ${k + 1}`);
+      return { shape, numbers };
+    });
+  }
+
+  /** Show the state of the lab. */
+  show() {
+    const isTrack = this.lab.setup.dimensions === 1;
+    this.clock.textContent = `t = ${decimal(this.lab.count * DT)} s`;
+    this.back.disabled = this.lab.count <= this.lab.saved[0][0];
+    this.ways.box.value = isTrack ? "on a line" : "in the plane";
+    for (const { name, box, value, whole, isPlane } of this.numbers) {
+      box.value = this.lab.setup[name];
+      value.textContent = this.lab.setup[name];
+      whole.hidden = isPlane && isTrack;
+    }
+    for (const { name, box, whole, isPlane } of this.switches) {
+      box.checked = this.lab.setup[name];
+      whole.hidden = isPlane && isTrack;
+    }
+    this.boxes.forEach(({ shape, numbers }, k) => {
+      shape.box.value = this.lab.setup.bodies[k].shape;
+      for (const { name, box, whole, isPlane, isFixed } of numbers) {
+        whole.hidden = isPlane && isTrack;
+        const now = (isFixed ? this.lab.setup : this.lab.world).bodies[k][name];
+        if (box !== this.lab.typing) box.value = Number(now.toFixed(4));
+      }
+    });
+    this.speak();
+  }
+
+  speak() {
+    const isTrack = this.lab.setup.dimensions === 1;
+    const { mass, px, py, energy, potential, vx, vy } = this.lab.world.totals();
+    const lost = this.lab.first.energy + this.lab.first.potential - energy - potential;
+    const floor = -GRAVITY * HEIGHTS[2] * mass; // J, of bodies whose centres lie on it
+    const height = this.lab.setup.gravity && !isTrack ? `, energy of height above the floor ${decimal(potential - floor)} J` : "";
+    const parts = [
+      `Momentum ${tuple(px, py, isTrack)} kg m/s`,
+      `kinetic energy ${decimal(energy)} J${height}`,
+      `energy lost since t = 0: ${decimal(lost)} J`,
+      `velocity of the centre of mass ${tuple(vx, vy, isTrack)} m/s`,
+    ];
+    const words = `${parts.join("; ")}.${this.lab.account.struck()}`;
+    this.words.textContent = words;
+    const few = this.lab.setup.bodies.length <= MOST_WITH_NUMBERS ? this.each(isTrack) : "";
+    this.lab.canvas.setAttribute("aria-label", `${this.lab.setup.bodies.length} bodies at ${decimal(this.lab.count * DT)} s. ${few}`);
+    clearTimeout(this.waits);
+    if (!this.lab.isRunning) this.waits = setTimeout(() => (this.told.textContent = `${this.clock.textContent}. ${few}${words}`), REST);
+  }
+
+  each(isTrack) {
+    const say = ({ x, y, vx, vy }, k) => `Body ${k + 1} at ${tuple(x, y, isTrack)} m, velocity ${tuple(vx, vy, isTrack)} m/s. `;
+    return this.lab.world.bodies.slice(0, this.lab.setup.bodies.length).map(say).join("");
+  }
+}
+
+const KEYS =
+  "Keys on the picture: 1 to 8 choose a body, the arrows move it, Shift and the arrows change its velocity, + and \u2212 its size. " +
+  "Drag the small square of a chosen body to change its size.";
+
+const LAB_STYLE = `
+  [data-lab] { max-width: 100%; font: 14px/1.4 sans-serif; }
+  [data-lab] canvas { display: block; width: 100%; max-width: 56em; touch-action: pan-y; }
+  [data-lab] canvas.lab-chart { touch-action: auto; }
+  [data-lab] :is(details, ul) { margin: 8px 0; max-width: 56em; }
+  [data-lab] ul { padding-left: 1.3em; font-variant-numeric: tabular-nums; }
+  [data-lab] .lab-keys { max-width: 56em; }
+  [data-lab] summary { cursor: pointer; font-weight: bold; }
+  [data-lab] .lab-row { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 8px 0; }
+  [data-lab] .lab-words { min-height: 4.2em; margin: 6px 0; max-width: 56em; font-variant-numeric: tabular-nums; }
+  [data-lab] :is(button, input, select) { font: inherit; }
+  [data-lab] button { padding: 4px 12px; min-width: 4.5em; }
+  [data-lab] .lab-value { font-variant-numeric: tabular-nums; font-weight: bold; min-width: 2.5em; display: inline-block; }
+  [data-lab] input[type="range"] { width: 8em; vertical-align: middle; }
+  [data-lab] fieldset { display: flex; flex-wrap: wrap; gap: 4px 12px; border: 1px solid color-mix(in srgb, currentColor 40%, transparent);
+    margin: 6px 0; padding: 4px 10px 8px; max-width: 56em; box-sizing: border-box; align-items: center; }
+  [data-lab] fieldset input { width: 5em; }
+  [data-lab] a { color: inherit; }
+  [data-lab] [hidden] { display: none; }
+  [data-lab] [role="alert"] { color: inherit; font-weight: bold; margin: 0; }
+  [data-lab] .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  @media print { [data-lab] :is(button, fieldset, .lab-row) { display: none; } }
+`;
