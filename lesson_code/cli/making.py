@@ -47,21 +47,23 @@ def regenerate(
     from lesson_code.course.grading.exercises import exercises
     from lesson_code.course.notebooks.regenerate import derived_files, drifted
     from lesson_code.course.notebooks.root import find_root, require_instructors
-    from lesson_code.view.browser import programs, stills
+    from lesson_code.view.browser import lab_still, programs, stills
 
     tasks = {exercise.name: exercise.task_ids for exercise in exercises()}
+    kinds = (programs, stills, lab_still)
     with clear_errors():
         root = find_root()
         require_instructors(root)
         if only_check:
-            lines = drifted(root, tasks) + programs.drifted(root) + stills.drifted(root)
+            lines = drifted(root, tasks)
+            lines += [line for kind in kinds for line in kind.drifted(root)]
             for line in lines:
                 say_error(line)
             raise typer.Exit(1 if lines else 0)
         begins = tuple(names or [""])
         made = 0
         # Figures hold programs, and notebooks hold figures.
-        for kind in (programs, stills):
+        for kind in kinds:
             for name in kind.names_in(root):
                 if name.startswith(begins) and (names or kind.fault(name)):
                     say_made(kind.write(name), root)

@@ -29,9 +29,18 @@ from lesson_code.course.quiz.notebook import show_quiz
 from lesson_code.evidence import CheckFailedError, check
 from lesson_code.formulas import reflect
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
+from lesson_code.view.browser.lab import lab
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import diagrams, style
+
+# %% [markdown]
+# Begin with your hands: throw one disc at the other. Drag a disc, or the tip of its velocity, and
+# press Run. The engine that you will read in this course moves them. Predict first: which sum is
+# the same before and after the impact?
+
+# %%
+lab()
 
 # %% [markdown]
 # ## 1 Every collision goes through one pipeline

@@ -11,6 +11,7 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.run import Run
+from lesson_code.view.browser import lab_still
 from lesson_code.view.browser.lab import lab_html
 
 from .test_pages import violations_in
@@ -277,9 +278,11 @@ def test_lab_runs_until_it_is_paused(page: Page, faults: list[str], tmp_path: Pa
 
 
 def test_lab_says_what_it_needs_where_no_script_runs() -> None:
-    """In words, which the script replaces."""
+    """In words and a still picture of today's lab, which the script replaces."""
     before = lab_html().split("<script")[0]
     assert "needs a browser that runs JavaScript" in before
+    assert 'alt="Two discs' in before
+    assert lab_still.fault() == ""
 
 
 def test_momenta_and_impulses_of_an_impact_add_up(page: Page, tmp_path: Path) -> None:
