@@ -368,7 +368,7 @@ def test_size_is_dragged_by_its_handle(page: Page, tmp_path: Path) -> None:
     assert [body["size"] for body in set_up_of(lab)["bodies"]] == [0.4, 0.8]
 
 
-def test_finger_drags_a_body_and_scrolls_beside_it(browser: Browser, tmp_path: Path) -> None:
+def test_finger_drags_a_body(browser: Browser, tmp_path: Path) -> None:
     """Touch events of Chromium, on a telephone: a finger on a body moves it, the page stays."""
     context = browser.new_context(viewport={"width": 360, "height": 740}, has_touch=True)
     page = context.new_page()
