@@ -9,7 +9,7 @@ from urllib.parse import quote, unquote
 
 import pytest
 
-from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, formulas, simulate
 from lesson_code.engine.core.run import Run
 from lesson_code.view.browser import lab_still
 from lesson_code.view.browser.lab import lab_html
@@ -300,6 +300,30 @@ def test_momenta_and_impulses_of_an_impact_add_up(page: Page, tmp_path: Path) ->
     (ax, ay), (bx, by) = ([float(part) for part in change.split(", ")] for change in changes)
     assert (ax + bx, ay + by) == pytest.approx((0, 0), abs=0.011)  # two decimals each
     assert hypot(ax, ay) == pytest.approx(hypot(normal, tangent), abs=0.01)
+
+
+@pytest.mark.parametrize(
+    "preset", ["Head on, equal masses", "Heavy on light", "Friction makes spin"]
+)
+def test_code_that_has_just_run_says_what_the_engine_gave(
+    page: Page, tmp_path: Path, preset: str
+) -> None:
+    """The printed calls, run in Python, yield the impulses of a run in Python."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option(preset)
+    lab.get_by_text("The code that has just run").click()
+    part = lab.locator("details").last
+    part.get_by_text("No two bodies have met yet.").wait_for()
+    steps = 0
+    while "That is what the formulas say." not in part.inner_text():
+        press(lab, "Step")
+        steps += 1
+        assert steps < 200
+    contacts = simulated(set_up_of(lab), steps).contacts
+    values: dict[str, Any] = {name: getattr(formulas, name) for name in formulas.__all__}
+    exec(lab.locator(".lab-calls").inner_text(), values)  # noqa: S102 - our own text
+    assert values["jn"] == pytest.approx(contacts.normal_impulse[-1], rel=1e-5)  # six digits
+    assert values.get("jt", 0.0) == pytest.approx(contacts.tangent_impulse[-1], rel=1e-5)
 
 
 @pytest.mark.parametrize(("friction", "verb"), [("1", "sticks"), ("0.05", "slips")])

@@ -1,14 +1,15 @@
 // The collision lab: bodies to throw at each other. The stepped engine of the course moves them
 // (world.js). What it begins with is in lab_setup.js; lab_picture.js draws it, lab_hold.js lets it be
-// dragged, lab_controls.js set by number, lab_account.js adds up momenta, impulses and energy.
+// dragged, lab_controls.js set by number, lab_account.js adds up momenta, impulses and
+// energy, and lab_code.js shows the formulas with the numbers of a contact.
 
-/** Bring the lab to life in its place. */
-export function startLab(program) {
-  for (const place of document.querySelectorAll("[data-lab]:not([data-ready])")) new Lab(place, program);
+/** Bring the lab to life in its place, with the engine, the formulas, and the text of their functions. */
+export function startLab(program, formulas, functions) {
+  for (const place of document.querySelectorAll("[data-lab]:not([data-ready])")) new Lab(place, program, formulas, functions);
 }
 
 class Lab {
-  constructor(place, program) {
+  constructor(place, program, formulas, functions) {
     const shown = { velocities: true, momenta: false, centre: false, paths: false };
     Object.assign(this, { place, program, isRunning: false, chosen: null, shown });
     place.setAttribute("data-ready", "");
@@ -16,6 +17,7 @@ class Lab {
     this.canvas = put(place, "canvas", { ...FREE_KEYS, role: "application", tabindex: 0 });
     this.controls = new Controls(this);
     this.account = new Account(this);
+    this.code = new Code(this, formulas, functions);
     this.picture = new Picture(this, this.canvas);
     this.hold = new Hold(this);
     const draw = () => this.draw();
@@ -44,6 +46,7 @@ class Lab {
   draw() {
     this.picture.draw();
     this.account.show();
+    this.code.show();
   }
 
   // What happens
@@ -138,17 +141,18 @@ class Lab {
       return { x, y, vx, vy, angle, w, px: mass * vx, py: mass * vy };
     });
     this.history[count] = { ...world.totals(), bodies };
-    if (world.impulses.length > 0) this.hit = { count, contacts: world.impulses.map((one) => ({ ...one, friction: this.frictionOf(one) })) };
+    if (world.impulses.length > 0) this.hit = { count, contacts: world.impulses.map((one) => ({ ...one, row: this.rowOf(one) })) };
   }
 
-  /** Return the coefficient of friction that the engine took for a pair. */
-  frictionOf({ a, b }) {
+  /** Return a copy of the engine's row of a contact: the pair's own, of two points that with this impulse. */
+  rowOf({ a, b, normal_impulse }) {
     const { contacts, state } = this.program;
+    let found = null;
     for (let k = 0; k < state.contact_count; k++) {
       const row = contacts.at(k);
-      if (row.a === a && row.b === b) return row.friction;
+      if (row.a === a && row.b === b && (!found || row.normal_impulse === normal_impulse)) found = copyOf(row);
     }
-    return 0;
+    return found;
   }
 
   run(isRunning) {

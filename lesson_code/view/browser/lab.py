@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import ast
 import base64
+import inspect
+import json
+from collections.abc import Callable
 from functools import cache
 from html import escape
 from pathlib import Path
 
 from IPython.display import display
 
+from lesson_code.formulas import effective_mass, friction_impulse, normal_impulse
 from lesson_code.view.browser import programs
 from lesson_code.view.browser.live import colors, plain
 
@@ -22,9 +27,13 @@ MODULES = (
     "lab_hold.js",
     "lab_controls.js",
     "lab_account.js",
+    "lab_code.js",
     "lab.js",
 )
 """What makes the lab, in the order in which one uses the other."""
+
+SHOWN = (effective_mass, normal_impulse, friction_impulse)
+"""The formulas whose code it shows: what the engine does to a contact."""
 
 STILL = Path(__file__).parent / "lab.svg"
 """Its picture when it is opened; ``workbook regenerate`` makes it."""
@@ -53,7 +62,8 @@ def lab_html() -> str:
         f'<div data-lab style="{colors()}"><img alt="{escape(ALT)}" '
         'style="display:block;max-width:100%;background:#fff" '
         f'src="data:image/svg+xml;base64,{picture}"><p>{WITHOUT}</p></div>\n'
-        f'<script type="module">\n{script()}startLab(await open_program());\n</script>'
+        f'<script type="module">\n{script()}'
+        "startLab(await open_program(), await open_formulas(), FUNCTIONS);\n</script>"
     )
 
 
@@ -62,4 +72,30 @@ def script() -> str:
     """Return the lab's modules and its program as one script."""
     here = Path(__file__).parent
     modules = "\n".join((here / name).read_text("utf-8") for name in MODULES)
-    return plain(programs.script_with(SOLVER, modules))
+    functions = "\n".join(code_of(function) for function in SHOWN)
+    return (
+        plain(programs.script_with(SOLVER, modules))
+        + f"const open_formulas = () => {programs.opened('formulas')};\n"
+        + f"const FUNCTIONS = {json.dumps(functions)};\n"
+    )
+
+
+def code_of(function: Callable[..., object]) -> str:
+    """Return the lines of a function, without its decorator and its docstring.
+
+    >>> print(code_of(normal_impulse))
+    def normal_impulse(
+        vn: Number, m_eff: Number, restitution: Number, accumulated: Number = 0
+    ) -> Number:
+        return clamp(accumulated - (1 + restitution) * vn * m_eff, 0.0, math.inf)
+    <BLANKLINE>
+    """
+    text = inspect.getsource(function)
+    definition = ast.parse(text).body[0]
+    if not isinstance(definition, ast.FunctionDef):
+        raise TypeError(f"function must be written with def, got {function!r}")
+    lines = text.splitlines(keepends=True)
+    docstring = definition.body[0]
+    return "".join(
+        lines[definition.lineno - 1 : docstring.lineno - 1] + lines[docstring.end_lineno :]
+    )

@@ -23,25 +23,20 @@ const GRAPHS = {
   "Position y of each body, m": each("y", "y"),
 };
 
+/** Return the contact with the largest impulse along its normal. */
+const strongest = (contacts) => contacts.reduce((most, one) => (one.normal_impulse > most.normal_impulse ? one : most));
+
 class Account {
   constructor(lab) {
     this.lab = lab;
-    this.momenta = this.part("Momenta and impulses", true);
+    this.momenta = part(lab, "Momenta and impulses", true);
     this.chain = put(this.momenta, "canvas", { role: "img", class: "lab-chart" });
     this.list = put(this.momenta, "ul");
-    this.graphs = this.part("Graphs and values", false);
+    this.graphs = part(lab, "Graphs and values", false);
     this.kind = select(this.graphs, "Show", Object.keys(GRAPHS), () => this.show());
     button(this.graphs, "Save the values as CSV", () => this.download());
     this.graph = put(this.graphs, "canvas", { role: "img", class: "lab-chart" });
     for (const canvas of [this.chain, this.graph]) new ResizeObserver(() => this.show()).observe(canvas);
-  }
-
-  part(title, isOpen) {
-    const details = put(this.lab.place, "details");
-    put(details, "summary", {}, title);
-    details.open = isOpen;
-    details.addEventListener("toggle", () => this.show());
-    return details;
   }
 
   show() {
@@ -54,8 +49,7 @@ class Account {
   struck() {
     const { hit } = this.lab;
     if (!hit) return "";
-    const strongest = hit.contacts.reduce((most, one) => (one.normal_impulse > most.normal_impulse ? one : most));
-    return ` At ${decimal(hit.count * DT)} s ${this.told(strongest)}.`;
+    return ` At ${decimal(hit.count * DT)} s ${this.told(strongest(hit.contacts))}.`;
   }
 
   told({ a, b, normal_impulse, tangent_impulse }) {
@@ -65,7 +59,7 @@ class Account {
   }
 
   /** Return whether a contact sticks or slips: friction at Coulomb's limit slips. */
-  grip({ friction, normal_impulse, tangent_impulse }) {
+  grip({ row: { friction }, normal_impulse, tangent_impulse }) {
     if (friction === 0) return "";
     const limit = friction * normal_impulse;
     return Math.abs(tangent_impulse) < limit * (1 - SLIPS) ? ", sticks" : ", slips";
@@ -85,6 +79,7 @@ class Account {
     const say = (x, y) => tuple(x, y, isTrack);
     const sums = sides.map(({ title, sum }) => `${title} ${say(...sum)}`).join(", ");
     const lines = [`${hit ? `Last impact at ${decimal(hit.count * DT)} s. ` : ""}Sum of the momenta, kg m/s: ${sums}.`];
+    if (hit && this.lab.setup.gravity) lines[0] += ` Between the two lies a step of ${decimal(DT, 3)} s, in which gravity acts, too.`;
     if (sides.length === 2) {
       const [before, after] = sides;
       before.bodies.slice(0, MOST_WITH_NUMBERS).forEach((one, k) => {

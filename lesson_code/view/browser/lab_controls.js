@@ -8,6 +8,15 @@ function made(kind, attributes = {}, words = "") {
   return element;
 }
 
+/** Put a part that the reader opens below the others; what is in it is drawn when it opens. */
+function part(lab, title, isOpen) {
+  const details = put(lab.place, "details");
+  put(details, "summary", {}, title);
+  details.open = isOpen;
+  details.addEventListener("toggle", () => lab.draw());
+  return details;
+}
+
 function put(parent, kind, attributes, words) {
   const element = made(kind, attributes, words);
   parent.append(element);
@@ -194,6 +203,7 @@ const LAB_STYLE = `
   [data-lab] canvas.lab-chart { touch-action: auto; }
   [data-lab] :is(details, ul) { margin: 8px 0; max-width: 56em; }
   [data-lab] ul { padding-left: 1.3em; font-variant-numeric: tabular-nums; }
+  [data-lab] pre { white-space: pre-wrap; max-width: 56em; font-size: 13px; }
   [data-lab] .lab-keys { max-width: 56em; }
   [data-lab] summary { cursor: pointer; font-weight: bold; }
   [data-lab] .lab-row { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 8px 0; }

@@ -66,10 +66,15 @@ def script_with(name: str, lines: str) -> str:
     >>> script_with("formulas", lines).splitlines()[-1] == lines
     True
     """
-    code = base64.b64encode(file_of(name).read_bytes()).decode()
     return f"""{LOADER.read_text("utf-8")}
-const open_program = () => load(Uint8Array.from(atob("{code}"), (byte) => byte.charCodeAt(0)));
+const open_program = () => {opened(name)};
 {lines}"""
+
+
+def opened(name: str) -> str:
+    """Return an expression of such a module: the promise of a program, which is in its text."""
+    code = base64.b64encode(file_of(name).read_bytes()).decode()
+    return f'load(Uint8Array.from(atob("{code}"), (byte) => byte.charCodeAt(0)))'
 
 
 def fault(name: str) -> str:
