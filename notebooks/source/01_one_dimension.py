@@ -120,8 +120,7 @@ show(
 #
 # The number e is the **restitution**. With e = 1 the collision is elastic, with e = 0 perfectly
 # inelastic. Chapter 02 is about this number. Since $v_1 - V = w_2 (v_1 - v_2)$, the program needs
-# only a few lines. These are the lines that run when you call `collide_1d`, and the lines that
-# everything else in this course runs:
+# only a few lines. These are the lines that run when you call `collide_1d`:
 
 # %%
 print(inspect.getsource(equation(collide_1d)).split('"""')[-1].strip("\n"))

@@ -725,8 +725,8 @@ show(
 # %% [markdown]
 # With many discs, each collision makes the forecasts of two discs stale, and no others. To predict
 # a disc's next event only its neighbourhood is looked at: the box is divided into **cells**, and to
-# cross from one to the next is an event too. So the cost of a collision hardly grows with the
-# number of discs.
+# cross from one to the next is an event too. So a collision among a thousand discs has no more
+# neighbours to look at than one among sixty. What still grows is the queue of all events.
 
 # %% tags=["nbval-ignore-output"]
 for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):

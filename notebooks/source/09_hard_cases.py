@@ -348,9 +348,10 @@ for moving in range(1, 5):
         check(f"{moving} from the {side}: as many leave", v[-1, :, 0], came, tolerance=1e-6)
 
 # %% [markdown]
-# Which rule does nature take? Hard balls that just touch are struck one after the other: a toy
-# cradle does it so. An engine has to *say* which rule it has. pymunk has neither: it stops after
-# ten sweeps on its way to the second one.
+# Which rule does nature take? Neither, quite. The steel balls of a toy cradle give a little under
+# the blow, so several contacts push at the same time: most of the motion reaches the far end, and
+# the balls between drift a little. One after the other comes closest. An engine has to *say* which
+# rule it has. pymunk has neither: it stops after ten sweeps on its way to the second one.
 
 # %%
 v = simulate(together.cradle(1), 1e-9, dt=1e-9, solver="pymunk", sample="end").velocities[-1, :, 0]

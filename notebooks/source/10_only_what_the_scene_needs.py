@@ -199,8 +199,9 @@ for title, scene in {
 #
 # $$\tfrac12\, m\, v^2 \le E \qquad\Longrightarrow\qquad v_{\max} = \sqrt{2E/m_{\min}}$$
 #
-# That is a bound for all times, from the first state alone. The rule multiplies it by 1.5, for
-# rounding, and compares. In the gas:
+# That is a bound for all times, from the first state alone. It counts the energy only: walls may
+# take up momentum. Without walls the momentum stays as well, and the lowest bound is smaller. The
+# rule multiplies it by 1.5, for rounding, and compares. In the gas:
 
 # %%
 from lesson_code.engine.effects.continuous import fastest_way

@@ -99,9 +99,10 @@ check_task("10.2", effects_called_for)
 # %% [markdown]
 # ## Task 10.3 How far in a step? (4 points)
 #
-# Smooth discs fly without gravity and hit each other. No impact makes energy. `masses` are their
-# masses, `velocities` has a row for each. Return the largest way that any disc can ever move
-# within a step of `dt`, whatever the impacts will be.
+# Smooth discs fly between fixed walls, without gravity, and hit each other and the walls. No
+# impact makes energy; the walls can take up momentum. `masses` are the discs' masses, `velocities`
+# has a row for each. Return the largest way that any disc can ever move within a step of `dt`,
+# whatever the impacts will be.
 
 
 # %% tags=["task"]
