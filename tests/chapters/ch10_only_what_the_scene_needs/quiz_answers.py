@@ -12,7 +12,13 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
     ),
     "10-bound": (
         math.sqrt(8 * 3**2 / 0.5),
-        [F(3), math.sqrt(8 * 3**2 / 2), math.sqrt(8 * 3**2 / 2 / 0.5), F(8 * 3) / F(1, 2)],
+        [
+            F(3),
+            math.sqrt(8 * 3**2 / 2),
+            24 / 10.5 + math.sqrt(2 * (36 - 24**2 / 2 / 10.5) * 10 / 10.5 / 0.5),
+            math.sqrt(8 * 3**2 / 2 / 0.5),
+            F(8 * 3) / F(1, 2),
+        ],
     ),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
