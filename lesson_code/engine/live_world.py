@@ -1,7 +1,8 @@
 """A running world that a player can reach into: bodies join and leave, are pushed and are moved.
 
-It runs the engine's own step. Bodies are known by numbers of their own, which stay the same while
-others come and go; the engine's tables are made anew only then.
+It runs the engine's own solvers; :mod:`lesson_code.engine.live_solver` says which, and why. Bodies
+are known by numbers of their own, which stay the same while others come and go; the engine's tables
+are made anew only then.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled import Program
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
+from lesson_code.engine.core.frames import STATE_FIELDS
 from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
@@ -25,6 +27,13 @@ from lesson_code.engine.effects.callbacks import TouchListener, touches_in
 from lesson_code.engine.effects.choice import choose_effects, names_used
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.question import Question
+from lesson_code.engine.live_solver import (
+    SWEEPS_ASKED,
+    Flight,
+    solver_for,
+    stepped_solver_for,
+)
+from lesson_code.engine.solvers.choice import SolverChoice
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
@@ -33,6 +42,13 @@ TIME_STEP = 1 / 60
 
 WORTH_COMPILING = 100
 """Bodies: plain Python moves fewer of them in half a frame."""
+
+STEPS_ON_THE_GROUND = 10
+"""Steps until discs that the exact solver could not take are offered to it again: by then what
+touched has mostly parted."""
+
+SWEEPS = 10
+"""Of the sequential solver, unless others are asked for."""
 
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
@@ -57,8 +73,9 @@ class LiveWorld:
         1/s, >= 0.
     dt : float
         The time step, s.
-    iterations : int
-        Sweeps over the contacts in a step.
+    iterations : int, optional
+        Sweeps over the contacts in a step: the sequential solver makes them. None: the solver that
+        suits the bodies.
     combine : MixingRule
         How a pair's coefficients come from its bodies'.
     callbacks : Callbacks
@@ -90,7 +107,7 @@ class LiveWorld:
         gravity: XY = (0.0, 0.0),
         damping: float = 0.0,
         dt: float = TIME_STEP,
-        iterations: int = 10,
+        iterations: int | None = None,
         combine: MixingRule = MixingRule(),  # noqa: B008 - it never changes
         callbacks: Callbacks = Callbacks(),  # noqa: B008 - it never changes
     ) -> None:
@@ -100,6 +117,9 @@ class LiveWorld:
         self.steps = 0
         self.compiled = False
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
+        self._held: dict[int, Body] = {}
+        self._flight: Flight | None = None
+        self._flies_from = 0
         self._next = len(self._bodies)
         self._at_work: EngineStepper | None = None
         self.impulses = NO_IMPULSES
@@ -151,11 +171,34 @@ class LiveWorld:
         """Take a body out of the world."""
         self._write_back()
         del self._bodies[number]
+        self._held.pop(number, None)
 
     def clear(self) -> None:
         """Take everything out of the world."""
-        self._bodies = {}
+        self._land()
+        self._bodies, self._held = {}, {}
         self._at_work = None
+
+    def hold(self, number: int) -> None:
+        """Hold a body still: until it is released, nothing can push it.
+
+        Others bounce off it as off a wall, so that nothing but its own energy is lost.
+        """
+        self._write_back()
+        body = self._bodies[number]
+        self._held[number] = body
+        self._bodies[number] = replace(
+            body, mass=None, inertia=None, velocity=(0.0, 0.0), angular_velocity=0.0
+        )
+
+    def release(self, number: int, velocity: XY = (0.0, 0.0)) -> None:
+        """Let a body go that is held, with a velocity, m/s; nothing if it is not held."""
+        if number in self._held:
+            self._write_back()
+            held, body = self._held.pop(number), self._bodies[number]
+            self._bodies[number] = replace(
+                body, mass=held.mass, inertia=held.inertia, velocity=velocity
+            )
 
     # Where they are, and how they move
 
@@ -183,11 +226,13 @@ class LiveWorld:
 
     def move(self, number: int, position: XY) -> None:
         """Put a body somewhere else, m."""
+        self._land()
         row = self._row(number)
         row.x, row.y = position
 
     def throw(self, number: int, velocity: XY, spin: float | None = None) -> None:
         """Give a body a velocity, m/s, and perhaps a spin, rad/s."""
+        self._land()
         row = self._row(number)
         row.vx, row.vy = velocity
         if spin is not None:
@@ -195,6 +240,7 @@ class LiveWorld:
 
     def push(self, number: int, impulse: XY, arm: XY = (0.0, 0.0)) -> None:
         """Give a body an impulse, N s, at a point `arm` from its centre, m."""
+        self._land()
         row, (jx, jy) = self._row(number), impulse
         row.vx += jx * row.inv_m
         row.vy += jy * row.inv_m
@@ -215,9 +261,8 @@ class LiveWorld:
 
     def pull(self, gravity: XY) -> None:
         """Set the gravity, m/s^2."""
+        self._write_back()
         self.gravity = gravity
-        state = self._engine.world.state
-        state.gravity_x, state.gravity_y = gravity
 
     # Time
 
@@ -231,33 +276,68 @@ class LiveWorld:
         ValueError
             The bodies overlap in so many pairs that no memory would hold them.
         """
+        if not self._fly():
+            self._advance_engine()
+        self.steps += 1
+        if self._listener is not None:
+            touches = touches_in(self._engine.world, self.impulses, self.numbers, self.time)
+            self._listener.tell(touches, self.time, self.numbers)
+
+    def _advance_engine(self) -> None:
+        """Let the engine make a step."""
         engine = self._engine
         try:
             engine.advance(1)
         except FloatingPointError:
-            number = self.numbers[engine.world.state.lost_body]
-            raise FloatingPointError(
-                f"body {number} has left the range of floating point"
-            ) from None
-        self.steps += 1
+            raise _lost(self.numbers[engine.world.state.lost_body]) from None
         self.impulses = engine.take_events()
-        if self._listener is not None:
-            touches = touches_in(engine.world, self.impulses, self.numbers, self.time)
-            self._listener.tell(touches, self.time, self.numbers)
+
+    def _fly(self) -> bool:
+        """Let the exact solver make a step, and return whether it has."""
+        engine = self._engine
+        if self._choice.solver != "exact" or self.steps < self._flies_from:
+            return False
+        try:
+            flight = self._in_flight()
+            states, impulses = flight.advance(self.dt)
+        except RuntimeError:
+            self._land()
+            self._flies_from = self.steps + STEPS_ON_THE_GROUND
+            return False
+        if not np.isfinite(states).all():
+            raise _lost(self.numbers[int(np.argmin(np.isfinite(states).all(axis=1)))])
+        _put(engine.world.bodies, states)
+        impulses[:, 0] += self.time - flight.time + self.dt
+        self.impulses = impulses
+        return True
+
+    def _in_flight(self) -> Flight:
+        """Return the exact solver at work on the bodies as they are."""
+        if self._flight is None:
+            compiled = None if len(self) >= WORTH_COMPILING else False
+            scene = Scene(self.bodies(), self.gravity, self.damping)
+            self._flight = Flight(scene, self.combine, compiled)
+        return self._flight
+
+    def _land(self) -> None:
+        """Give up what the exact solver has foreseen: something changes."""
+        self._flight = None
 
     def compile(self) -> None:
         """Go on in machine code, with the same results to the last bit.
 
         It takes seconds where its program is not kept.
         """
+        flight = self._flight
         self._write_back()
         self.compiled = True
         self._engine.advance(0)
+        self._flight = flight
 
     @cached_property
     def program(self) -> Program:
         """The program that is compiled."""
-        return self._engine_for((), has_grid=True).program()
+        return self._engine_for((), SWEEPS_ASKED, has_grid=True).program()
 
     def plan(self) -> Plan:
         """Return what the bodies call for as they are now, and what the world reckons with.
@@ -270,16 +350,27 @@ class LiveWorld:
         >>> from lesson_code import Body, Circle
         >>> discs = [Body(Circle(1), mass=1.0, position=(0, 3 * k)) for k in (0, 1)]
         >>> plan = LiveWorld(discs).plan()
-        >>> [(name, plan.effect(name).verdict) for name in ("collisions", "friction", "sleeping")]
-        [('collisions', 'used'), ('friction', 'forced'), ('sleeping', 'left out')]
+        >>> [(name, plan.effect(name).verdict) for name in ("collisions", "rotation", "sleeping")]
+        [('collisions', 'used'), ('rotation', 'forced'), ('sleeping', 'left out')]
         """
-        scene = Scene(self.bodies(), self.gravity, self.damping)
-        run = dict.fromkeys(names_used(self._engine.effects), True)
-        return replace(
-            self._engine.plan("as in every program"),
-            code_reason="many bodies" if self.compiled else self._why_plain(),
-            effects=choose_effects(Question(scene, dt=self.dt, combine=self.combine), run),
-        )
+        engine, scene = self._engine, Scene(self.bodies(), self.gravity, self.damping)
+        name, reason = self._choice
+        if name == "exact" and self._at_exact_work():
+            return self._in_flight().solver.plan(reason)
+        question = Question(scene, engine.plan("").solver, dt=self.dt, combine=self.combine)
+        run = dict.fromkeys(names_used(engine.effects), True)
+        plan = replace(engine.plan(reason), effects=choose_effects(question, run))
+        if plan.solver == "direct":
+            return plan
+        return replace(plan, code_reason="many bodies" if self.compiled else self._why_plain())
+
+    def _at_exact_work(self) -> bool:
+        """Return whether the exact solver can take the bodies as they are."""
+        try:
+            self._in_flight()
+        except RuntimeError:
+            return False
+        return True
 
     def _why_plain(self) -> str:
         """Return why it is not in machine code."""
@@ -329,21 +420,33 @@ class LiveWorld:
     def _engine(self) -> EngineStepper:
         """The engine at work on the bodies; made anew if some have come or gone."""
         if self._at_work is None:
-            self._at_work = self._engine_for(self._bodies.values(), has_grid=self.compiled)
+            scene = Scene(self._bodies.values(), self.gravity, self.damping)
+            self._choice = self._solver_of(scene)
+            steps = stepped_solver_for(scene) if self._choice.solver == "exact" else self._choice
+            self._at_work = self._engine_for(scene.bodies, steps, has_grid=self.compiled)
             self._place = {number: place for place, number in enumerate(self._bodies)}
             self.impulses = NO_IMPULSES
         return self._at_work
 
-    def _engine_for(self, bodies: Iterable[Body], *, has_grid: bool) -> EngineStepper:
+    def _solver_of(self, scene: Scene) -> SolverChoice:
+        """Return the solver that moves the bodies."""
+        if self._iterations is not None:
+            return SWEEPS_ASKED
+        return solver_for(Question(scene, "auto", self.dt, combine=self.combine))
+
+    def _engine_for(
+        self, bodies: Iterable[Body], choice: SolverChoice, *, has_grid: bool
+    ) -> EngineStepper:
         """Return the engine at the start of a scene; in machine code it always has the grid."""
+        is_direct = choice.solver == "direct"
         return EngineStepper(
             Scene(bodies, self.gravity, self.damping),
-            solver="sequential",
+            solver=choice.solver,
             dt=self.dt,
-            iterations=self._iterations,
+            iterations=1 if is_direct else self._iterations or SWEEPS,
             substeps=1,
             combine=self.combine,
-            compiled=self.compiled,
+            compiled=self.compiled and not is_direct,
             effects=ANY_SCENE | ({"broad_phase": True} if has_grid else {}),
             splits_steps=True,
         )
@@ -355,6 +458,7 @@ class LiveWorld:
 
     def _write_back(self) -> None:
         """Note down where all bodies are, before the tables are given up."""
+        self._land()
         if self._at_work is not None:
             self._bodies = dict(zip(self._bodies, self.bodies(), strict=True))
             self._at_work = None
@@ -364,3 +468,18 @@ def _stands_where_it_was_put(body: Body, state: list[float]) -> bool:
     """Return whether a body that nothing can push has not been moved, and does not move."""
     x, y, _, *motion = state
     return body.is_static and (x, y) == body.position and motion == [0.0, 0.0, 0.0]
+
+
+def _put(rows: Any, states: NDArray[np.float64]) -> None:
+    """Put bodies where they have got to: rows, or the records that they are compiled as."""
+    if isinstance(rows, np.ndarray):
+        for name, column in zip(STATE_FIELDS, states.T, strict=True):
+            rows[name] = column
+        return
+    for row, state in zip(rows, states.tolist(), strict=True):
+        row.x, row.y, row.angle, row.vx, row.vy, row.w = state
+
+
+def _lost(number: int) -> FloatingPointError:
+    """Return the error that names a body which no number describes any more."""
+    return FloatingPointError(f"body {number} has left the range of floating point")

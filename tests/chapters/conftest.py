@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
+
+from lesson_code.engine.live_world import LiveWorld
+from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.program import Game
 
 
@@ -9,3 +15,37 @@ def run(game: Game, steps: int) -> None:
     """Make some steps."""
     for _ in range(steps):
         game.step()
+
+
+def deepest_overlap(world: LiveWorld) -> float:
+    """Return the deepest overlap of two discs, as a part of the smaller radius; below 0: apart."""
+    discs = [
+        (world.position(n), body.shape.radius)
+        for n, body in world.items()
+        if isinstance(body.shape, Circle)
+    ]
+    if len(discs) < 2:
+        return -math.inf
+    p, r = np.array([place for place, _ in discs]), np.array([radius for _, radius in discs])
+    gaps = np.hypot(*(p[:, None] - p[None]).T) - r[:, None] - r[None]
+    np.fill_diagonal(gaps, np.inf)
+    return float(-(gaps / np.minimum(r[:, None], r[None])).min())
+
+
+def deepest_in_room(world: LiveWorld, width: float, height: float) -> float:
+    """Return how far a disc is out of a room from (0, 0), as a part of its radius."""
+    discs = [
+        (world.position(n), body.shape.radius)
+        for n, body in world.items()
+        if isinstance(body.shape, Circle)
+    ]
+    return max(
+        (max(r - x, x + r - width, r - y, y + r - height) / r for (x, y), r in discs),
+        default=-math.inf,
+    )
+
+
+def energy(world: LiveWorld) -> float:
+    """Return kinetic and potential energy of all bodies that can be pushed, J."""
+    heights = sum((body.mass or 0.0) * world.position(n)[1] for n, body in world.items())
+    return world.kinetic_energy() - world.gravity[1] * heights

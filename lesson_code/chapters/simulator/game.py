@@ -51,8 +51,11 @@ HISTORY = 240
 """Steps that the curves show: four seconds."""
 
 FALL = (0.0, -9.81)
-CLOSE_UP = 12
-"""Balls at most whose velocity arrows do not hide one another; with more they are left out."""
+CLOSE_UP = 100
+"""Balls at most whose velocities are drawn with a point; of more there are thin lines, as long."""
+
+ARROW_SECONDS = 0.25
+"""s: a ball's arrow ends where it would be after this time."""
 
 FORCED = (
     "Forced: the scene does not call for it, and this world reckons with it all the same, so that "
@@ -173,11 +176,18 @@ class Simulator(Game):
             return  # its page is in front of the balls
         for ball in self.balls:
             if math.dist(place, self.world.position(ball)) <= self._radius(ball):
-                self.aim = ball, place
+                self._hold(ball, place)
                 return
         r = LAUNCHED_RADIUS
         if len(self.balls) < MOST_BALLS and _is_inside(place, r) and self._is_free(place, r):
-            self.aim = self._add(place, r), place
+            self._hold(self._add(place, r), place)
+
+    def _hold(self, ball: int, place: XY) -> None:
+        """Hold a ball still and aim: to the others it is a wall, which takes no energy."""
+        if self.aim is not None:
+            self.world.release(self.aim[0])
+        self.world.hold(ball)
+        self.aim = ball, place
 
     def _is_free(self, place: XY, radius: float) -> bool:
         """Return whether a ball would overlap no other one."""
@@ -195,7 +205,7 @@ class Simulator(Game):
         """Launch the ball that is held."""
         if self.aim is not None:
             ball, self.aim = self.aim[0], None
-            self.world.throw(ball, self.launch_velocity(ball, place))
+            self.world.release(ball, self.launch_velocity(ball, place))
 
     def launch_velocity(self, ball: int, place: XY) -> XY:
         """Return the velocity that a drag from a ball to a place gives it, m/s."""
@@ -203,9 +213,7 @@ class Simulator(Game):
         return LAUNCH_RATE * (place[0] - x), LAUNCH_RATE * (place[1] - y)
 
     def step(self) -> None:
-        """Make one step; a ball that is held stands still."""
-        if self.aim is not None:
-            self.world.throw(self.aim[0], (0.0, 0.0), 0.0)
+        """Make one step."""
         self.world.step()
         px, py = self.world.momentum()
         self.history.append((math.hypot(px, py), self.world.kinetic_energy()))
@@ -223,10 +231,7 @@ def draw(game: Simulator, picture: Picture, effects: ImpactEffects) -> None:
         _draw_many(game, picture)
     else:
         draw_bodies(game.world, picture, effects)
-    if len(game.balls) <= CLOSE_UP:
-        for ball in game.balls:
-            vx, vy = game.world.velocity(ball)
-            picture.arrow(game.world.position(ball), (0.25 * vx, 0.25 * vy), INK, 2.0)
+    _draw_velocities(game, picture)
     if game.shows_impulses:
         _draw_impulses(game, picture)
     if game.aim is not None:
@@ -248,6 +253,17 @@ def _draw_many(game: Simulator, picture: Picture) -> None:
         [body.shape.bounding_radius for _, body in balls],
         [COLOURS[number % len(COLOURS)] for number, _ in balls],
     )
+
+
+def _draw_velocities(game: Simulator, picture: Picture) -> None:
+    """Draw where each ball would be after :data:`ARROW_SECONDS`."""
+    states = game.world.states()[len(game.walls) :]
+    starts, ways = states[:, 0:2], ARROW_SECONDS * states[:, 3:5]
+    if len(states) > CLOSE_UP:
+        picture.lines(starts, starts + ways, INK)
+        return
+    for start, way in zip(starts.tolist(), ways.tolist(), strict=True):
+        picture.arrow((start[0], start[1]), (way[0], way[1]), INK, 2.0)
 
 
 def _draw_impulses(game: Simulator, picture: Picture) -> None:

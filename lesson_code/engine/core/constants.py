@@ -188,6 +188,14 @@ their impacts, too: for 30 discs that fall it takes thirty times as long as swee
 soon asleep.
 """
 
+MOST_PRESSED, MOST_DRIFTING = 16, 64
+"""Bodies that can be pushed, in a program that is played: up to 16 the direct solver moves any, and
+up to 64 those that no gravity presses together, within half a frame of 1/60 s.
+
+A pile of 12 falling discs takes 3 ms a step in the median and 11 ms in the worst twentieth, one of
+40 takes 57 ms there; 60 discs and a polygon that drift take 2 ms and 6 ms.
+"""
+
 HEAVY_ON_LIGHT = 10.0
 """Times the smallest mass: if a body is heavier, sweeps propagate its load too slowly."""
 

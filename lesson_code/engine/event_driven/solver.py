@@ -221,6 +221,12 @@ class ExactSolver:
         self._take_impulses()
         return self._impulses.rows()
 
+    def take_events(self) -> NDArray[np.float64]:
+        """Return the impulses since they were last taken, shape (K, 10), and forget them."""
+        events = self.events()
+        self._impulses = ImpulseTable()
+        return events
+
     def _disc_states(self, angles: NDArray[np.float64], time: float) -> NDArray[np.float64]:
         """Return the states of all discs, from their angles at the start.
 

@@ -1,0 +1,107 @@
+"""Which solver moves a live world: one that breaks no law, where its steps fit into a frame.
+
+1. Sweeps are asked for: the sequential solver makes them.
+2. Few bodies: the direct solver. No law depends on its step.
+3. Discs that fly, or fall and are perfectly elastic, so that none comes to rest: the exact solver,
+   in which a frame of 600 discs takes less time than one of 20 in the direct solver.
+4. Some more bodies that nothing presses together: the direct solver.
+5. Others: the sequential solver. Its sweeps let fast bodies into one another by what they move in a
+   step, and its energy is right only on average.
+"""
+
+from __future__ import annotations
+
+from weakref import finalize
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lesson_code.engine.core.columns import Floats
+from lesson_code.engine.core.constants import MOST_DRIFTING, MOST_PRESSED
+from lesson_code.engine.core.mixing import MixingRule
+from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.effects.question import Question
+from lesson_code.engine.effects.restitution import smallest_restitution
+from lesson_code.engine.event_driven import ExactSolver, why_not
+from lesson_code.engine.solvers.choice import SolverChoice, is_apart
+
+SWEEPS_ASKED = SolverChoice("sequential", "sweeps are asked for")
+
+
+def flies(question: Question) -> bool:
+    """Return whether discs fly from collision to collision, and never come to rest on anything."""
+    scene = question.scene
+    if why_not(scene) or scene.columns.has_mover or not scene.columns.is_free.any():
+        return False
+    least = smallest_restitution(question)
+    return least >= 1.0 if any(scene.gravity) else least > 0.0
+
+
+def solver_for(question: Question) -> SolverChoice:
+    """Return the solver that moves a live world, and why.
+
+    Examples
+    --------
+    >>> from lesson_code import Body, Circle
+    >>> solver_for(Question(Scene([Body(Circle(1), mass=1.0)]))).solver
+    'direct'
+    """
+    free = int(question.scene.columns.is_free.sum())
+    if free <= MOST_PRESSED:
+        return SolverChoice("direct", "few bodies: all contacts are solved at once")
+    if flies(question):
+        return SolverChoice("exact", "discs that fly: each collision comes at its own time")
+    return stepped_solver_for(question.scene)
+
+
+def stepped_solver_for(scene: Scene) -> SolverChoice:
+    """Return the solver for a world that the exact one cannot take."""
+    free = int(scene.columns.is_free.sum())
+    if free <= (MOST_PRESSED if any(scene.gravity) else MOST_DRIFTING):
+        return SolverChoice("direct", "so few bodies that all contacts are solved at once")
+    return SolverChoice("sequential", "many bodies: contacts are swept, one after the other")
+
+
+class Flight:
+    """A live world's discs while the exact solver moves them.
+
+    Parameters
+    ----------
+    scene : Scene
+        The bodies as they are.
+    combine : MixingRule
+        How a pair's coefficients come from its bodies'.
+    compiled : bool or None
+        As for :class:`ExactSolver`.
+
+    Attributes
+    ----------
+    time : float
+        s since its start.
+
+    Raises
+    ------
+    RuntimeError
+        Bodies touch or overlap already.
+    """
+
+    def __init__(self, scene: Scene, combine: MixingRule, compiled: bool | None) -> None:
+        if not is_apart(scene):
+            raise RuntimeError("discs touch or overlap")
+        self.solver = ExactSolver(scene, combine=combine, compiled=compiled)
+        finalize(self, self.solver.close)  # a world may be dropped while something compiles for it
+        self.time = 0.0
+
+    def advance(self, dt: float) -> tuple[NDArray[np.float64], Floats]:
+        """Go on by a time, s; return the states, (N, 6), and the impulses on the way, (K, 10).
+
+        The times of the impulses count from the start of the flight.
+
+        Raises
+        ------
+        RuntimeError
+            The collisions at one instant have no end.
+        """
+        self.time += dt
+        self.solver.advance(self.time)
+        return self.solver.states(self.time), self.solver.take_events()
