@@ -100,26 +100,3 @@ def _first_meeting(angles: Sequence[float], rates: Sequence[float]) -> int | Non
         if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
             return k
     return None
-
-
-def on_circle(
-    position: tuple[float, float],
-    velocity: tuple[float, float],
-    pivot: tuple[float, float],
-    length: float,
-) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return a ball put back onto the circle that its string allows, without motion along it.
-
-    The speed is kept at its size along the circle: the string does no work.
-
-    >>> on_circle((0.0, -2.0), (3.0, 1.0), (0.0, 0.0), 1.0)
-    ((0.0, -1.0), (3.0, 0.0))
-    """
-    x, y = position[0] - pivot[0], position[1] - pivot[1]
-    distance = math.hypot(x, y)
-    if distance == 0.0:
-        x, y, distance = 0.0, -1.0, 1.0
-    ux, uy = x / distance, y / distance
-    along = velocity[0] * ux + velocity[1] * uy
-    placed = (pivot[0] + length * ux, pivot[1] + length * uy)
-    return placed, (velocity[0] - along * ux, velocity[1] - along * uy)

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from lesson_code.chapters.cradle.rules import GRAVITY, collide_row, cradle, on_circle, swing_step
+from lesson_code.chapters.cradle.rules import GRAVITY, collide_row, cradle, swing_step
 
 ROUNDING = 1e-12
 """Relative: sums of a few dozen numbers of like size."""
@@ -50,12 +50,3 @@ def test_cradle_k_balls_in_k_balls_out(pulled: int) -> None:
         found, _ = cradle(angles, [0.0] * 5, 1.0, 1 / 2000, steps)
         assert sum(side * angle > 0.9 * out for angle in found) == pulled
         assert sum(abs(angle) < 0.1 * out for angle in found) == 5 - pulled
-
-
-def test_on_circle_the_string_does_no_work() -> None:
-    """The ball is on its circle, and moves along it as fast as it did along it before."""
-    place, velocity = on_circle((3.0, -4.2), (1.0, 2.0), (0.0, 0.0), 5.0)
-    assert math.hypot(*place) == pytest.approx(5.0, rel=ROUNDING)
-    assert place[0] * velocity[0] + place[1] * velocity[1] == pytest.approx(0.0, abs=ROUNDING)
-    tangent = np.array([4.2, 3.0]) / math.hypot(3.0, 4.2)
-    assert np.dot(velocity, tangent) == pytest.approx(np.dot((1.0, 2.0), tangent), rel=ROUNDING)
