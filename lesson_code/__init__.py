@@ -27,6 +27,7 @@ cli
     the ``workbook`` command
 """
 
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -54,6 +55,10 @@ __all__ = [
 ]
 
 __version__ = "0.1.0"
+
+os.environ.setdefault("OPENBLAS_THREAD_TIMEOUT", "4")
+# NumPy's threads for linear algebra sleep when they have nothing to do. Unless they are told before
+# NumPy is imported, each spins for 2^26 cycles first: .05 s of the processor at every start.
 
 _WHERE = {
     "Body": "engine.core.scene",

@@ -9,10 +9,10 @@ module            what it does
 ``arrays``        turns tables of rows into arrays of records
 ``program``       what is compiled: a source, its entry, how its tables lie in memory
 ``inlining``      decides which functions are compiled in place of their calls, and which are merged
-``machine_code``  compiles a program by Numba, into an object file
+``machine_code``  compiles a program by Numba, into an object file, and links that
 ``compiler``      does so in a process of its own
-``library``       keeps object files for the next time
-``loader``        loads an object file and calls it, without Numba
+``library``       keeps machine code for the next time
+``loader``        loads machine code and calls it, without Numba
 ``choice``        decides what a run is made in, and changes over on the way
 ``webassembly``   makes programs for web pages of the same sources
 ``vectors``       what an equation asks of NumPy's vectors, for these

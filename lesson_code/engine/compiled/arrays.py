@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 Tables = TypeVar("Tables", bound=tuple[Any, ...])
 
-KINDS = {float: np.float64, int: np.int32, bool: np.bool_}
-"""What a field of a row becomes. Numbers of 32 bits count 2,147,483,647 bodies, and are faster."""
+KINDS = {"float": np.float64, "int": np.int32, "bool": np.bool_}
+"""What a field of a row becomes, by its annotation. Numbers of 32 bits count 2,147,483,647 bodies,
+and are faster."""
 
 LINE = 64
 """Bytes that a processor reads at once. A table begins at a multiple of this."""
@@ -164,17 +165,26 @@ def _copy(table: Any) -> Any:
 @cache
 def row_kinds(tables: type) -> dict[str, Any]:
     """Return the kind of row in each table of a named tuple."""
-    hints = typing.get_type_hints(tables)
-    return {name: (typing.get_args(hint) or (hint,))[0] for name, hint in hints.items()}
+    return {name: (typing.get_args(hint) or (hint,))[0] for name, hint in _hints(tables).items()}
+
+
+@cache
+def lists_in(tables: type) -> frozenset[str]:
+    """Return which tables of a named tuple are lists of rows; the others are single rows."""
+    return frozenset(name for name, hint in _hints(tables).items() if typing.get_args(hint))
+
+
+@cache
+def _hints(tables: type) -> dict[str, Any]:
+    """Return the annotations of a named tuple of tables."""
+    return typing.get_type_hints(tables)
 
 
 @cache
 def dtype_of(row: Any, used: frozenset[str] | None = None) -> np.dtype[Any]:
     """Return the kind of record for a kind of row, with the fields that are used."""
-    hints = typing.get_type_hints(row)
-    names = [field.name for field in dataclasses.fields(row)]
-    kept = [name for name in names if used is None or name in used] or names[:1]
-    fields = [(name, KINDS[hints[name]]) for name in kept]
+    every = [(field.name, KINDS[str(field.type)]) for field in dataclasses.fields(row)]
+    fields = [(name, kind) for name, kind in every if used is None or name in used] or every[:1]
     dtype = np.dtype(fields, align=True)
     if dtype.itemsize <= UNIT:
         return dtype

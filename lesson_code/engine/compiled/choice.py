@@ -7,7 +7,6 @@ compiles, and goes on in machine code when that is there. Both give the same bit
 
 from __future__ import annotations
 
-import sys
 import time
 import timeit
 from collections.abc import Callable
@@ -23,9 +22,9 @@ if TYPE_CHECKING:  # what a small run does not need is imported where it is used
 
 # All seconds are those of the machine on which the workbook was made; see `slowness`.
 
-LOAD_SECONDS, IMPORT_SECONDS = 0.02, 0.03
-"""s, to find a source and its machine code, load that and turn the tables into arrays; and to
-import LLVM before, once a process."""
+LOAD_SECONDS = 0.02
+"""s, to find a source and its machine code, to load that and to turn the tables into arrays. It is
+half as much, but where no source is kept, linking takes five times as long."""
 
 COMPILE_SECONDS = 1.9e-4
 """s, to compile a program, for each character of its source."""
@@ -196,8 +195,7 @@ class Code:
 
 def load_seconds() -> float:
     """Return about how long it takes to find and to load machine code that is kept, s."""
-    is_imported = "llvmlite.binding" in sys.modules
-    return slowness() * (LOAD_SECONDS + (0.0 if is_imported else IMPORT_SECONDS))
+    return slowness() * LOAD_SECONDS
 
 
 def compile_seconds(program: Program) -> float:

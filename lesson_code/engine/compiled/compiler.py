@@ -139,11 +139,11 @@ def main() -> None:
     with library.claimed(place, program):
         if library.load(program) is not None:
             return
-        from lesson_code.engine.compiled.machine_code import object_file
+        from lesson_code.engine.compiled.machine_code import linked, object_file
 
         made = object_file(program)
         with writing:
-            library.keep(place, program, made)
+            library.keep(place, program, linked(made))
 
 
 def _end_with_the_thread(writing: threading.Lock) -> None:

@@ -14,18 +14,16 @@ import hashlib
 import importlib.util
 import json
 import os
-import platform
-import shutil
-import tempfile
+import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from lesson_code.engine.compiled.loader import Entry, MachineCode
+from lesson_code.engine.compiled.loader import Entry, MachineCode, ObjectFile
 from lesson_code.engine.compiled.program import Program
 
 PROGRAMS_KEPT = 64
@@ -38,12 +36,11 @@ COMPILER = ("inlining.py", "loader.py", "machine_code.py")
 """The files beside this one that say how a program is compiled and called."""
 
 
-class ObjectFile(NamedTuple):
-    """Machine code, and the functions of the system's libraries that it calls."""
+PAGE = 4096
+"""Bytes, in which Linux describes a processor; each takes it time."""
 
-    code: bytes
-    needs: tuple[str, ...]
-
+PROCESSOR = ("vendor", "cpu family", "model", "stepping", "flags", "CPU", "Features")
+"""How the lines of Linux begin that say what a processor can do."""
 
 _loaded: dict[str, MachineCode] = {}
 """What this process has loaded, by its file's name: every run of a scene shares it."""
@@ -56,28 +53,27 @@ def why_no_compiler() -> str:
 
 def folder() -> Path:
     """Return the folder that compiled programs are kept in."""
+    if named := os.environ.get(FOLDER_VARIABLE):
+        return Path(named)
     import platformdirs
 
-    named = os.environ.get(FOLDER_VARIABLE)
-    return Path(named) if named else platformdirs.user_cache_path("collision-workbook")
+    return platformdirs.user_cache_path("collision-workbook")
 
 
 def is_kept(program: Program) -> bool:
     """Return whether a program's machine code only needs to be loaded."""
-    return _is_there("llvmlite") and (name_of(program) in _loaded or _kept(program) is not None)
+    return name_of(program) in _loaded or _kept(program) is not None
 
 
 def load(program: Program) -> Entry | None:
     """Return a program that is kept, ready to be called; None: it has to be compiled first."""
-    if not _is_there("llvmlite"):
-        return None
     name = name_of(program)
     if name not in _loaded:
         kept = _kept(program)
         if kept is None:
             return None
         try:
-            _loaded[name] = MachineCode(*kept)
+            _loaded[name] = MachineCode(kept)
         except LookupError:  # it comes from another system
             return None
     return Entry(_loaded[name], program)
@@ -90,7 +86,7 @@ def forget_loaded() -> None:
 
 def keep(place: Path, program: Program, made: ObjectFile) -> None:
     """Write a program's machine code into a folder, whole or not at all."""
-    about = {"made by": _makers(), "needs": made.needs}
+    about = {"made by": _makers(), "needs": made.needs, "is a library": made.is_library}
     write(place, name_of(program), about, made.code)
 
 
@@ -99,6 +95,8 @@ def write(place: Path, name: str, about: Mapping[str, Any], content: bytes) -> N
 
     The oldest files whose names begin with the same word are deleted.
     """
+    import tempfile  # which takes some milliseconds, and few runs write
+
     _forget_oldest(place, name.partition("_")[0])
     first = json.dumps({**about, "sum": _sum(content)}).encode()
     with tempfile.NamedTemporaryFile(dir=place, prefix=name, suffix=".tmp", delete=False) as file:
@@ -119,6 +117,8 @@ def read(name: str) -> Iterator[tuple[dict[str, Any], bytes]]:
 
 def place_to_write() -> Path:
     """Return a folder for programs that can be written to: that of this process, if need be."""
+    import tempfile
+
     place = folder()
     try:
         place.mkdir(parents=True, exist_ok=True)
@@ -131,6 +131,9 @@ def place_to_write() -> Path:
 @cache
 def own_folder() -> Path:
     """Return a folder that lasts as long as this process."""
+    import shutil
+    import tempfile
+
     place = tempfile.mkdtemp()
     atexit.register(shutil.rmtree, place, ignore_errors=True)
     return Path(place)
@@ -158,11 +161,23 @@ def claimed(place: Path, program: Program) -> Iterator[None]:
 @cache
 def name_of(program: Program) -> str:
     """Return the name of a program's file: what makes other machine code has another name."""
+    layout = [table.in_words() for table in program.layout]
+    told = (program.source, program.entry, layout, _processor(), _compiler())
+    return "program_" + hashlib.sha256(repr(told).encode()).hexdigest()[:20]
+
+
+@cache
+def _processor() -> str:
+    """Return what this processor can do, in words: Linux's, else LLVM's, which take longer."""
+    with suppress(OSError), Path("/proc/cpuinfo").open("rb", buffering=0) as file:
+        first, _, _ = file.read(PAGE).decode(errors="replace").partition("\n\n")
+        if lines := [line for line in first.splitlines() if line.startswith(PROCESSOR)]:
+            return "\n".join(lines)
+    if not _is_there("llvmlite"):
+        return ""
     import llvmlite.binding as llvm
 
-    processor = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
-    told = (program.source, program.entry, program.layout, processor, _compiler())
-    return "program_" + hashlib.sha256(repr(told).encode()).hexdigest()[:20]
+    return f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()}"
 
 
 @cache
@@ -174,7 +189,7 @@ def _compiler() -> bytes:
 def _makers() -> dict[str, str | None]:
     """Return the versions of all that makes machine code; None for what is not installed."""
     names = {"numba": _version("numba"), "llvmlite": _version("llvmlite")}
-    return {"Python": platform.python_version(), "numpy": np.__version__, **names}
+    return {"Python": sys.version.split()[0], "numpy": np.__version__, **names}
 
 
 @cache
@@ -199,13 +214,14 @@ def _is_there(package: str) -> bool:
 def _kept(program: Program) -> ObjectFile | None:
     """Return the machine code of a program if it is kept, whole, and was made by what is here.
 
-    Numba need not be there; but where it is, another version makes its own.
+    Numba need not be there, nor LLVM for a shared library; but another version makes its own.
     """
     for about, code in read(name_of(program)):
         with suppress(KeyError, TypeError):  # it says something else
             makers = about["made by"]
             if all(makers[name] == here for name, here in _makers().items() if here is not None):
-                return ObjectFile(code, tuple(about["needs"]))
+                file = ObjectFile(code, tuple(about["needs"]), about["is a library"])
+                return file if file.is_library or _is_there("llvmlite") else None
     return None
 
 

@@ -2,7 +2,8 @@
 
 The entry gets one address: that of a row of whole numbers, with the address and the number of
 records of each table. Numba's own entries take seven words for an array, and want Numba to be
-called. Nothing in the object file needs Numba or Python; :mod:`loader` loads it.
+called. Nothing in the object file needs Numba or Python. The system's linker, if there is one,
+makes a shared library of it; :mod:`loader` loads both.
 
 Compiled programs cannot allocate memory and do not count references: they work on the tables that
 they are given. No operation is reordered or left out.
@@ -14,9 +15,14 @@ Numba documentation, Low-level extension API (`intrinsic`); LLVM Language Refere
 
 from __future__ import annotations
 
+import os
+import shutil
+import subprocess
+import tempfile
 import types
 from collections import namedtuple
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
@@ -27,8 +33,7 @@ from numba.np import arrayobj
 from numba.np.numpy_support import as_dtype
 
 from lesson_code.engine.compiled.inlining import inlined, merged
-from lesson_code.engine.compiled.library import ObjectFile
-from lesson_code.engine.compiled.loader import SYMBOL, target_machine
+from lesson_code.engine.compiled.loader import SYMBOL, MachineCode, ObjectFile, target_machine
 from lesson_code.engine.compiled.program import Layout, Program
 
 OPTIONS: dict[str, Any] = {
@@ -51,6 +56,27 @@ def object_file(program: Program) -> ObjectFile:
     machine = target_machine()
     keep_only(module, {entry: SYMBOL}, machine)
     return ObjectFile(machine.emit_object(module), needs_of(module))
+
+
+def linked(file: ObjectFile) -> ObjectFile:
+    """Return an object file as a shared library, if there is a linker and the system can load it.
+
+    A process then needs neither LLVM nor time to load it.
+    """
+    linker = shutil.which("cc")
+    if linker is None or not hasattr(os, "memfd_create"):
+        return file
+    with tempfile.TemporaryDirectory() as place:
+        Path(place, "program.o").write_bytes(file.code)
+        words = [linker, "-shared", "-nostartfiles", "-o", "program.so", "program.o", "-lm"]
+        if subprocess.run(words, cwd=place, capture_output=True, check=False).returncode != 0:  # noqa: S603 - our own file
+            return file
+        library = file._replace(code=Path(place, "program.so").read_bytes(), is_library=True)
+    try:
+        MachineCode(library)
+    except LookupError:
+        return file
+    return library
 
 
 def start_of(program: Program) -> Callable[[Any], float]:

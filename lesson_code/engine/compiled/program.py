@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-import typing
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from lesson_code.engine.compiled.arrays import dtype_of, row_kinds
+from lesson_code.engine.compiled.arrays import dtype_of, lists_in, row_kinds
+from lesson_code.engine.compiled.linker import PROGRAMS_REMEMBERED
 
 
 class Layout(NamedTuple):
@@ -18,6 +19,12 @@ class Layout(NamedTuple):
     name: str
     dtype: np.dtype[Any]  # of a record
     is_list: bool  # else it is a single record
+
+    def in_words(self) -> str:
+        """Return all that matters of it to a program."""
+        fields = (self.dtype.fields or {}).items()
+        places = [f"{name} {kind} {place}" for name, (kind, place, *_) in fields]
+        return ", ".join([self.name, str(self.is_list), str(self.dtype.itemsize), *places])
 
 
 @dataclass(frozen=True)
@@ -39,6 +46,7 @@ class Program:
     layout: tuple[Layout, ...]
 
 
+@lru_cache(maxsize=PROGRAMS_REMEMBERED)
 def program_of(source: str, entry: str, tables: type) -> Program:
     """Return the program that a source makes, for tables of a kind.
 
@@ -57,13 +65,12 @@ def program_of(source: str, entry: str, tables: type) -> Program:
     ('b',)
     """
     used = frozenset(re.findall(r"\.(\w+)", source))
-    kinds = typing.get_type_hints(tables)
+    lists = lists_in(tables)
     return Program(
         source,
         entry,
         tuple(
-            Layout(name, dtype_of(row, used if is_list else None), is_list)
+            Layout(name, dtype_of(row, used if name in lists else None), name in lists)
             for name, row in row_kinds(tables).items()
-            for is_list in [typing.get_origin(kinds[name]) is list]
         ),
     )

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import hashlib
 import inspect
-import platform
 import sys
 import types
 from collections.abc import Callable, Iterable, Mapping
@@ -97,5 +96,5 @@ def _files(modules: Iterable[str]) -> dict[str, list[int]]:
 def _name(entry: Callable[..., Any], bound: Mapping[str, Any]) -> str:
     """Return the name of a source's file."""
     words = {name: in_words(value) for name, value in sorted(bound.items())}
-    told = __file__, platform.python_version(), in_words(inspect.unwrap(entry)), words
+    told = __file__, sys.version, in_words(inspect.unwrap(entry)), words
     return "source_" + hashlib.sha256(repr(told).encode()).hexdigest()[:20]

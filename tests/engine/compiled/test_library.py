@@ -48,11 +48,35 @@ def test_program_that_was_compiled_is_loaded_in_a_fresh_process(place: Path) -> 
     assert [path.name for path in place.iterdir()] == [name_of(small_program())]
 
 
-def test_kept_program_runs_where_numba_is_not_installed(place: Path) -> None:
-    """Nothing but LLVM is needed to run it."""
+WITHOUT_NUMBA = 'import sys\nsys.modules["numba"] = None\n'
+WITHOUT_LLVM = WITHOUT_NUMBA + 'sys.modules["llvmlite"] = None\n'
+
+
+@pytest.fixture
+def has_linker() -> None:
+    """Skip a test where there is no linker, or no way to load what it makes."""
+    if shutil.which("cc") is None or not hasattr(os, "memfd_create"):
+        pytest.skip("no shared library is made here")
+
+
+@pytest.fixture
+def no_linker(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no linker be found."""
+    monkeypatch.setenv("PATH", "")
+
+
+def test_program_that_is_linked_runs_without_llvm(place: Path, has_linker: None) -> None:
+    """The system loads it, as any other shared library; nothing of Numba need be installed."""
     compiled(small_program())
-    without = 'import sys\nsys.modules["numba"] = None\n'
-    assert printed(started(without + LOAD)) == ["3.0 True True"]
+    assert printed(started(WITHOUT_LLVM + LOAD)) == ["3.0 True True"]
+
+
+def test_program_that_is_not_linked_runs_without_numba(place: Path, no_linker: None) -> None:
+    """Nothing but LLVM is needed to run it, and without LLVM it counts as not kept."""
+    compiled(small_program())
+    assert printed(started(WITHOUT_NUMBA + LOAD)) == ["3.0 True True"]
+    is_kept_there = WITHOUT_LLVM + LOAD.partition("print")[0] + "print(kept)"
+    assert printed(started(is_kept_there)) == ["False"]
 
 
 def test_program_of_another_text_is_another_program(place: Path) -> None:
@@ -93,9 +117,14 @@ def other_system(about: dict[str, object]) -> None:
     about["needs"] = ["no_such_function_anywhere"]
 
 
-@pytest.mark.parametrize("change", [other_maker, other_system])
+def other_file(about: dict[str, object]) -> None:
+    """Say that an object file is a shared library, which it is not."""
+    about["is a library"] = True
+
+
+@pytest.mark.parametrize("change", [other_maker, other_system, other_file])
 def test_program_from_elsewhere_is_not_loaded(
-    place: Path, change: Callable[[dict[str, object]], None]
+    place: Path, no_linker: None, change: Callable[[dict[str, object]], None]
 ) -> None:
     """Its first line says what made it, and what it calls."""
     compiled(small_program())
