@@ -8,7 +8,7 @@ asleep. Chapter 11 reads these lines and compares them with the workbook's engin
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -29,7 +29,7 @@ from lesson_code.formulas import (
 )
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
 from lesson_code.formulas.validation import Vector, one_number, positive
-from lesson_code.geometry import Circle, Polygon, collide
+from lesson_code.geometry import Circle, Manifold, Polygon, collide
 
 NAME = "small engine"
 
@@ -70,17 +70,27 @@ def mover_of(body: Body) -> Mover:
     return Mover(body, *state, *inverses)
 
 
-def step(bodies: list[Mover], gravity: Vector, dt: float) -> None:
+@dataclass(frozen=True)
+class Parts:
+    """The functions that a step calls; another engine may bring its own."""
+
+    pairs_near: Callable[[list[Mover]], Iterable[tuple[Mover, Mover]]]
+    contact: Callable[[Mover, Mover], Manifold | None]
+    hit: Callable[[Mover, Mover, Any, Any, float], None]
+    separate: Callable[[Mover, Mover, Any, float], None]
+
+
+def step(bodies: list[Mover], gravity: Vector, dt: float, parts: Parts) -> None:
     """Let one time step pass: detection, then resolution."""
     for body in bodies:
         move(body, gravity, dt)
-    for a, b in pairs_near(bodies):
-        manifold = collide(a.body.shape, _pose(a), b.body.shape, _pose(b))
+    for a, b in parts.pairs_near(bodies):
+        manifold = parts.contact(a, b)
         if manifold is None:
             continue
         for point, depth in zip(manifold.points, manifold.penetrations, strict=True):
-            hit(a, b, point, manifold.normal, depth)
-        separate(a, b, manifold.normal, manifold.penetrations.max())
+            parts.hit(a, b, point, manifold.normal, depth)
+        parts.separate(a, b, manifold.normal, manifold.penetrations.max())
 
 
 def move(body: Mover, gravity: Vector, dt: float) -> None:
@@ -100,6 +110,11 @@ def pairs_near(bodies: list[Mover]) -> Iterator[tuple[Mover, Mover]]:
             yield a, b
 
 
+def contact(a: Mover, b: Mover) -> Manifold | None:
+    """Return where two bodies overlap, or None."""
+    return collide(a.body.shape, pose(a), b.body.shape, pose(b))
+
+
 def hit(a: Mover, b: Mover, point: Vector, normal: Vector, depth: float) -> None:
     """Bounce two bodies off each other at a point, then stop their sliding as far as friction can.
 
@@ -107,14 +122,19 @@ def hit(a: Mover, b: Mover, point: Vector, normal: Vector, depth: float) -> None
     at its own.
     """
     arm_a, arm_b = point + depth / 2 * normal - a.position, point - depth / 2 * normal - b.position
-    one, other = a.body.material, b.body.material
-    e = of_pair(min, one.restitution, other.restitution)
-    mu = of_pair(geometric_mean, one.friction, other.friction)
+    e, mu = surfaces(a, b)
     jn = normal_impulse(*_approach(a, b, arm_a, arm_b, normal), e)
     push(a, b, arm_a, arm_b, jn * normal)
     tangent = perpendicular(normal)
     jt = friction_impulse(*_approach(a, b, arm_a, arm_b, tangent), mu, jn)
     push(a, b, arm_a, arm_b, jt * tangent)
+
+
+def surfaces(a: Mover, b: Mover) -> tuple[float, float]:
+    """Return restitution and friction of a pair."""
+    one, other = a.body.material, b.body.material
+    e = of_pair(min, one.restitution, other.restitution)
+    return e, of_pair(geometric_mean, one.friction, other.friction)
 
 
 def of_pair(rule: Callable[[float, float], float], one: float | None, other: float | None) -> float:
@@ -150,9 +170,12 @@ def separate(a: Mover, b: Mover, normal: Vector, depth: float) -> None:
     b.position = b.position + shift * b.inv_m
 
 
-def _pose(mover: Mover) -> Vector:
+def pose(mover: Mover) -> Vector:
     """Return x, y and angle."""
     return np.array([*mover.position, mover.angle])
+
+
+OURS = Parts(pairs_near, contact, hit, separate)
 
 
 class SmallEngine(Stepper):
@@ -164,9 +187,12 @@ class SmallEngine(Stepper):
         What is simulated; its damping and its callbacks are left out.
     dt : float
         s, > 0.
+    parts : Parts
+        The functions that a step calls.
     """
 
-    def __init__(self, scene: Scene, dt: float) -> None:
+    def __init__(self, scene: Scene, dt: float, parts: Parts = OURS) -> None:
+        self._parts = parts
         self.dt = one_number("dt", dt, positive)
         self._gravity = scene.gravity
         self._bodies = [mover_of(body) for body in scene.bodies]
@@ -174,7 +200,7 @@ class SmallEngine(Stepper):
     def advance(self, steps: int) -> None:
         """Advance by `steps` steps of dt."""
         for _ in range(steps):
-            step(self._bodies, self._gravity, self.dt)
+            step(self._bodies, self._gravity, self.dt, self._parts)
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
@@ -213,7 +239,14 @@ def random_hits(count: int, seed: int) -> Iterator[Scene]:
         yield Scene([disc, Body(Polygon.box(1, 0.6), mass=2.0, angular_velocity=turn, **shared)])
 
 
-def simulate_small(scene: Scene, duration: float, *, dt: float = 1 / 60, sample: Any = None) -> Run:
+def simulate_small(
+    scene: Scene,
+    duration: float,
+    *,
+    dt: float = 1 / 60,
+    sample: Any = None,
+    parts: Parts = OURS,
+) -> Run:
     """Run a scene in the small engine.
 
     Parameters
@@ -224,6 +257,8 @@ def simulate_small(scene: Scene, duration: float, *, dt: float = 1 / 60, sample:
         s.
     sample : None, "end" or array_like
         As :func:`lesson_code.simulate` takes it.
+    parts : Parts
+        The functions that a step calls.
 
     Raises
     ------
@@ -241,4 +276,4 @@ def simulate_small(scene: Scene, duration: float, *, dt: float = 1 / 60, sample:
     """
     if scene.damping or scene.callbacks.wanted:
         raise ValueError("scene must have no damping and no callbacks: the small engine knows none")
-    return record(SmallEngine(scene, dt), scene, duration, sample, "asked for")
+    return record(SmallEngine(scene, dt, parts), scene, duration, sample, "asked for")

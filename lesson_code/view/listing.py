@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import inspect
+from types import ModuleType
 
 
 def functions(source: str) -> dict[str, str]:
@@ -32,15 +34,15 @@ def functions(source: str) -> dict[str, str]:
     }
 
 
-def listing(source: str, *names: str) -> str:
-    """Return the text of some functions of a program, with an empty line between them.
+def listing(source: str | ModuleType, *names: str) -> str:
+    """Return the text of some functions of a program or a module, an empty line between them.
 
     Raises
     ------
     ValueError
         The program has no function of that name.
     """
-    found = functions(source)
+    found = functions(inspect.getsource(source) if isinstance(source, ModuleType) else source)
     for name in names:
         if name not in found:
             raise ValueError(f"names must be those of functions in the program, got {name!r}")

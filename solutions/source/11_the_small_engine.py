@@ -9,10 +9,11 @@
 # %% [markdown]
 # # Exercise 11: the small engine
 #
-# Three functions to write, twelve points. Read notebook
-# [11](../notebooks/11_the_small_engine.ipynb) first. What you write here are the three pieces that
-# join the functions of the earlier exercises: who is near, a hit of any two bodies, and a whole
-# step. Take your own functions with you: paste them into cells of this notebook, and call them.
+# Six functions to write, twenty-two points. Read notebook
+# [11](../notebooks/11_the_small_engine.ipynb) first. The first three join the functions of the
+# earlier exercises: who is near, a hit of any two bodies, and a whole step. The last three are what
+# a player notices: an event, a light and a sound. Notebook 11 reads this file, and runs its engine
+# with what you have written here and in the exercises before.
 #
 # - Replace the `raise` line of each function with your answer. Do not change its name or its
 #   arguments.
@@ -73,7 +74,7 @@ check_task("11.1", near_pairs)
 # The bodies `a` and `b` are arrays of five numbers: mass, moment of inertia, vx, vy, angular
 # velocity. They touch at a point; `arm_a` and `arm_b` lead to it from their centres of mass, and
 # `normal` is the unit normal there, from a to b. Return their velocities and angular velocities
-# after the hit: (v_a, w_a, v_b, w_b).
+# after the hit: (v_a, w_a, v_b, w_b). A wall's mass and moment of inertia are `math.inf`.
 #
 # - First an impulse along the normal lets them part at `restitution` times the approach. Bodies
 #   that part already are left alone.
@@ -146,3 +147,73 @@ check_task("11.3", step_discs)
 # order matters, too. Walls come last, so that no pair pushes a disc out of the room.
 #
 # Now call it six hundred times, and draw the discs. It is an engine.
+
+# %% [markdown]
+# ## Task 11.4 Who began to touch? (3 points)
+#
+# A game wants to know when a ball *begins* to touch the goal, not that it still does. `before` and
+# `now` are the pairs of numbers (i, j), i < j, that touched in the last step and that touch in this
+# one. Return two lists of pairs: those that have begun to touch, and those that have parted. Any
+# order will do. Either table may be empty.
+
+
+# %% tags=["task"]
+def touch_changes(before, now):
+    """Return (begun, parted): pairs that touch now and not before, and the reverse."""
+    earlier, later = {tuple(pair) for pair in before}, {tuple(pair) for pair in now}
+    return list(later - earlier), list(earlier - later)
+
+
+# %% tags=["check", "nbval-check-output"]
+check_task("11.4", touch_changes)
+
+# %% [markdown] tags=["solution"]
+# **Why.** A callback belongs to a pair, not to a body: the ball that lies on the floor can still
+# begin to touch the goal. What both sets hold goes on, and is nobody's news.
+
+# %% [markdown]
+# ## Task 11.5 A light that fades (3 points)
+#
+# Each body has a brightness between 0 and 1. A body that was `hit` in this step (1, and not 0)
+# shines at 1. Any other fades: when a `half_life` has passed, half of its light is left. That must
+# not depend on how long the steps `dt` are. Return the brightness of all bodies after the step.
+
+
+# %% tags=["task"]
+def glow(brightness, hit, dt, half_life):
+    """Return the brightness of all bodies after a step of `dt`."""
+    return np.where(hit, 1.0, brightness * 0.5 ** (dt / half_life))
+
+
+# %% tags=["check", "nbval-check-output"]
+check_task("11.5", glow)
+
+# %% [markdown] tags=["solution"]
+# **Why.** Two steps of dt leave the same as one of 2 dt, since the factors multiply and the
+# exponents add up. No other rule does that: a fixed amount or a fixed factor for each step makes
+# the light last longer on a slow computer.
+
+# %% [markdown]
+# ## Task 11.6 The sound of an impact (4 points)
+#
+# A struck body rings and dies away. Return `count` samples of its sound, `rate` of them in a
+# second; the first is at time 0. At time t the sound is `loudness` times sin(2 pi f t), where f is
+# the `frequency`, and it has halved after each `half_life`. Samples cannot tell a tone of half the
+# rate or more from a lower one. Such a tone is silent: return zeros.
+
+
+# %% tags=["task"]
+def knock(loudness, frequency, half_life, rate, count):
+    """Return samples of a tone that dies away, shape (count,)."""
+    t = np.arange(count) / rate
+    tone = np.sin(2 * np.pi * frequency * t) * (frequency < rate / 2)
+    return loudness * 0.5 ** (t / half_life) * tone
+
+
+# %% tags=["check", "nbval-check-output"]
+check_task("11.6", knock)
+
+# %% [markdown] tags=["solution"]
+# **Why.** The sine begins at 0, as the body does before the blow; a cosine would begin with a jump,
+# and a jump is heard as a click. Above half of the rate there is less than one sample for each
+# swing up or down, and a lower tone goes through the very same samples. It is called aliasing.

@@ -1,4 +1,4 @@
-"""Unusual right answers to chapter 11: a broad phase, a hit, and a step."""
+"""Unusual right answers to chapter 11: from a broad phase to a sound."""
 
 from __future__ import annotations
 
@@ -198,3 +198,39 @@ def pair_by_pair_and_wall_by_wall(
         v[out, axis] *= -restitution
         p[:, axis] = np.clip(p[:, axis], low, high)
     return p, v
+
+
+@alternative("11.4")
+def with_keys_of_two_digits(before: Table, now: Table) -> Any:
+    """Each pair is one number, and sorted tables are compared."""
+    import numpy as np
+
+    keys = [np.array([1000 * i + j for i, j in pairs], dtype=int) for pairs in (before, now)]
+    begun, parted = np.setdiff1d(keys[1], keys[0]), np.setdiff1d(keys[0], keys[1])
+    return [divmod(key, 1000) for key in begun], [divmod(key, 1000) for key in parted]
+
+
+@alternative("11.5")
+def with_natural_exponential(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """One body after the other, with the rate ln 2 / half-life."""
+    import math
+
+    rate = math.log(2) / half_life
+    return [
+        1 if struck else light * math.exp(-rate * dt)
+        for light, struck in zip(brightness, hit, strict=True)
+    ]
+
+
+@alternative("11.6")
+def as_a_turning_pointer(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """A complex pointer that turns and shrinks; its height is the sample."""
+    import cmath
+    import math
+
+    if frequency >= rate / 2:
+        return [0.0] * count
+    turn = cmath.exp(complex(-math.log(2) / half_life, 2 * math.pi * frequency) / rate)
+    return [(loudness * turn**k).imag for k in range(count)]

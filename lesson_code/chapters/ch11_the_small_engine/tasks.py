@@ -1,7 +1,8 @@
-"""Tasks of chapter 11: a broad phase, a hit of any two bodies, and a whole step."""
+"""Tasks of chapter 11: a broad phase, a hit, a whole step; then callbacks, an effect, a sound."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from random import Random
 from typing import Any, TypeAlias
@@ -89,10 +90,12 @@ def through_the_centres(stream: Random) -> Iterator[Arguments]:
 
 
 def beside_the_centres(stream: Random) -> Iterator[Arguments]:
-    """Draw smooth bodies that are hit beside their centres."""
-    for _ in range(2):
+    """Draw smooth bodies that are hit beside their centres, the last time by a wall that moves."""
+    for is_wall in (False, False, True):
         n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
-        yield *_bodies(stream, n, arms, -draws.speed(stream)), n, draws.restitution(stream), 0.0
+        (m, i, *motion), *others = _bodies(stream, n, arms, -draws.speed(stream))
+        first = (math.inf, math.inf) if is_wall else (m, i)
+        yield (*first, *motion), *others, n, draws.restitution(stream), 0.0
 
 
 def rough_bodies(stream: Random) -> Iterator[Arguments]:
@@ -195,6 +198,103 @@ def _world(stream: Random, states: list[tuple[Vector, Vector]], gravity: Vector)
     return positions, velocities, masses, radii, draws.restitution(stream), gravity, ROOM, dt
 
 
+# 11.4: who touches whom, before and now
+
+Pairs: TypeAlias = tuple[tuple[int, int], ...]
+
+
+def pairs_that_begin(stream: Random) -> Iterator[Arguments]:
+    """Draw touches that go on, and some that begin, also of bodies that touched others before."""
+    for _ in range(2):
+        go_on, begin = _chain(stream, 3), _chain(stream, 4, step=2)
+        yield _shuffled(stream, go_on), _shuffled(stream, (*go_on, *begin))
+
+
+def pairs_that_part(stream: Random) -> Iterator[Arguments]:
+    """Draw touches that go on, some that end, and one that begins."""
+    for _ in range(2):
+        go_on, end = _chain(stream, 3), _chain(stream, 3, step=2)
+        begin = ((20, 21),)
+        yield _shuffled(stream, (*go_on, *end)), _shuffled(stream, (*go_on, *begin))
+
+
+def first_and_last_touch(stream: Random) -> Iterator[Arguments]:
+    """Draw a step before which nothing touched, one after which nothing does, and one without."""
+    touching = _shuffled(stream, _chain(stream, 3))
+    yield (), touching
+    yield touching, ()
+    yield touching, touching
+
+
+def _chain(stream: Random, links: int, step: int = 1) -> Pairs:
+    """Return pairs of bodies `step` apart, each of which touches the next."""
+    first = stream.randint(0, 3)
+    return tuple((first + k, first + k + step) for k in range(links))
+
+
+def _shuffled(stream: Random, pairs: Pairs) -> Pairs:
+    """Return pairs in another order."""
+    order = list(pairs)
+    stream.shuffle(order)
+    return tuple(order)
+
+
+# 11.5: brightness of bodies that are hit
+
+
+def lit_bodies(stream: Random) -> Iterator[Arguments]:
+    """Draw bodies of which some are hit, dark and bright ones."""
+    for _ in range(2):
+        yield _lit(stream, 5, hit=2), *_glow(stream)
+
+
+def fading_bodies(stream: Random) -> Iterator[Arguments]:
+    """Draw bodies of which none is hit, with steps shorter and longer than the half-life."""
+    for part in (0.1, 0.7, 1.6):
+        half_life = round(stream.uniform(0.1, 0.4), 2)
+        yield _lit(stream, 4, hit=0), (0, 0, 0, 0), round(part * half_life, 3), half_life
+
+
+def _lit(stream: Random, count: int, hit: int) -> tuple[float, ...]:
+    """Return how bright bodies are; at least `hit` are neither dark nor full."""
+    return tuple(round(stream.uniform(0.2, 0.9), 2) for _ in range(max(count, hit)))
+
+
+def _glow(stream: Random) -> Arguments:
+    """Return who is hit, and the lengths of the step and of the half-life."""
+    struck = [1, 1, 0, 0, 0]
+    stream.shuffle(struck)
+    return tuple(struck), round(stream.uniform(0.01, 0.05), 3), round(stream.uniform(0.1, 0.4), 2)
+
+
+# 11.6: samples of a sound
+
+
+def low_tones(stream: Random) -> Iterator[Arguments]:
+    """Draw tones well below half of the rate, loud and soft."""
+    for loudness in (round(stream.uniform(0.2, 0.5), 2), round(stream.uniform(0.6, 0.9), 2)):
+        yield loudness, stream.randint(200, 900), *_ringing(stream), 12
+
+
+def tones_that_die_away(stream: Random) -> Iterator[Arguments]:
+    """Draw sounds that last for several half-lives."""
+    for _ in range(2):
+        tone = round(stream.uniform(0.3, 0.9), 2), stream.randint(30, 60)
+        yield *tone, round(stream.uniform(0.004, 0.008), 4), 1000, 30
+
+
+def tones_too_high(stream: Random) -> Iterator[Arguments]:
+    """Draw a tone above half of the rate, and one just below it."""
+    rate = 1000 * stream.randint(4, 8)
+    for part in (0.6, 1.3, 0.45):
+        yield 0.5, round(part * rate), round(stream.uniform(0.02, 0.05), 3), rate, 9
+
+
+def _ringing(stream: Random) -> Arguments:
+    """Return half-life and rate."""
+    return round(stream.uniform(0.02, 0.05), 3), 1000 * stream.randint(8, 12)
+
+
 # What is expected
 
 
@@ -269,7 +369,35 @@ def _step_discs(
     return p, v
 
 
+def _touch_changes(before: Any, now: Any) -> tuple[list[Any], list[Any]]:
+    """Return the pairs that begin to touch, and those that part."""
+    earlier, later = ([[int(i), int(j)] for i, j in pairs] for pairs in (before, now))
+    begun = [pair for pair in later if pair not in earlier]
+    return begun, [pair for pair in earlier if pair not in later]
+
+
+def _glow_after(brightness: Any, hit: Any, dt: float, half_life: float) -> list[float]:
+    """Return how bright the bodies are after a step."""
+    left = math.exp2(-dt / half_life)
+    return [1.0 if struck else left * b for b, struck in zip(brightness, hit, strict=True)]
+
+
+def _knock(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> list[float]:
+    """Return the samples of the sound of an impact."""
+    if 2 * frequency >= rate:
+        return [0.0] * count
+    turn, left = 2 * math.pi * frequency / rate, math.exp2(-1 / (rate * half_life))
+    return [loudness * left**k * math.sin(turn * k) for k in range(count)]
+
+
 # Parts of an answer, and reasons
+
+
+def _both_in_order(lists: Any) -> list[list[list[int]]]:
+    """Return two lists of pairs, each sorted: any order is right."""
+    return [sorted([int(i), int(j)] for i, j in pairs) for pairs in lists]
 
 
 def _in_order(pairs: Any) -> list[list[Any]]:
@@ -281,6 +409,8 @@ def momentum_of_both(arguments: Arguments, answer: Any) -> str:
     """Say what becomes of the momentum."""
     a, _, b, *_ = arguments
     v_a, _, v_b, _ = answer
+    if math.inf in (a[0], b[0]):
+        return "A wall takes up any momentum, and keeps its velocity."
     before = np.array(a[2:4]) * a[0] + np.array(b[2:4]) * b[0]
     after = np.array(v_a) * a[0] + np.array(v_b) * b[0]
     return f"Momentum {written(before.tolist())} kg m/s before and {written(after.tolist())} after."
@@ -290,7 +420,7 @@ TASKS = (
     Task(
         id="11.1",
         function="near_pairs",
-        section=1,
+        section=3,
         objective="A broad phase: the pairs whose boxes share a point.",
         expected=_near_pairs,
         criteria=(
@@ -302,7 +432,7 @@ TASKS = (
     Task(
         id="11.2",
         function="hit",
-        section=3,
+        section=4,
         objective="A hit of any two bodies, with spin and friction.",
         expected=_hit,
         criteria=(
@@ -324,6 +454,41 @@ TASKS = (
             Criterion("discs at walls", discs_at_walls),
             Criterion("discs that meet", discs_that_meet),
             Criterion("all at once", all_at_once),
+        ),
+    ),
+    Task(
+        id="11.4",
+        function="touch_changes",
+        section=8,
+        objective="Callbacks: which pairs have begun to touch, and which have parted.",
+        expected=_touch_changes,
+        criteria=(
+            Criterion("pairs that begin", pairs_that_begin, part=_both_in_order),
+            Criterion("pairs that part", pairs_that_part, part=_both_in_order),
+            Criterion("the first and the last touch", first_and_last_touch, part=_both_in_order),
+        ),
+    ),
+    Task(
+        id="11.5",
+        function="glow",
+        section=8,
+        objective="An effect: what is hit lights up, and fades at any length of the steps alike.",
+        expected=_glow_after,
+        criteria=(
+            Criterion("bodies that are hit", lit_bodies),
+            Criterion("bodies that fade", fading_bodies, points=2),
+        ),
+    ),
+    Task(
+        id="11.6",
+        function="knock",
+        section=8,
+        objective="A sound: the samples of an impact that rings and dies away.",
+        expected=_knock,
+        criteria=(
+            Criterion("the tone", low_tones, points=2),
+            Criterion("how it dies away", tones_that_die_away),
+            Criterion("a tone too high for the rate", tones_too_high),
         ),
     ),
 )

@@ -1,4 +1,4 @@
-"""Wrong models of chapter 11: a broad phase, a hit, and a step.
+"""Wrong models of chapter 11: a broad phase, a hit, a step; callbacks, an effect, a sound.
 
 Each stands alone, as a student would hand it in: it calls no helper.
 """
@@ -16,6 +16,7 @@ from lesson_code.chapters.ch11_the_small_engine.right_answers import (
 from lesson_code.course.grading.task import edited, wrong_model
 
 Table: TypeAlias = Any
+Vector: TypeAlias = Any
 
 
 @wrong_model("11.1", "One box is far above the other. Do they share a point?")
@@ -168,3 +169,117 @@ def pairs_without_a_gate() -> None:
 )
 def half_each() -> None:
     """Each disc is moved by half of the overlap."""
+
+
+@wrong_model("11.4", "A box has lain on the floor for a minute. Does it begin to touch it again?")
+def everything_that_touches(before: Table, now: Table) -> Any:
+    """What touches now has begun to touch."""
+    return [tuple(pair) for pair in now], [tuple(p) for p in before if list(p) not in now.tolist()]
+
+
+@wrong_model("11.4", "Which of your two lists should a door use that opens when it is pressed?")
+def begun_and_parted_swapped(before: Table, now: Table) -> Any:
+    """What was there before and is no more has begun."""
+    earlier, later = {tuple(p) for p in before}, {tuple(p) for p in now}
+    return list(earlier - later), list(later - earlier)
+
+
+@wrong_model("11.4", "A ball lies on the floor and now meets a second ball. Is that a new touch?")
+def only_bodies_that_touched_nothing(before: Table, now: Table) -> Any:
+    """A body that touches something already cannot begin to."""
+    busy = {body for pair in before for body in pair}
+    still = {body for pair in now for body in pair}
+    return (
+        [tuple(pair) for pair in now if not busy & set(pair)],
+        [tuple(pair) for pair in before if not still & set(pair)],
+    )
+
+
+@wrong_model("11.4", "One pair parts and another one begins. Which of them is in which list?")
+def all_changes_in_both(before: Table, now: Table) -> Any:
+    """Whatever has changed is both."""
+    changed = list({tuple(p) for p in before} ^ {tuple(p) for p in now})
+    return changed, changed
+
+
+@wrong_model("11.5", "Half of it is left after one half-life. What is left after two? Nothing?")
+def fades_by_a_fixed_amount(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """The light goes down evenly, to one half in a half-life."""
+    return np.where(hit, 1.0, np.maximum(brightness * (1 - dt / (2 * half_life)), 0))
+
+
+@wrong_model("11.5", "exp(-1) is 0.37. How much is left after one half-life by your formula?")
+def e_in_place_of_two(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """A half-life is the time constant of the exponential."""
+    return np.where(hit, 1.0, brightness * np.exp(-dt / half_life))
+
+
+@wrong_model("11.5", "A slow computer makes half as many steps. Does its light last twice as long?")
+def half_in_every_step(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """Every step takes one half."""
+    return np.where(hit, 1.0, brightness / 2)
+
+
+@wrong_model("11.5", "A body is hit just now. Should anyone see it at full brightness?")
+def fades_at_once(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """What is hit is lit, and then everything fades."""
+    return np.where(hit, 1.0, brightness) * 0.5 ** (dt / half_life)
+
+
+@wrong_model("11.5", "A body that is bright already is hit again. Can it be brighter than full?")
+def light_adds_up(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """A hit adds its light to what is there."""
+    return brightness * 0.5 ** (dt / half_life) + hit
+
+
+@wrong_model("11.6", "The sine takes radians. How many does one period have?")
+def without_two_pi(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The sine's argument is f t."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * 0.5 ** (t / half_life) * np.sin(frequency * t)
+
+
+@wrong_model("11.6", "At the instant of the blow the membrane is at rest. What do you hear there?")
+def begins_with_a_jump(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The sound is loudest where it begins: a cosine."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * 0.5 ** (t / half_life) * np.cos(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "Strike a bell. Does it ring for ever?")
+def never_dies_away(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """A tone keeps its loudness."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "Sample a tone of 1,100 per second 1,000 times a second. Which tone is heard?")
+def any_tone_can_be_sampled(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The samples of a tone are heard as that tone, however high it is."""
+    t = np.arange(count) / rate
+    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "Sample number k is heard at which time?")
+def a_sample_a_second(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The samples are numbered in seconds for the loudness."""
+    k = np.arange(count)
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * 0.5 ** (k / half_life) * np.sin(2 * np.pi * frequency * k / rate)

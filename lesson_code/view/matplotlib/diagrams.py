@@ -20,8 +20,8 @@ PIPELINE = (
 STAGE_COLORS = (style.SKY, style.ORANGE, style.GREEN)
 
 
-LOW, HIGH = 0.5, 0.95
-"""Height of a step's box: with its name alone, and with functions below it."""
+LOW, NAME, LINE = 0.5, 0.4, 0.2
+"""Height of a step's box with its name alone; of the name, and of a line of functions below it."""
 
 GAP = 0.3
 """Between two steps."""
@@ -39,7 +39,7 @@ def pipeline(
     marked : collection of str
         Steps to mark with a thick frame: those that a chapter is about.
     functions : mapping of str to str, optional
-        The functions that do a step, to be written below its name; two lines at the most.
+        The functions that do a step, to be written below its name.
 
     Raises
     ------
@@ -53,7 +53,8 @@ def pipeline(
                 raise ValueError(
                     f"{name} must hold steps of the pipeline {sorted(known)}, got {step!r}"
                 )
-    height = LOW if functions is None else HIGH
+    lines = max((text.count("\n") + 1 for text in (functions or {}).values()), default=0)
+    height = NAME + LINE * lines if lines else LOW
     top = 0.5 + 3 * (height + GAP)
     for column, ((stage, steps), color) in enumerate(zip(PIPELINE, STAGE_COLORS, strict=True)):
         _stage(ax, 3.4 * column, top, stage, color)
@@ -105,7 +106,7 @@ def _step(
             linewidth=2.8 if marked else 0.8,
         )
     )
-    below = y + (0.25 if height == LOW else height - 0.17)
+    below = y + (height - 0.17 if functions else height / 2)
     ax.text(x + 1.3, below, name, ha="center", va="center", fontsize=10)
     if functions:
         look: dict[str, Any] = {
@@ -114,4 +115,5 @@ def _step(
             "fontsize": 8,
             "family": "monospace",
         }
-        ax.text(x + 1.3, y + 0.36, functions, **look, color=style.BLUE, linespacing=1.35)
+        middle = y + (height - NAME) / 2 + 0.06
+        ax.text(x + 1.3, middle, functions, **look, color=style.BLUE, linespacing=1.35)

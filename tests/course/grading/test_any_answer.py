@@ -26,7 +26,7 @@ SEED = 0
 
 TASKS = {task.id: task for exercise in exercises() for task in exercise.tasks}
 ANSWERS_A_TASK = 140
-"""With 72 tasks these are 10,000 answers."""
+"""With 75 tasks these are more than 10,000 answers."""
 
 FEW_ANSWERS, ONE_IN = 20, 9
 """The quick tier draws this many, for one task in so many: a task's first answer takes a second."""

@@ -37,7 +37,7 @@ OTHERS_ENGINES = ("pymunk", "box2d")
 SEED, SECONDS = 7, 2.0
 
 MOST_BY_NAME, MOST_FROM_PROGRAMS = 50, 3
-"""Of 265 and 79 points. What is left of programs are two formulas that the lesson teaches: at which
+"""Of 275 and 79 points. What is left of programs are two formulas that the lesson teaches: at which
 angle a box tips over (2), and the area of a polygon, which has no sign there (1 of 2)."""
 
 Function = Callable[..., Any]

@@ -104,7 +104,7 @@ def test_functions_stand_below_the_names_of_their_steps(
     where = places(diagrams.pipeline(ax, functions=written))
     for step, text in written.items():
         assert where[text][0] == where[step][0]
-        assert 0 < where[step][1] - where[text][1] < diagrams.HIGH
+        assert 0 < where[step][1] - where[text][1] < diagrams.NAME + 2 * diagrams.LINE
     assert_texts_are_clear(figure)
 
 
