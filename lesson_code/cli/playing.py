@@ -11,6 +11,8 @@ import typer
 from lesson_code.chapters.programs import program_summaries
 from lesson_code.cli.shared import clear_errors, console
 
+SIZE = "1280x720"
+
 play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
 
 Seed = Annotated[int, typer.Option(help="What is drawn by lot follows from it.")]
@@ -23,6 +25,7 @@ Record = Annotated[
 ]
 Replay = Annotated[Path | None, typer.Option(help="Play such a .json file again.")]
 Tour = Annotated[bool, typer.Option("--tour", help="Let the program play itself.")]
+Size = Annotated[str, typer.Option(help="Of the window at first, px: WIDTHxHEIGHT.")]
 Balls = Annotated[int, typer.Option(min=0, max=600, help="How many there are at the start.")]
 
 
@@ -36,9 +39,10 @@ def play_simulator(
     record: Record = None,
     replay: Replay = None,
     tour: Tour = False,
+    size: Size = SIZE,
 ) -> None:
     """Play the simulator, with any number of balls."""
-    _play("simulator", seed, frames, headless, screenshot, record, replay, tour, balls)
+    _play("simulator", seed, frames, headless, screenshot, record, replay, tour, size, balls)
 
 
 def _command(name: str) -> Callable[..., None]:
@@ -52,8 +56,9 @@ def _command(name: str) -> Callable[..., None]:
         record: Record = None,
         replay: Replay = None,
         tour: Tour = False,
+        size: Size = SIZE,
     ) -> None:
-        _play(name, seed, frames, headless, screenshot, record, replay, tour=tour)
+        _play(name, seed, frames, headless, screenshot, record, replay, tour, size)
 
     return command
 
@@ -66,7 +71,8 @@ def _play(
     screenshot: Path | None,
     record: Path | None,
     replay: Path | None,
-    tour: bool = False,
+    tour: bool,
+    size: str,
     balls: int | None = None,
 ) -> None:
     """Play a program, and say how it went."""
@@ -84,6 +90,7 @@ def _play(
             record=record,
             replay=replay,
             tour=tour,
+            size=_pixels(size),
             settings={} if balls is None else {"balls": balls},
         )
     world, picture = 1e3 * outcome.seconds.sum(axis=0) / max(outcome.frames, 1)
@@ -98,6 +105,14 @@ def _play(
         film = outcome.film
         end = ", the most that a film takes" if film.is_full else ""
         console.print(f"Film: {film.pictures} pictures, {film.seconds:.2f} s{end}", highlight=False)
+
+
+def _pixels(size: str) -> tuple[int, int]:
+    """Return width and height from WIDTHxHEIGHT."""
+    width, _, height = size.partition("x")
+    if not (width.isdecimal() and height.isdecimal() and int(width) >= 1 <= int(height)):
+        raise ValueError(f"--size must be WIDTHxHEIGHT, such as {SIZE}, got {size!r}")
+    return int(width), int(height)
 
 
 def _require_end(headless: bool, frames: int | None, replay: Path | None) -> None:

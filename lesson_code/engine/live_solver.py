@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from weakref import finalize
 
 import numpy as np
@@ -91,6 +92,12 @@ class Flight:
         self.solver = ExactSolver(scene, combine=combine, compiled=compiled)
         finalize(self, self.solver.close)  # a world may be dropped while something compiles for it
         self.time = 0.0
+
+    def twin(self) -> Flight:
+        """Return a flight that goes on from here on its own."""
+        other = copy(self)
+        other.solver = self.solver.twin()
+        return other
 
     def advance(self, dt: float) -> tuple[NDArray[np.float64], Floats]:
         """Go on by a time, s; return the states, (N, 6), and the impulses on the way, (K, 10).

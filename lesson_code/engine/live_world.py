@@ -8,6 +8,7 @@ are made anew only then.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from copy import copy, deepcopy
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -251,13 +252,18 @@ class LiveWorld:
         for number, (jx, jy) in zip(self._bodies, impulses.tolist(), strict=True):
             self.push(number, (jx, jy))
 
-    def coat(self, *, restitution: float) -> None:
-        """Give every body another restitution."""
+    def coat(self, **coefficients: float) -> None:
+        """Give every body another restitution, another friction, or both, by name."""
         self._write_back()
         for number, body in self._bodies.items():
-            self._bodies[number] = replace(
-                body, material=replace(body.material, restitution=restitution)
-            )
+            self._bodies[number] = replace(body, material=replace(body.material, **coefficients))
+
+    def weigh(self, number: int, mass: float) -> None:
+        """Give a body another mass, kg; its inertia changes with it."""
+        self._write_back()
+        body = self._bodies[number]
+        inertia = body.inertia and body.mass and body.inertia * mass / body.mass
+        self._bodies[number] = replace(body, mass=mass, inertia=inertia)
 
     def pull(self, gravity: XY) -> None:
         """Set the gravity, m/s^2."""
@@ -382,20 +388,20 @@ class LiveWorld:
 
     def momentum(self) -> XY:
         """Return the total momentum of all bodies that can be pushed, kg m/s."""
-        state, mass, _ = self._matter()
+        state, mass, _ = self.matter()
         x, y = momentum(mass, state[:, 3:5]) if len(mass) else (0.0, 0.0)
         return float(x), float(y)
 
     def angular_momentum(self) -> float:
         """Return their total angular momentum about the origin, kg m^2/s."""
-        state, mass, inertia = self._matter()
+        state, mass, inertia = self.matter()
         if not len(mass):
             return 0.0
         return float(angular_momentum(mass, state[:, 0:2], state[:, 3:5], inertia, state[:, 5]))
 
     def kinetic_energy(self) -> float:
         """Return their kinetic energy, that of spin included, J."""
-        state, mass, inertia = self._matter()
+        state, mass, inertia = self.matter()
         return (
             float(kinetic_energy(mass, state[:, 3:5], inertia, state[:, 5])) if len(mass) else 0.0
         )
@@ -405,9 +411,7 @@ class LiveWorld:
         numbers = self.numbers
         return frozenset(numbers[int(k)] for k in np.unique(self.impulses[:, 1:3]))
 
-    # Inside
-
-    def _matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    def matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """Return states, masses and inertias of the bodies that can be pushed."""
         columns = [self._engine.column(name) for name in ("inv_m", "inv_i")]
         inv_m, inv_i = np.array(columns, dtype=float)
@@ -415,6 +419,19 @@ class LiveWorld:
         with np.errstate(divide="ignore"):
             inertia = np.where(inv_i[free] > 0, 1 / inv_i[free], 0.0)
         return self.states()[free], 1 / inv_m[free], inertia
+
+    # Copies
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> LiveWorld:
+        """Return a world that goes on from here on its own, with the same results."""
+        twin = memo[id(self)] = copy(self)
+        twin._bodies, twin._held = dict(self._bodies), dict(self._held)
+        twin._flight = self._flight and self._flight.twin()
+        twin._at_work = self._at_work and self._at_work.twin()
+        twin._listener = deepcopy(self._listener, memo)
+        return twin
+
+    # Inside
 
     @property
     def _engine(self) -> EngineStepper:

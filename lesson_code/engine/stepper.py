@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from contextlib import closing, nullcontext
+from copy import copy, deepcopy
 from dataclasses import replace
 from functools import partial
 from operator import attrgetter
@@ -254,6 +255,14 @@ class EngineStepper(Stepper):
             if caller and (gravity := caller.new_gravity()) is not None:
                 self.set_gravity(gravity)
             self._look_at_code()
+
+    def twin(self) -> EngineStepper:
+        """Return a stepper that goes on from here on its own; what is compiled serves both."""
+        other = copy(self)
+        other.world = copy_of(self.world)
+        other._rows = other.world if self._rows is self.world else self._rows
+        other._impulses = deepcopy(self._impulses)
+        return other
 
     def close(self) -> None:
         """End the run: a process that still compiles for it ends too, unless it is nearly done."""

@@ -15,18 +15,20 @@ from lesson_code.chapters.cradle.own_world import CRADLE
 from lesson_code.chapters.dominoes.own_world import DOMINOES
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.chapters.soft_body.own_world import SOFT_BODY
-from lesson_code.view.pygame.frame import SHARED_KEYS, Painter, Session, play
+from lesson_code.view.pygame.frame import play
+from lesson_code.view.pygame.painter import HELP, Painter
 from lesson_code.view.pygame.panel import (
     KEY_COLUMN,
+    KEY_LINE,
     KEY_SIZE,
     MARGIN,
-    PANEL_WIDTH,
     PROGRAM_SIZE,
     READING_SIZE,
 )
-from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
+from lesson_code.view.pygame.picture import PANEL_WIDTH, Picture
 from lesson_code.view.pygame.program import ImpactEffects, Program
 from lesson_code.view.pygame.recording import Recording
+from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import Window, pygame
 
 PROGRAMS = [load(name) for name in program_summaries()]
@@ -124,17 +126,13 @@ def test_panel_texts_fit_side_by_side(program: Program, program_window: Window) 
     game = program.game(0)
     for _ in range(30):
         game.step()
-    room = PANEL_WIDTH - 2 * MARGIN
+    px, width = program_window.px, program_window.width
+    room = px(PANEL_WIDTH) - 2 * px(MARGIN)
     for name, value in program.readings(game):
         assert width(name, READING_SIZE) + width(value, READING_SIZE) + 8 <= room, (name, value)
-    for key, meaning in program.keys + SHARED_KEYS:
-        assert width(key, KEY_SIZE) + 4 <= KEY_COLUMN, key
-        assert KEY_COLUMN + width(meaning, KEY_SIZE) <= room + MARGIN, meaning
-
-
-def width(words: str, size: int) -> int:
-    """Return the width of a line, px."""
-    return pygame.font.Font(None, size).size(words)[0]
+    for key, meaning in program.keys + HELP:
+        assert width(key, KEY_SIZE) + 4 <= px(KEY_COLUMN), key
+        assert px(KEY_COLUMN) + width(meaning, KEY_SIZE) <= room + px(MARGIN), meaning
 
 
 @AND_OWN
@@ -159,7 +157,8 @@ def test_texts_stand_in_the_window_and_apart(
     assert all(whole.contains(box) for box in text_boxes) or program.name == "asteroids"
     for k, box in enumerate(text_boxes):
         assert box.inflate(4, -4).collidelist(text_boxes[:k]) == -1
-    assert painter._panel._y <= FIELD_SIZE[1] - MARGIN - 20 * len(program.keys + SHARED_KEYS)
+    keys = MARGIN + KEY_LINE * len(program.keys + HELP)
+    assert painter.panel._y <= whole.height - program_window.px(keys)
 
 
 @EVERY
@@ -171,8 +170,9 @@ def test_picture_is_drawn_in_the_field_and_in_the_panel(
     Painter(session, Picture(program_window, program.camera)).draw()
     pixels = pygame.surfarray.array2d(program_window.surface)
     assert pixels.shape == PROGRAM_SIZE
-    assert len(np.unique(pixels[: FIELD_SIZE[0]])) > 4
-    assert len(np.unique(pixels[FIELD_SIZE[0] :])) > 4
+    panel = program_window.px(PANEL_WIDTH)
+    assert len(np.unique(pixels[:-panel])) > 4
+    assert len(np.unique(pixels[-panel:])) > 4
 
 
 @EVERY

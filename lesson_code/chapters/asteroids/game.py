@@ -307,8 +307,12 @@ PROGRAM = Program(
         ("left right", "turn"),
         ("up", "thrust"),
         ("SPACE", "shoot"),
-        ("R", "new field"),
     ),
+    forbids={
+        "grab": "the ship and its shots move everything",
+        "gravity": "the field is far from any star",
+        "mass": "masses are in the ledger",
+    },
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=(
         (0, Input("press", "right")),

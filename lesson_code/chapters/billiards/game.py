@@ -28,7 +28,7 @@ from lesson_code.engine.core.scene import XY
 from lesson_code.formulas.validation import Vector, non_negative, one_vector
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Matter, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import INK, ORANGE, PURPLE, SKY, Colour
 
@@ -97,7 +97,7 @@ class Billiards(Game):
     ) -> None:
         self._advance = advance
         self._first = _checked_launch(first_shot(seed) if launch is None else launch)
-        self.shows_velocity = self.shows_normals = False
+        self.shows_normals = False
         super().__init__(seed)
 
     def reset(self) -> None:
@@ -117,12 +117,15 @@ class Billiards(Game):
         """Return the ball's position and velocity, shape (2, 2)."""
         return np.array([self.position, self.velocity])
 
+    def matter(self) -> Matter:
+        """Return the ball's state, mass and inertia; it does not turn."""
+        state = [*self.position, 0.0, *self.velocity, 0.0]
+        return np.array([state]), np.array([MASS]), np.zeros(1)
+
     def press(self, key: str) -> None:
-        """Show velocity or normals, or play the first shot again."""
+        """Show normals, or play the first shot again."""
         super().press(key)
-        if key == "v":
-            self.shows_velocity = not self.shows_velocity
-        elif key in ("n", "g"):
+        if key in ("n", "g"):
             self.shows_normals = not self.shows_normals
 
     def down(self, place: XY) -> None:
@@ -233,7 +236,7 @@ def draw(game: Billiards, picture: Picture, effects: ImpactEffects) -> None:
         _draw_normals(picture)
     ball = as_place(game.position)
     picture.disc(ball, TABLE.radius, INK)
-    if game.aim is not None or game.shows_velocity:
+    if game.aim is not None:
         picture.arrow(ball, as_place(velocity_shown(game) * ARROW_SECONDS), ORANGE)
 
 
@@ -304,10 +307,11 @@ PROGRAM = Program(
     readings=readings,
     keys=(
         ("drag", "from the ball: launch it"),
-        ("V   N", "velocity   normals"),
-        ("R", "the first shot again"),
+        ("N", "normals"),
     ),
     camera=Camera(left=-100.0, bottom=500.0, scale=1.0, up=-1),
+    length="px",
+    forbids=dict.fromkeys(("grab",), "the ball is launched by a drag"),
     tour=(
         (0, Input("press", "v")),
         (0, Input("down", place=(80.0, 80.0))),

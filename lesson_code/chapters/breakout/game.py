@@ -118,6 +118,10 @@ class Breakout(Game):
             return super().notice
         return "All levels done: R plays again" if self.lives else "Game over: R plays again"
 
+    def trailed(self) -> dict[int, XY]:
+        """Return where the ball is, once it is served: it leaves a trail."""
+        return {} if self.serves else {self.ball: self.world.position(self.ball)}
+
     def press(self, key: str) -> None:
         """Serve, or start again."""
         super().press(key)
@@ -247,8 +251,6 @@ def draw(game: Breakout, picture: Picture, effects: ImpactEffects) -> None:
     place = game.world.position(game.paddle)
     picture.body(game.world.body(game.paddle), place, 0.0, INK)
     if effects.trails is not None:
-        moving = {} if game.serves else {game.ball: game.world.position(game.ball)}
-        effects.trails.step(moving)
         effects.trails.draw(picture, SKY)
     picture.disc(game.world.position(game.ball), RADIUS, ORANGE)
     if game.serves and not game.is_over:
@@ -281,7 +283,9 @@ PROGRAM = Program(
         ("mouse", "move the paddle"),
         ("left right", "the same by keys"),
         ("SPACE", "serve"),
-        ("R", "new game"),
+    ),
+    forbids=dict.fromkeys(
+        ("grab", "gravity", "restitution", "friction", "mass"), "the paddle alone moves the ball"
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=((10, Input("press", "space")),),

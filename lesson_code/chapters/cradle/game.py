@@ -2,7 +2,7 @@
 
 Momentum and energy leave more than one answer open where many balls touch. If one pair strikes
 after the other, as hard balls do that hang a hair apart, k come in and k go out. If all strike at
-once, the first bounce back. I chooses; both are drawn below the cradle.
+once, the first bounce back. A chooses; both are drawn below the cradle.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.chapters.cradle.motion import LAWS, Impact, Row, step
-from lesson_code.chapters.cradle.rules import STRING
+from lesson_code.chapters.cradle.rules import GRAVITY, STRING
 from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
@@ -35,6 +35,7 @@ PULL = math.radians(35)
 """How far the balls are pulled out."""
 
 BALLS, MOST_BALLS = 5, 9
+STRINGS = "the balls hang on strings; drag pulls them out"
 
 
 class Cradle(Game):
@@ -91,10 +92,10 @@ class Cradle(Game):
         elif key == "e":
             self.restitution = 0.9 if self.restitution == 1.0 else 1.0
             self.reset()
-        elif key == "u":
+        elif key == "w":
             self.is_unequal = not self.is_unequal
             self.reset()
-        elif key == "i":
+        elif key == "a":
             self.law = next(name for name in LAWS if name != self.law)
             self.reset()
 
@@ -153,6 +154,11 @@ class Cradle(Game):
         least = 0.3 * max(max(map(abs, self.row.angles)), PULL)
         left = sum(angle < -least for angle in self.row.angles)
         return left, sum(angle > least for angle in self.row.angles)
+
+    @property
+    def gravity(self) -> XY:
+        """What pulls the balls, m/s^2; the strings hold against it."""
+        return 0.0, -GRAVITY
 
     def energy(self) -> float:
         """Return kinetic and potential energy, J; 0 for balls that hang still."""
@@ -226,18 +232,18 @@ PROGRAM = Program(
         ("drag", "pull balls out"),
         ("1 ... 9", "balls to pull out"),
         ("up  down", "more balls, fewer"),
-        ("I", "strike in turn, or at once"),
-        ("U   E", "masses   restitution"),
-        ("R", "reset"),
+        ("A", "strike in turn, or at once"),
+        ("W   E", "masses   restitution"),
     ),
+    forbids=dict.fromkeys(("grab", "gravity", "restitution", "friction", "mass"), STRINGS),
     camera=Camera(left=-5.4, bottom=-0.6, scale=74.0),  # nine balls swing within it
     tour=(
         (0, Input("press", "2")),
         (480, Input("press", "3")),
-        (960, Input("press", "i")),
+        (960, Input("press", "a")),
         (1440, Input("press", "1")),
-        (1920, Input("press", "i")),
-        (1920, Input("press", "u")),
+        (1920, Input("press", "a")),
+        (1920, Input("press", "w")),
     ),
     effects=lambda: ImpactEffects(Flashes(least_impulse=0.3), sounds=Sounds("steel", 0.3, 3.0)),
 )

@@ -25,7 +25,6 @@ from lesson_code.view.pygame.program import (
     short,
 )
 from lesson_code.view.pygame.sound import Sounds
-from lesson_code.view.pygame.window import INK
 
 WIDTH, HEIGHT = 8.0, 6.0
 """m: 800 x 600 px."""
@@ -63,7 +62,6 @@ class Demo(Game):
         """Start again with the seven bodies, and nothing else."""
         self.random.seed(self.seed)
         self.restitution = RESTITUTION
-        self.shows_velocities = False
         self.world = LiveWorld(room(0, 0, WIDTH, HEIGHT, self._material), callbacks=self.callbacks)
         self.walls = self.world.numbers
         for shape, position, velocity in START:
@@ -92,13 +90,11 @@ class Demo(Game):
         )
 
     def press(self, key: str) -> None:
-        """Clear, reset, show velocities, kick everything, or change the restitution."""
+        """Clear, reset, kick everything, or change the restitution."""
         super().press(key)
         if key == "c":
             for number in self.bodies:
                 self.world.remove(number)
-        elif key == "v":
-            self.shows_velocities = not self.shows_velocities
         elif key == "space":
             self.kick()
         elif key in ("up", "right"):
@@ -142,7 +138,7 @@ class Demo(Game):
 
 
 def draw(game: Demo, picture: Picture, effects: ImpactEffects) -> None:
-    """Draw grid, bodies (white while they touch) and, if asked for, their velocities."""
+    """Draw grid and bodies, white while they touch."""
     picture.grid(GRID_SPACING)
     touching = game.world.touching()
     draw_bodies(
@@ -151,10 +147,6 @@ def draw(game: Demo, picture: Picture, effects: ImpactEffects) -> None:
         effects,
         lambda number: FLASH if number in touching else COLOURS[number % len(COLOURS)],
     )
-    if game.shows_velocities:
-        for number in game.bodies:
-            vx, vy = game.world.velocity(number)
-            picture.arrow(game.world.position(number), (0.3 * vx, 0.3 * vy), INK, 2.5)
 
 
 def readings(game: Demo) -> Readings:
@@ -177,8 +169,7 @@ PROGRAM = Program(
         ("click", "add a circle"),
         ("SPACE", "random impulses"),
         ("arrows", "restitution up, down"),
-        ("V", "velocities"),
-        ("C   R", "clear   reset"),
+        ("C", "clear"),
     ),
     tour=((0, Input("press", "v")), (60, Input("press", "space"))),
     effects=lambda: ImpactEffects(

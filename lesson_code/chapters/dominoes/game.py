@@ -167,7 +167,7 @@ PROGRAM = Program(
     game=Dominoes,
     draw=draw,
     readings=readings,
-    keys=(("SPACE", "push the first one"), ("click", "push any one"), ("R", "stand all up")),
+    keys=(("SPACE", "push the first one"), ("click", "push any one")),
     camera=Camera(left=0.0, bottom=-1.2, scale=100.0),
     tour=((10, Input("press", "space")),),
     effects=lambda: ImpactEffects(

@@ -179,6 +179,11 @@ class Pool(Game):
             place = (place[0], place[1] + RADIUS)  # the next place that is free
         self.cue = self.world.add(self._ball(place))
 
+    def trailed(self) -> dict[int, XY]:
+        """Return where the balls are that move: each leaves a trail."""
+        moving = [b for b in self.balls if math.hypot(*self.world.velocity(b)) > 0.1]
+        return {ball: self.world.position(ball) for ball in moving}
+
     def first_hit(self) -> tuple[XY, XY | None]:
         """Return where the cue ball's centre would be at its first impact with a ball, and whose.
 
@@ -234,8 +239,6 @@ def draw(game: Pool, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the table, the balls and the cue."""
     _draw_table(picture)
     if effects.trails is not None:
-        moving = [b for b in game.balls if math.hypot(*game.world.velocity(b)) > 0.1]
-        effects.trails.step({ball: game.world.position(ball) for ball in moving})
         effects.trails.draw(picture, INK, CLOTH)
     for ball in game.balls:
         place = game.world.position(ball)
@@ -314,8 +317,12 @@ PROGRAM = Program(
     keys=(
         ("drag", "aim and strike: pull back"),
         ("left right", "hit off centre: spin"),
-        ("R", "new rack"),
     ),
+    forbids={
+        "grab": "the cue alone moves a ball",
+        "gravity": "the table is seen from above",
+        "mass": "all balls weigh the same",
+    },
     camera=Camera(left=-0.115, bottom=-0.41, scale=289.0),
     tour=(
         (0, Input("down", place=(0.0, HEAD[1]))),

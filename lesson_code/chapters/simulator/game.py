@@ -28,7 +28,7 @@ from lesson_code.view.pygame.program import (
     room,
 )
 from lesson_code.view.pygame.sound import Sounds
-from lesson_code.view.pygame.window import INK, ORANGE, SKY, VERMILION, YELLOW
+from lesson_code.view.pygame.window import ORANGE, SKY
 
 WIDTH, HEIGHT = 8.0, 6.0
 """m."""
@@ -51,12 +51,6 @@ HISTORY = 240
 """Steps that the curves show: four seconds."""
 
 FALL = (0.0, -9.81)
-CLOSE_UP = 100
-"""Balls at most whose velocities are drawn with a point; of more there are thin lines, as long."""
-
-ARROW_SECONDS = 0.25
-"""s: a ball's arrow ends where it would be after this time."""
-
 FORCED = (
     "Forced: the scene does not call for it, and this world reckons with it all the same, so that "
     "its program stays as it is when bodies join. That changes no digit of the result. "
@@ -73,7 +67,7 @@ class Simulator(Game):
             raise ValueError(f"balls must be a whole number from 0 to {MOST_BALLS}, got {balls}")
         self.ball_count = balls
         self.mode = "1"
-        self.falls = self.shows_impulses = False
+        self.falls = False
         self.plan: tuple[float, Plan] | None = None
         super().__init__(seed)
 
@@ -142,8 +136,6 @@ class Simulator(Game):
             for ball in self.balls:
                 self.world.remove(ball)
             self.aim = None
-        elif key == "i":
-            self.shows_impulses = not self.shows_impulses
         if key == "f":
             self.plan = self._made_plan() if self.plan is None else None
         elif self.plan is not None:
@@ -231,9 +223,6 @@ def draw(game: Simulator, picture: Picture, effects: ImpactEffects) -> None:
         _draw_many(game, picture)
     else:
         draw_bodies(game.world, picture, effects)
-    _draw_velocities(game, picture)
-    if game.shows_impulses:
-        _draw_impulses(game, picture)
     if game.aim is not None:
         ball, place = game.aim
         vx, vy = game.launch_velocity(ball, place)
@@ -253,26 +242,6 @@ def _draw_many(game: Simulator, picture: Picture) -> None:
         [body.shape.bounding_radius for _, body in balls],
         [COLOURS[number % len(COLOURS)] for number, _ in balls],
     )
-
-
-def _draw_velocities(game: Simulator, picture: Picture) -> None:
-    """Draw where each ball would be after :data:`ARROW_SECONDS`."""
-    states = game.world.states()[len(game.walls) :]
-    starts, ways = states[:, 0:2], ARROW_SECONDS * states[:, 3:5]
-    if len(states) > CLOSE_UP:
-        picture.lines(starts, starts + ways, INK)
-        return
-    for start, way in zip(starts.tolist(), ways.tolist(), strict=True):
-        picture.arrow((start[0], start[1]), (way[0], way[1]), INK, 2.0)
-
-
-def _draw_impulses(game: Simulator, picture: Picture) -> None:
-    """Draw contact points, normals (thin) and impulses (thick) of the last step."""
-    for row in game.world.impulses.tolist():
-        x, y, nx, ny, impulse = row[3:8]
-        picture.disc((x, y), 0.04, VERMILION)
-        picture.arrow((x, y), (0.3 * nx, 0.3 * ny), SKY, 2.0)
-        picture.arrow((x, y), (0.15 * impulse * nx, 0.15 * impulse * ny), YELLOW, 4.0)
 
 
 def readings(game: Simulator) -> Readings:
@@ -303,10 +272,9 @@ PROGRAM = Program(
         ("drag", "launch a ball, old or new"),
         ("1   2   3", "elastic   partial   inelastic"),
         ("B   C", "50 more balls   clear"),
-        ("G   R", "gravity   reset"),
-        ("I   F", "impulses   plan of effects"),
+        ("G   F", "gravity   plan of effects"),
     ),
-    tour=((0, Input("press", "i")),),
+    tour=((0, Input("press", "v")), (0, Input("press", "i"))),
     effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.05), sounds=Sounds("ivory", 0.2, full_impulse=8.0)
     ),

@@ -340,7 +340,7 @@ PROGRAM = Program(
     keys=(
         ("drag", "pull at a body"),
         ("SPACE", "kick them all"),
-        ("B   R", "one more   reset"),
+        ("B", "one more"),
     ),
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=(

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from copy import copy, deepcopy
 from functools import cache, partial
 from typing import Any
 
@@ -18,6 +19,7 @@ from lesson_code.engine.compiled import (
     Code,
     Program,
     as_arrays,
+    copy_of,
     full_rows,
     link,
     new_table,
@@ -153,6 +155,12 @@ class ExactSolver:
     def program(self) -> Program:
         """Return the program of the loop, as it is compiled."""
         return program_of(self._source(), "advance", Tables)
+
+    def twin(self) -> ExactSolver:
+        """Return a solver that goes on from here on its own; what is compiled serves both."""
+        other = copy(self)
+        other.tables, other._impulses = copy_of(self.tables), deepcopy(self._impulses)
+        return other
 
     def close(self) -> None:
         """End the run: a process that still compiles for it ends too, unless it is nearly done."""

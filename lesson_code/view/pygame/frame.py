@@ -7,12 +7,14 @@ next frame, so that a world does not depend on how fast it is drawn.
 from __future__ import annotations
 
 import inspect
+import itertools
 import math
 import time
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import closing, contextmanager, nullcontext
+from collections.abc import Iterator, Mapping
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Thread
 from types import MappingProxyType
 from typing import Any
 
@@ -20,31 +22,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import Code
-from lesson_code.engine.core.scene import XY
 from lesson_code.engine.live_world import TIME_STEP, WORTH_COMPILING, LiveWorld
-from lesson_code.formulas.arithmetic import whole_parts
 from lesson_code.view.pygame.gif import MOST_SECONDS, Gif
-from lesson_code.view.pygame.panel import PROGRAM_SIZE, Panel
-from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Keys, Program, Readings
+from lesson_code.view.pygame.painter import Painter
+from lesson_code.view.pygame.panel import PROGRAM_SIZE
+from lesson_code.view.pygame.picture import Picture
+from lesson_code.view.pygame.program import Game, ImpactEffects, Program
 from lesson_code.view.pygame.recording import Recording
-from lesson_code.view.pygame.window import YELLOW, open_window, pygame
+from lesson_code.view.pygame.session import STEPPING_SECONDS, Session
+from lesson_code.view.pygame.window import Window, open_window, pygame
 
-LONGEST_FRAME = 0.1
-"""s: a longer one counts as this. A machine that is too slow shows slow motion, and not jerks."""
-
-FILM_SIZE = (720, 400)
-"""px: two thirds of the window; its small letters can still be read."""
-
-SLOW_MOTION = 0.2
-"""Of the usual speed."""
-
-SHARED_KEYS: Keys = (
-    ("P   O", "pause   one step"),
-    ("L   M", "slow motion   mute"),
-    ("ESC", "quit"),
-)
-"""The keys that every program has; they change time, never the world."""
+FILM_HEIGHT = 400
+"""px: small letters can still be read."""
 
 
 @dataclass(frozen=True)
@@ -78,152 +67,59 @@ class Played:
         return float(np.quantile(self.seconds.sum(axis=1), part)) if self.frames else 0.0
 
 
-class Session:
-    """A game while it is played: what window events and time do to it.
+class Camcorder:
+    """Makes a film from the start, or between two presses of a key."""
 
-    Parameters
-    ----------
-    program : Program
-        What is played.
-    game : Game
-        The game itself.
-    recording : Recording
-        Where inputs are written down; with inputs in it, they are played again.
-    """
+    def __init__(self, window: Window) -> None:
+        self._window = window
+        self.film: Gif | None = None
 
-    def __init__(self, program: Program, game: Game, recording: Recording) -> None:
-        self.program, self.game, self.recording = program, game, recording
-        self.effects = program.effects()
-        self.effects.listen_to(game)
-        self.tour: tuple[tuple[int, Input], ...] = ()
-        self.running = True
-        self.paused = self.slow = self._wants_step = False
-        self.steps = 0
-        self._left_over = 0.0
+    def begin(self, path: str | Path) -> None:
+        """Begin a film."""
+        width, height = self._window.surface.get_size()
+        self.film = Gif(path, (round(FILM_HEIGHT * width / height), FILM_HEIGHT))
 
-    def handle(self, event: pygame.event.Event) -> None:
-        """Take one event of the window."""
-        if event.type == pygame.QUIT:
-            self.running = False
-        elif event.type == pygame.KEYDOWN and not self._shared(event.key):
-            self.give(Input("press", pygame.key.name(event.key)))
-        elif event.type == pygame.KEYUP:
-            self.give(Input("release", pygame.key.name(event.key)))
-        elif event.type == pygame.MOUSEMOTION:
-            self.give(Input("move", place=self._world_place(event.pos)))
-        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
-            if event.pos[0] < FIELD_SIZE[0]:
-                self.give(Input("down", place=self._world_place(event.pos)))
-        elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
-            self.give(Input("up", place=self._world_place(event.pos)))
+    def see(self, elapsed: float) -> None:
+        """Take what is seen now, so much time after the last picture, s."""
+        if self.film is not None:
+            self.film.see(self._window.surface, elapsed)
 
-    def handle_all(self, events: Iterable[pygame.event.Event]) -> bool:
-        """Take some events; return whether the session goes on."""
-        for event in events:
-            self.handle(event)
-        return self.running
-
-    def give(self, given: Input) -> None:
-        """Give the game an input, and write it down; not while a recording is played."""
-        if not self.recording.is_played:
-            self.recording.note(self.steps, given)
-            self.game.take(given)
-
-    def switched(self) -> Readings:
-        """Return what the keys that all programs share have changed."""
-        sounds = self.effects.sounds
-        changes = (
-            (self.paused, "PAUSED", "P goes on"),
-            (self.slow, "slow motion", f"{SLOW_MOTION:g} x"),
-            (sounds is not None and sounds.muted, "sound", "muted"),
-        )
-        return [(name, value) for is_on, name, value in changes if is_on]
-
-    def tick(self, elapsed: float) -> int:
-        """Advance by the time of one frame, s; return the number of steps made."""
-        self._left_over += min(elapsed, LONGEST_FRAME) * (SLOW_MOTION if self.slow else 1.0)
-        steps = whole_parts(self._left_over, TIME_STEP)
-        self._left_over = max(self._left_over - steps * TIME_STEP, 0.0)
-        if self.paused:
-            steps, self._left_over = int(self._wants_step), 0.0
-        self._wants_step = False
-        for _ in range(steps):
-            self.step()
-        return steps
-
-    def step(self) -> None:
-        """Make one step of the game."""
-        for given in self.recording.inputs_at(self.steps):
-            self.game.take(given)
-        for step, given in self.tour:
-            if step == self.steps:
-                self.give(given)
-        self.effects.step(TIME_STEP)
-        self.game.step()
-        self.steps += 1
-        if self.recording.is_over(self.steps):
-            self.running = False
-
-    def _shared(self, key: int) -> bool:
-        """Do what a key that all programs share stands for; return whether it is one."""
-        match key:
-            case pygame.K_ESCAPE:
-                self.running = False
-            case pygame.K_p:
-                self._pause(not self.paused)
-            case pygame.K_o:
-                self._pause(True)
-                self._wants_step = True
-            case pygame.K_l:
-                self.slow = not self.slow
-            case pygame.K_m if self.effects.sounds is not None:
-                self.effects.sounds.mute()
-            case _:
-                return False
-        return True
-
-    def _pause(self, paused: bool) -> None:
-        """Pause or resume time, and sounds with it."""
-        self.paused = paused
-        if self.effects.sounds is not None:
-            self.effects.sounds.hold(paused)
-
-    def _world_place(self, pixel: tuple[int, int]) -> XY:
-        """Return the point of the world that a pixel's centre shows."""
-        return self.program.camera.screen_to_world((pixel[0] + 0.5, pixel[1] + 0.5))
-
-
-class Painter:
-    """Draws a session into a window."""
-
-    def __init__(self, session: Session, picture: Picture) -> None:
-        self._session, self._picture = session, picture
-        self._panel = Panel(picture.window, session.program.title)
-
-    def wait(self) -> float:
-        """Wait for the next frame, and return how long the last one took, s."""
-        return self._picture.window.wait()
-
-    def show_to(self, film: Gif | None, elapsed: float) -> None:
-        """Let a film see what is drawn, if there is one, so much time after the last picture, s."""
+    def close(self) -> Gif | None:
+        """Write the film, and return it."""
+        film, self.film = self.film, None
         if film is not None:
-            film.see(self._picture.window.surface, elapsed)
+            film.close()
+        return film
 
-    def draw(self) -> None:
-        """Draw field and panel and show them."""
-        session, program, picture = self._session, self._session.program, self._picture
-        picture.clear()
-        program.draw(session.game, picture, session.effects)
-        if session.effects.sparks is not None:
-            session.effects.sparks.draw(picture)
-        picture.notice(session.game.notice)
-        self._panel.begin()
-        self._panel.readings(program.readings(session.game))
-        self._panel.readings(session.switched(), YELLOW)
-        if program.more is not None:
-            program.more(session.game, self._panel)
-        self._panel.keys(program.keys + SHARED_KEYS)
-        picture.window.show()
+
+def free_name(stem: str, suffix: str) -> Path:
+    """Return a name in this folder that no file has yet: pool-1.png, pool-2.png ..."""
+    return next(
+        path for k in itertools.count(1) if not (path := Path(f"{stem}-{k}{suffix}")).exists()
+    )
+
+
+def _do_wanted(session: Session, window: Window, camcorder: Camcorder) -> None:
+    """Do what keys have asked of the window, and say so."""
+    name = session.program.name
+    for what in session.wanted:
+        try:
+            if what == "full screen":
+                window.fill_screen()
+            elif what == "screenshot":
+                window.save(path := free_name(name, ".png"))
+                session.say(f"saved {path}")
+            elif what == "ledger":
+                session.ledger.write(path := free_name(name, ".csv"))
+                session.say(f"saved {path}")
+            elif camcorder.film is None:
+                camcorder.begin(free_name(name, ".gif"))
+                session.say("filming: F9 ends it")
+            elif (film := camcorder.close()) is not None:
+                session.say(f"film of {film.seconds:.1f} s saved")
+        except OSError as error:
+            session.say(f"not saved: {error.strerror}")
+    session.wanted.clear()
 
 
 def play(
@@ -236,6 +132,7 @@ def play(
     record: str | Path | None = None,
     replay: str | Path | None = None,
     tour: bool = False,
+    size: tuple[int, int] = PROGRAM_SIZE,
     settings: Mapping[str, Any] = MappingProxyType({}),
 ) -> Played:
     """Play a program until its window is closed.
@@ -260,6 +157,8 @@ def play(
         did.
     tour : bool
         Let the program play itself; what a player does counts too.
+    size : (int, int)
+        px, of the window at first.
     settings : mapping
         What else the game is made with.
 
@@ -283,12 +182,13 @@ def play(
     session = Session(program, _new_game(program, recording, settings), recording)
     session.tour = program.tour if tour else ()
     with (
-        open_window(PROGRAM_SIZE, program.title, headless=headless) as window,
-        Gif(record, FILM_SIZE) if films and record else nullcontext() as film,
+        open_window(size, program.title, headless=headless) as window,
         _loudspeaker(session.effects, headless),
+        closing(Camcorder(window)) as camcorder,
     ):
-        painter = Painter(session, Picture(window, program.camera))
-        outcome = _run(session, painter, film, frames, waits=not headless)
+        if films and record is not None:
+            camcorder.begin(record)
+        outcome = _run(session, window, camcorder, frames, waits=not headless)
         if screenshot is not None:
             window.save(screenshot)
     if record is not None and not films:
@@ -320,34 +220,59 @@ def _loudspeaker(effects: ImpactEffects, headless: bool) -> Iterator[None]:
 
 
 def _run(
-    session: Session, painter: Painter, film: Gif | None, frames: int | None, *, waits: bool
+    session: Session, window: Window, camcorder: Camcorder, frames: int | None, *, waits: bool
 ) -> Played:
     """Turn events and time into steps and pictures until the run ends."""
     seconds: list[tuple[float, float]] = []
+    painter = Painter(session, Picture(window, session.program.camera))
     painter.draw()
-    painter.show_to(film, 0.0)
-    with closing(Code(None)) as code:
+    camcorder.see(0.0)
+    most_seconds = math.inf if frames is not None or not waits else STEPPING_SECONDS
+    with closing(MachineCode()) as code:
         while session.running and (frames is None or len(seconds) < frames):
-            waited = painter.wait() if waits else TIME_STEP
+            waited = window.wait() if waits else TIME_STEP
             elapsed = waited if frames is None else TIME_STEP
             if not session.handle_all(pygame.event.get()):
                 break
-            _compile_if_large(session.game.world, code)
             start = time.process_time()
-            session.tick(elapsed)
+            code.look_at(session.game.world)
+            session.tick(elapsed, most_seconds)
             between = time.process_time()
             painter.draw()
             seconds.append((between - start, time.process_time() - between))
-            painter.show_to(film, elapsed)
-    return Played(session.game, session.steps, np.reshape(seconds, (-1, 2)), film)
+            camcorder.see(elapsed)
+            _do_wanted(session, window, camcorder)
+    return Played(session.game, session.steps, np.reshape(seconds, (-1, 2)), camcorder.film)
 
 
-def _compile_if_large(world: LiveWorld, code: Code) -> None:
-    """Switch a large world to machine code once that is there: nobody waits for a compiler."""
-    if world.compiled or len(world) < WORTH_COMPILING:
-        return
-    if code.look(lambda: world.program, math.inf, "now") is not None:
-        world.compile()
+class MachineCode:
+    """Switches a large world to machine code once that is there: nobody waits for a compiler.
+
+    The program is put together in a thread of its own, and compiled in another process.
+    """
+
+    def __init__(self) -> None:
+        self._code = Code(None)
+        self._linking: Thread | None = None
+
+    def look_at(self, world: LiveWorld) -> None:
+        """Switch a world that is large enough, if its machine code is there."""
+        if world.compiled or len(world) < WORTH_COMPILING:
+            return
+        if self._linking is None:
+            self._linking = Thread(target=lambda: world.program, daemon=True)
+            self._linking.start()
+        elif not self._linking.is_alive():
+            self._switch(world)
+
+    def _switch(self, world: LiveWorld) -> None:
+        """Switch a world whose program is put together, if that is compiled."""
+        if self._code.look(lambda: world.program, math.inf, "now") is not None:
+            world.compile()
+
+    def close(self) -> None:
+        """End the process that compiles, unless it is nearly done."""
+        self._code.close()
 
 
 def _check(

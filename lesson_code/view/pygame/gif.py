@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from types import TracebackType
 
 from PIL import Image
 from PIL.Image import Resampling
@@ -26,7 +25,7 @@ COLOURS = 255
 
 
 class Gif:
-    """A film that is being made; at the end of its ``with`` block it is written.
+    """A film that is being made; :meth:`close` writes it.
 
     Parameters
     ----------
@@ -54,17 +53,8 @@ class Gif:
         self._clock = 0.0
         self.pictures = 0
 
-    def __enter__(self) -> Gif:
-        """Return the film."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Write the film, whatever has ended it."""
+    def close(self) -> None:
+        """Write the film."""
         with self._file:
             if self._seen:
                 self._seen.reverse()

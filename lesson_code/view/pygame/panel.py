@@ -1,37 +1,37 @@
-"""The panel beside the field: title, read-outs, curves and keys, one below the other."""
+"""The panel beside the field: title, clock, read-outs, curves, and keys or sliders."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 
-from lesson_code.view.pygame.picture import FIELD_SIZE, GRID
-from lesson_code.view.pygame.window import FADED_INK, INK, Colour, Window, pygame
+from lesson_code.engine.live_world import TIME_STEP
+from lesson_code.view.pygame.picture import GRID, PANEL_WIDTH
+from lesson_code.view.pygame.window import FADED_INK, INK, SKY, Colour, Window, pygame
 
-PANEL_WIDTH = 280
-"""px."""
-
-PROGRAM_SIZE = (FIELD_SIZE[0] + PANEL_WIDTH, FIELD_SIZE[1])
-"""px: the window of every program."""
+PROGRAM_SIZE = (1280, 720)
+"""px: the window of every program, at first."""
 
 PANEL: Colour = (30, 36, 44)
 MARGIN = 16
-"""px, on all sides."""
+"""Points, on all sides; lengths below are in points, too."""
 
-LINE, KEY_LINE = 24, 20
-"""px: from one line to the next, of read-outs and of keys."""
+LINE, KEY_LINE = 22, 20
+"""From one line to the next, of read-outs and of keys."""
 
-TITLE_SIZE, READING_SIZE, KEY_SIZE = 30, 22, 19
-"""px: height of the letters."""
+TITLE_SIZE, READING_SIZE, KEY_SIZE = 28, 20, 18
+"""Height of a line."""
 
-KEY_COLUMN = 84
-"""px: from the keys to what they do."""
+KEY_COLUMN = 88
+"""From the keys to what they do."""
 
-CURVE_HEIGHT = 62
-"""px."""
+CURVE_HEIGHT = 44
+SLIDER_LINE, KNOB = 38, 6
+"""From one slider to the next; the radius of its knob."""
 
 
 class Panel:
-    """Writes from the top downward; the keys stand at the bottom.
+    """Writes from the top downward; keys or sliders stand at the bottom.
 
     Parameters
     ----------
@@ -43,14 +43,33 @@ class Panel:
 
     def __init__(self, window: Window, title: str) -> None:
         self._window, self._title = window, title
-        self._left, self._right = FIELD_SIZE[0] + MARGIN, PROGRAM_SIZE[0] - MARGIN
         self._y = 0
+        self.sliders: dict[str, pygame.Rect] = {}
 
     def begin(self) -> None:
         """Empty the panel and write the title."""
-        self._window.surface.fill(PANEL, (FIELD_SIZE[0], 0, PANEL_WIDTH, FIELD_SIZE[1]))
-        self._window.text(self._title, (self._left, MARGIN), size=TITLE_SIZE)
-        self._y = MARGIN + 36
+        width, height = self._window.surface.get_size()
+        px = self._window.px
+        self._left, self._right = width - px(PANEL_WIDTH) + px(MARGIN), width - px(MARGIN)
+        self._window.surface.set_clip(None)
+        self._window.surface.fill(PANEL, (width - px(PANEL_WIDTH), 0, px(PANEL_WIDTH), height))
+        self._window.text(self._title, (self._left, px(MARGIN)), size=TITLE_SIZE)
+        self._y = px(MARGIN + 34)
+
+    def scale(self, unit: str, pixels: float) -> None:
+        """Draw a bar of a round length in the field's scale, px for a unit of length."""
+        px = self._window.px
+        length = round_below(px(110) / pixels)
+        wide, middle = round(length * pixels), self._y + px(LINE) // 2
+        words = f"{length:g} {unit}"
+        self._window.text("scale", (self._left, self._y), colour=FADED_INK, size=READING_SIZE)
+        place = self._right, self._y
+        box = self._window.text(words, place, size=READING_SIZE, anchor="topright")
+        bar = pygame.Rect(box.left - px(8) - wide, middle, wide, px(2))
+        self._window.surface.fill(INK, bar)
+        for x in (bar.left, bar.right - px(2)):
+            self._window.surface.fill(INK, (x, middle - px(4), px(2), px(10)))
+        self._y += px(LINE)
 
     def readings(self, readings: Sequence[tuple[str, str]], colour: Colour | None = None) -> None:
         """Write names at the left and values at the right, perhaps in a colour of their own."""
@@ -60,29 +79,78 @@ class Panel:
             self._window.text(
                 value, right, colour=colour or INK, size=READING_SIZE, anchor="topright"
             )
-            self._y += LINE
+            self._y += self._window.px(LINE)
 
     def curve(self, name: str, values: Sequence[float], colour: Colour) -> None:
-        """Draw the history of a quantity, from 0 at the bottom to its largest at the top."""
-        self._window.text(name, (self._left, self._y + 6), colour=FADED_INK, size=KEY_SIZE)
-        top, width = self._y + 24, self._right - self._left
-        pygame.draw.rect(self._window.surface, GRID, (self._left, top, width, CURVE_HEIGHT))
+        """Draw the history of a quantity, a value a step, between axes with numbers."""
+        px, surface = self._window.px, self._window.surface
+        self._window.text(name, (self._left, self._y + px(2)), colour=FADED_INK, size=KEY_SIZE)
         largest = max((abs(value) for value in values), default=0.0) or 1.0
+        label = f"{largest:.3g}"
+        indent = max(self._window.width(words, KEY_SIZE - 3) for words in (label, "0")) + px(5)
+        box = pygame.Rect(
+            self._left + indent,
+            self._y + px(22),
+            self._right - self._left - indent,
+            px(CURVE_HEIGHT),
+        )
+        surface.fill(GRID, box)
+        for words, y in ((label, box.top + px(3)), ("0", box.bottom - px(3))):
+            self._tick(words, (box.left - px(4), y), "midright")
+        seconds = f"\N{MINUS SIGN}{(len(values) - 1) * TIME_STEP:.1f} s"
+        for words, place, anchor in (
+            (seconds if len(values) > 1 else "", box.bottomleft, "topleft"),
+            ("now", box.bottomright, "topright"),
+        ):
+            self._tick(words, place, anchor)
         if len(values) > 1:
-            across, high = width / (len(values) - 1), CURVE_HEIGHT - 6
+            across, high = box.width / (len(values) - 1), box.height - px(6)
             points = [
-                (self._left + k * across, top + CURVE_HEIGHT - 3 - high * abs(value) / largest)
+                (box.left + k * across, box.bottom - px(3) - high * abs(value) / largest)
                 for k, value in enumerate(values)
             ]
-            pygame.draw.aalines(self._window.surface, colour, False, points)
-        self._y = top + CURVE_HEIGHT + 4
+            pygame.draw.aalines(surface, colour, False, points)
+        self._y = box.bottom + px(17)
+
+    def _tick(self, words: str, place: tuple[int, int], anchor: str) -> None:
+        """Write a number beside an axis."""
+        self._window.text(words, place, colour=FADED_INK, size=KEY_SIZE - 3, anchor=anchor)
 
     def keys(self, keys: Sequence[tuple[str, str]]) -> None:
         """Write what the keys do, at the bottom."""
-        y = FIELD_SIZE[1] - MARGIN - KEY_LINE * len(keys)
+        px = self._window.px
+        y = self._window.surface.get_height() - px(MARGIN) - px(KEY_LINE) * len(keys)
         for key, meaning in keys:
             self._window.text(key, (self._left, y), colour=INK, size=KEY_SIZE)
-            self._window.text(
-                meaning, (self._left + KEY_COLUMN, y), colour=FADED_INK, size=KEY_SIZE
-            )
-            y += KEY_LINE
+            place = self._left + px(KEY_COLUMN), y
+            self._window.text(meaning, place, colour=FADED_INK, size=KEY_SIZE)
+            y += px(KEY_LINE)
+
+    def slide(self, sliders: Mapping[str, tuple[str, float, float, float | None]]) -> None:
+        """Draw sliders at the bottom: by name a label, both ends, and the value if all share it."""
+        px, surface = self._window.px, self._window.surface
+        y = surface.get_height() - px(MARGIN + KEY_LINE) - px(SLIDER_LINE) * len(sliders)
+        self.sliders = {}
+        for name, (label, low, high, value) in sliders.items():
+            words = "\N{EN DASH}" if value is None else f"{value:.2f}"
+            self._window.text(label, (self._left, y), colour=FADED_INK, size=KEY_SIZE)
+            self._window.text(words, (self._right, y), size=KEY_SIZE, anchor="topright")
+            rail = pygame.Rect(self._left + px(KNOB), y + px(24), 0, px(4))
+            rail.width = self._right - px(KNOB) - rail.left
+            surface.fill(FADED_INK, rail)
+            if value is not None:
+                part = min(max((value - low) / (high - low), 0.0), 1.0)
+                knob = rail.left + part * rail.width, rail.centery
+                pygame.draw.circle(surface, SKY, knob, px(KNOB))
+            self.sliders[name] = rail.inflate(0, px(3 * KNOB))
+            y += px(SLIDER_LINE)
+
+
+def round_below(value: float) -> float:
+    """Return the largest of 1, 2, 5, 10, 20 ... that is no larger.
+
+    >>> round_below(3.2), round_below(0.03)
+    (2.0, 0.02)
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(k * power for k in (5.0, 2.0, 1.0) if k * power <= value * (1 + 1e-12))

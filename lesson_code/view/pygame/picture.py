@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -37,7 +37,7 @@ from lesson_code.view.pygame.window import (
 )
 
 FIELD_SIZE = (800, 600)
-"""px: the part of the window that shows the world."""
+"""Points: the part of the window that shows the world. A camera says how large a metre is there."""
 
 COLOURS: tuple[Colour, ...] = (SKY, ORANGE, GREEN, PURPLE, YELLOW, VERMILION, BLUE)
 """What bodies are drawn in, in turn. Size and a spoke tell them apart too."""
@@ -46,13 +46,16 @@ WALL: Colour = (92, 102, 112)
 FLASH: Colour = (255, 255, 255)
 GRID: Colour = (36, 43, 52)
 
+PANEL_WIDTH = 280
+"""Points: the part beside the field."""
+
 FAR = 10_000.0
 """px: pygame cannot draw at any distance."""
 
 SPOKE = 0.5
 """Of the radius: where a spoke begins."""
 
-LARGEST_SPRITE = 120.0
+LARGEST_SPRITE = 240.0
 """px, radius: a larger disc is drawn anew each time, and not kept."""
 
 
@@ -67,7 +70,7 @@ class Camera:
     scale : float
         px/m, > 0.
     height : float
-        px, of the picture.
+        px, from the top of the window to `bottom`.
     up : int
         1 where y points up, as everywhere but on the billiard table; there it is -1.
 
@@ -85,6 +88,14 @@ class Camera:
     scale: float
     height: float = float(FIELD_SIZE[1])
     up: int = 1
+
+    def fitted(self, size: Place) -> Camera:
+        """Return the camera that shows the same part of the world, midmost, in a field of px."""
+        larger = min(size[0] / FIELD_SIZE[0], size[1] / FIELD_SIZE[1])
+        scale = larger * self.scale
+        beside = (size[0] - larger * FIELD_SIZE[0]) / 2
+        below = (size[1] - larger * FIELD_SIZE[1]) / 2
+        return replace(self, left=self.left - beside / scale, scale=scale, height=size[1] - below)
 
     def world_to_screen(self, point: XY) -> Place:
         """Return the place of a point of the world in the window, px."""
@@ -116,20 +127,42 @@ class Picture:
     """
 
     def __init__(self, window: Window, camera: Camera) -> None:
-        self.window, self.camera = window, camera
-        self._field = window.surface.subsurface(((0, 0), FIELD_SIZE))
+        self.window, self._shown = window, camera
+        self.fit()
+
+    def fit(self) -> None:
+        """Show the same part of the world in the window as large as it is now."""
+        width, height = self._fitted = self.window.surface.get_size()
+        self.size = max(width - self.window.px(PANEL_WIDTH), 1), height
+        self.camera = self._shown.fitted(self.size)
+        larger = self.camera.scale / self._shown.scale
+        seen = pygame.Rect(0, 0, round(larger * FIELD_SIZE[0]), round(larger * FIELD_SIZE[1]))
+        seen.center = self.size[0] // 2, height // 2
+        self.seen = seen
+
+    @property
+    def _field(self) -> pygame.Surface:
+        """What is drawn on."""
+        return self.window.surface
 
     def clear(self, colour: Colour = BACKGROUND) -> None:
-        """Empty the field."""
-        self._field.fill(colour)
+        """Empty the field; what is drawn from now on shows where the camera looks."""
+        if self._fitted != self.window.surface.get_size():
+            self.fit()
+        self._field.set_clip(None)
+        self._field.fill(colour, ((0, 0), self.size))
+        self._field.set_clip(self.seen)
 
     def grid(self, spacing: float) -> None:
         """Draw a grid, its lines `spacing` apart, m."""
-        step = spacing * self.camera.scale
-        for k in range(1, math.ceil(FIELD_SIZE[0] / step)):
-            self._field.fill(GRID, (round(k * step), 0, 1, FIELD_SIZE[1]))
-        for k in range(1, math.ceil(FIELD_SIZE[1] / step)):
-            self._field.fill(GRID, (0, round(FIELD_SIZE[1] - k * step), FIELD_SIZE[0], 1))
+        left, bottom = self.camera.screen_to_world((self.seen.left, self.seen.bottom))
+        right, top = self.camera.screen_to_world((self.seen.right, self.seen.top))
+        for k in range(math.ceil(left / spacing), math.floor(right / spacing) + 1):
+            x, _ = self.camera.world_to_screen((k * spacing, 0.0))
+            self._field.fill(GRID, (round(x), self.seen.top, 1, self.seen.height))
+        for k in range(math.ceil(bottom / spacing), math.floor(top / spacing) + 1):
+            _, y = self.camera.world_to_screen((0.0, k * spacing))
+            self._field.fill(GRID, (self.seen.left, round(y), self.seen.width, 1))
 
     def body(self, body: Body, position: XY, angle: float, colour: Colour) -> None:
         """Draw a body of any shape where it is."""
@@ -170,7 +203,7 @@ class Picture:
     def ring(self, centre: XY, radius: float, colour: Colour, width: int = 2) -> None:
         """Draw a circle line."""
         place, r = self.camera.world_to_screen(centre), radius * self.camera.scale
-        pygame.draw.circle(self._field, colour, place, r, width)
+        pygame.draw.circle(self._field, colour, place, r, self.window.px(width))
 
     def polygon(self, points: Sequence[XY], colour: Colour) -> None:
         """Draw a filled polygon with smooth edges; an upright rectangle has sharp ones."""
@@ -185,26 +218,26 @@ class Picture:
 
     def capsule(self, start: XY, end: XY, radius: float, colour: Colour) -> None:
         """Draw a thick line with round ends; at least 2 px thick."""
-        half = max(radius * self.camera.scale, 1.0)
+        half = max(radius * self.camera.scale, self.window.unit)
         a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
         draw_capsule(self._field, a, b, half, colour)
 
     def line(self, start: XY, end: XY, colour: Colour) -> None:
         """Draw a thin line."""
         a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
-        pygame.draw.line(self._field, colour, a, b, 2)
+        pygame.draw.line(self._field, colour, a, b, self.window.px(2))
 
     def lines(self, starts: Vector, ends: Vector, colour: Colour) -> None:
         """Draw many thin lines between points of shape (N, 2), m; faster than one by one."""
         for a, b in zip(self.camera.places_of(starts), self.camera.places_of(ends), strict=True):
-            pygame.draw.line(self._field, colour, a, b, 2)
+            pygame.draw.line(self._field, colour, a, b, self.window.px(2))
 
     def trail(self, places: Sequence[XY], colour: Colour, ground: Colour = BACKGROUND) -> None:
         """Draw the way that something has come, out of the ground into its colour."""
         way = [self.camera.world_to_screen(place) for place in places]
         for k in range(1, len(way)):
             faded = blend(ground, colour, k / len(way))
-            pygame.draw.line(self._field, faded, way[k - 1], way[k], 2)
+            pygame.draw.line(self._field, faded, way[k - 1], way[k], self.window.px(2))
 
     def arrow(self, tail: XY, along: XY, colour: Colour, width: float = 3.0) -> None:
         """Draw an arrow from `tail` to `tail` + `along`, m."""
@@ -229,8 +262,9 @@ class Picture:
         """Write a line in a box in the middle of the field, over everything; no words, no box."""
         if not words:
             return
-        centre = FIELD_SIZE[0] / 2, FIELD_SIZE[1] / 3
-        box = self.window.text(words, centre, anchor="center").inflate(28, 18)
+        centre = self.seen.centerx, self.seen.top + self.seen.height / 3
+        rim = self.window.px(28), self.window.px(18)
+        box = self.window.text(words, centre, anchor="center").inflate(rim)
         pygame.draw.rect(self._field, BACKGROUND, box)
         pygame.draw.rect(self._field, FADED_INK, box, 1)
         self.window.text(words, centre, anchor="center")
@@ -261,4 +295,5 @@ def moved(point: XY, position: XY, angle: float) -> XY:
 def _disc(radius: float, colour: Colour) -> tuple[pygame.Surface, int]:
     """Return the picture of a disc, painted once, and half of its width, px."""
     sprite = smooth_disc(max(radius, 1.0), colour)
+    sprite.set_alpha(255, pygame.RLEACCEL)  # three times faster: only its rim is mixed
     return sprite, sprite.get_width() // 2

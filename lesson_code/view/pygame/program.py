@@ -7,8 +7,10 @@ without. A `Program` puts a title, a camera and a way of drawing beside it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Mapping
+from copy import deepcopy
+from dataclasses import dataclass, field, replace
 from random import Random
 from typing import Any, TypeAlias
 
@@ -17,7 +19,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.callbacks import Callbacks, Touch
 from lesson_code.engine.core.scene import XY, Body, Material
-from lesson_code.engine.live_world import LiveWorld
+from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.geometry.shapes import Segment
 from lesson_code.view.pygame.effects import Flashes, Sparks, Trails
 from lesson_code.view.pygame.picture import COLOURS, WALL, Camera, Picture
@@ -41,16 +43,63 @@ class Input:
     Attributes
     ----------
     kind : str
-        "press" or "release" for a key; "down", "move" or "up" for the left mouse button.
+        "press" or "release" for a key; "down", "move" or "up" for the left mouse button; "grab",
+        "pull", "put" or "drop" for a body that the right one holds; "set" for a slider; "keep",
+        "restore" and "forget" for a set-up; "show" for what keys add to the picture.
     key : str
-        Its name, such as "r" or "left".
+        Its name, such as "r" or "left"; of a slider "gravity", "restitution", "friction" or "mass";
+        what is shown.
     place : (float, float)
-        Where the mouse is, m.
+        Where the mouse is, m; a slider's value, and for a mass the body's number.
     """
 
     kind: str
     key: str = ""
     place: XY = (0.0, 0.0)
+
+
+MOUSE = {
+    "down": "down",
+    "move": "drag",
+    "up": "let_go",
+    "grab": "grab",
+    "pull": "pull",
+    "put": "put",
+    "drop": "drop",
+}
+"""What a game does with each kind of input of the mouse."""
+
+NOT_SAVED = {"listeners", "_kept"}
+"""What belongs to the window, or outlives a set-up."""
+
+GRIP_RATE = 20.0
+"""1/s: of the spring by which the mouse holds a body; it follows within a tenth of a second."""
+
+Matter: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+
+@dataclass(frozen=True)
+class Grip:
+    """A body that the mouse holds.
+
+    Attributes
+    ----------
+    number : int
+        The body's.
+    arm : (float, float)
+        m, from its centre to where it is held.
+    place : (float, float)
+        m, where the mouse is.
+    """
+
+    number: int
+    arm: XY
+    place: XY
+
+    @property
+    def centre(self) -> XY:
+        """Where the body's centre is wanted, m."""
+        return self.place[0] - self.arm[0], self.place[1] - self.arm[1]
 
 
 class Game:
@@ -75,6 +124,8 @@ class Game:
 
     def __init__(self, seed: int = 0) -> None:
         self.seed = seed
+        self.hand: Grip | None = None
+        self._kept: dict[str, Any] | None = None
         self.random = Random(seed)  # noqa: S311 - a game, no secret
         self.held: set[str] = set()
         self.listeners: list[Callable[[Touch], None]] = []
@@ -100,8 +151,108 @@ class Game:
             self.press(given.key)
         elif given.kind == "release":
             self.held.discard(given.key)
+        elif given.kind == "set":
+            self.set(given.key, *given.place)
+        elif given.kind == "keep":
+            self._kept = self.saved()
+        elif given.kind == "forget":
+            self._kept = None
+        elif given.kind == "restore" and self._kept is not None:
+            self.restore(self._kept)
+        elif given.kind in MOUSE:
+            getattr(self, MOUSE[given.kind])(given.place)
+
+    # What the frame does in any game
+
+    @property
+    def has_kept(self) -> bool:
+        """Whether there is a set-up that "restore" comes back to."""
+        return self._kept is not None
+
+    def saved(self) -> dict[str, Any]:
+        """Return all that the game is now; :meth:`restore` makes it that again.
+
+        Those who listen, and a set-up that is kept, stay what they are.
+        """
+        state = {name: value for name, value in vars(self).items() if name not in NOT_SAVED}
+        return deepcopy(state, {id(self): self})
+
+    def restore(self, saved: dict[str, Any]) -> None:
+        """Be again what was saved."""
+        vars(self).update(deepcopy(saved, {id(self): self}))
+
+    def set(self, name: str, value: float, number: float = 0.0) -> None:
+        """Set what a slider stands for: gravity downward, a coefficient of all, a body's mass."""
+        if name == "gravity":
+            self.world.pull((0.0, -value))
+        elif name == "mass":
+            if int(number) in self.world:
+                self.world.weigh(int(number), value)
         else:
-            {"down": self.down, "move": self.drag, "up": self.let_go}[given.kind](given.place)
+            self.world.coat(**{name: value})
+
+    def body_at(self, place: XY) -> int | None:
+        """Return the body at a place that can be pushed; None where there is none."""
+        free = [n for n, body in self.world.items() if not body.is_static]
+        spots = [(math.dist(place, self.world.position(n)), n) for n in free]
+        inside = [(far, n) for far, n in spots if far <= self.world.body(n).shape.bounding_radius]
+        return min(inside)[1] if inside else None
+
+    def grab(self, place: XY) -> None:
+        """Take hold of the body at a place."""
+        if (number := self.body_at(place)) is not None:
+            x, y = self.world.position(number)
+            self.hand = Grip(number, (place[0] - x, place[1] - y), place)
+
+    def pull(self, place: XY) -> None:
+        """Pull the body that is held towards a place, from the next step on."""
+        if self.hand is not None:
+            self.hand = replace(self.hand, place=place)
+
+    def put(self, place: XY) -> None:
+        """Put the body that is held to a place while time stands still."""
+        self.pull(place)
+        if self.hand is not None and self.hand.number in self.world:
+            self.world.move(self.hand.number, self.hand.centre)
+
+    def drop(self, place: XY) -> None:
+        """Let go of the body that is held."""
+        self.hand = None
+
+    def pull_grip(self) -> None:
+        """Let a spring pull the body that is held, for one step."""
+        if self.hand is None or self.hand.number not in self.world:
+            self.hand = None
+            return
+        number, rate, dt = self.hand.number, GRIP_RATE, TIME_STEP
+        mass = self.world.body(number).mass or 0.0
+        there = zip(self.hand.centre, self.world.position(number), strict=True)
+        off, velocity = [a - b for a, b in there], self.world.velocity(number)
+        part = mass / (1 + 2 * rate * dt + (rate * dt) ** 2)  # backward Euler: stable at any rate
+        x, y = (
+            part * (rate**2 * dt * d - (2 * rate * dt + (rate * dt) ** 2) * v)
+            for d, v in zip(off, velocity, strict=True)
+        )
+        self.world.push(number, (x, y))
+
+    # What the frame shows of any game
+
+    @property
+    def gravity(self) -> XY:
+        """What pulls all bodies, m/s^2."""
+        return self.world.gravity
+
+    def matter(self) -> Matter:
+        """Return states (N, 6), masses and inertias (N,) of what can be pushed."""
+        return self.world.matter()
+
+    def trailed(self) -> dict[int, XY]:
+        """Return the places of the bodies that leave a trail, m, by number."""
+        return {}
+
+    def stored_energy(self) -> float:
+        """Return the energy in springs and the like, J."""
+        return 0.0
 
     def ask(self, rule: Callable[..., Any], *arguments: Any, otherwise: Any) -> Any:
         """Return what a rule says that a player may write; while it is not written, `otherwise`.
@@ -212,6 +363,11 @@ class Program:
         ``more(game, panel)`` writes what else is in the panel.
     tour : tuple of (int, Input)
         Steps and inputs with which the program plays itself.
+    forbids : mapping
+        What its rules forbid of what a laboratory allows, and why: "grab", "gravity",
+        "restitution", "friction", "mass".
+    length : str
+        The unit of lengths in its world.
     """
 
     name: str
@@ -224,6 +380,8 @@ class Program:
     effects: Callable[[], ImpactEffects] = ImpactEffects
     more: Callable[..., None] | None = None
     tour: tuple[tuple[int, Input], ...] = ()
+    forbids: Mapping[str, str] = field(default_factory=dict)
+    length: str = "m"
 
 
 def room(left: float, bottom: float, right: float, top: float, material: Material) -> list[Body]:

@@ -9,10 +9,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.program import MOUSE, Input
 
 VERSION = 1
-KINDS = ("press", "release", "down", "move", "up")
+KINDS = ("press", "release", "set", "keep", "restore", "forget", "show", *MOUSE)
 
 
 class Recording:
@@ -58,6 +58,16 @@ class Recording:
     def inputs_at(self, step: int) -> list[Input]:
         """Return the inputs to play before a step; none unless a recording is played."""
         return self._inputs.get(step, []) if self.is_played else []
+
+    def forget_from(self, step: int) -> None:
+        """Forget the inputs from a step on; not those of a file that is played."""
+        if not self.is_played:
+            for late in [known for known in self._inputs if known >= step]:
+                del self._inputs[late]
+
+    def before(self, step: int) -> list[Input]:
+        """Return the inputs that came before a step."""
+        return self._inputs.get(step, [])
 
     def is_over(self, step: int) -> bool:
         """Return whether a recording that is played has come to its end."""

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
+from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,15 @@ LEVELS = 8
 
 MOST_A_STEP = 6
 """Sounds that may begin in one step; more are noise."""
+
+LARGEST_SAMPLE = 32_000
+"""Of 32,767: what loudness 1 is played as."""
+
+LATENCY = 512 / RATE
+"""s: a sound begins with the next block of samples, as late as this."""
+
+INAUDIBLE = 1e-6
+"""Of the largest loudness."""
 
 QUIETEST = 0.02
 """Of the impulse that is full loudness: below it nothing is played."""
@@ -110,6 +120,42 @@ def impact_sound(material: str, size: float, loudness: float) -> NDArray[np.floa
     return loudness * sound / max(total, 1.0)
 
 
+class Headroom:
+    """How loud a sound may begin, so that all that ring together stay within what can be played.
+
+    No sound of loudness L is louder than L exp(-d t) after a time t; the sum of these bounds is
+    never above 1, so no sample is clipped.
+
+    Parameters
+    ----------
+    decay : float
+        1/s, > 0: how fast a sound dies away at the least.
+
+    Examples
+    --------
+    >>> headroom = Headroom(decay=10.0)
+    >>> headroom.take(0.75, now=0.0), headroom.take(0.75, now=0.0), headroom.take(0.75, now=0.0)
+    (1.0, 0.3333333333333333, 0.0)
+    """
+
+    def __init__(self, decay: float) -> None:
+        self._decay = decay
+        self._playing: list[tuple[float, float]] = []
+
+    def take(self, loudness: float, now: float) -> float:
+        """Return what part of its loudness a sound may have that begins now, s."""
+        left = [(begun, size, self._bound(size, now - begun)) for begun, size in self._playing]
+        self._playing = [(begun, size) for begun, size, bound in left if bound > INAUDIBLE]
+        free = 1.0 - sum(bound for *_, bound in left)
+        part = min(1.0, max(free, 0.0) / loudness)
+        self._playing.append((now, part * loudness))
+        return part
+
+    def _bound(self, loudness: float, age: float) -> float:
+        """Return how loud a sound is at the most, a time after it was asked for, s."""
+        return loudness * math.exp(-self._decay * max(age - LATENCY, 0.0))
+
+
 class Sounds:
     """Plays impacts; it is silent where there is no audio device.
 
@@ -125,6 +171,7 @@ class Sounds:
 
     def __init__(self, material: str, size: float, full_impulse: float) -> None:
         self._material, self._size, self._full = material, size, full_impulse
+        self.headroom = Headroom(RINGS[material].decay)
         self._kept: dict[int, pygame.mixer.Sound] = {}
         self._begun = 0
         self.muted = self.held = False
@@ -175,13 +222,14 @@ class Sounds:
         if self.audible and not self.muted and not self.held:
             if level not in self._kept:
                 self._kept[level] = self._made(level)
-            self._kept[level].play()
+            if (channel := self._kept[level].play()) is not None:
+                channel.set_volume(self.headroom.take(level / LEVELS, perf_counter()))
         return level
 
     def _made(self, level: int) -> pygame.mixer.Sound:
         """Return the sound of a loudness as the mixer plays it."""
         wave = impact_sound(self._material, self._size, level / LEVELS)
-        samples = (32_000 * wave).astype(np.int16)
+        samples = (LARGEST_SAMPLE * wave).astype(np.int16)
         _, _, channels = pygame.mixer.get_init()
         return pygame.mixer.Sound(buffer=np.repeat(samples, channels).tobytes())
 

@@ -3,18 +3,21 @@
 Importing this module imports pygame, and nothing else in the package does: a program's module
 imports it, and is itself imported only when the program runs.
 
-Places are in pixels of the window, y down, and may be fractions: pixel 7 reaches from 7 to 8.
+Places are in pixels of the window, y down, and may be fractions: pixel 7 reaches from 7 to 8. Sizes
+of letters and lines are in points: there are 600 from the top of a window to its bottom, or fewer
+in a narrow one.
 """
 
 from __future__ import annotations
 
 import importlib.metadata
+import importlib.util
 import math
 import os
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
@@ -65,6 +68,9 @@ INK: Colour = (240, 240, 236)
 FADED_INK: Colour = (176, 184, 188)
 BACKGROUND: Colour = (22, 27, 34)
 
+DEJAVU = "fonts/ttf/DejaVuSans.ttf"
+"""The letters of all programs, in Matplotlib's folder of data; LICENSE_DEJAVU lies beside them."""
+
 KEPT_LINES = 256
 """Lines whose pictures are kept: most of them are the same from frame to frame."""
 
@@ -75,10 +81,19 @@ FRAMES_PER_SECOND = 60
 """1/s: what the programs ask for; the clock says what they got."""
 
 TEXT_SIZE = 22
-"""px, height of a line of ordinary text."""
+"""Points, height of a line of ordinary text."""
 
 SMALL_TEXT_SIZE = 20
-"""px, height of a line of help; smaller is hard to read."""
+"""Points, height of a line of help; smaller is hard to read."""
+
+LETTER = 0.66
+"""Of the height of a line: the size of its letters."""
+
+SMALLEST_LETTERS = 6
+"""px: nobody could read smaller ones."""
+
+POINTS = (1080, 600)
+"""Points, of a window of the usual form; any other form has as many in one direction at least."""
 
 SMOOTHNESS = 4
 """Smooth shapes are painted this many times larger and then reduced."""
@@ -99,8 +114,23 @@ class Window:
     def __init__(self, surface: pygame.Surface) -> None:
         self.surface = surface
         self._clock = pygame.time.Clock()
-        self._fonts: dict[int, pygame.font.Font] = {}
         self._written = lru_cache(KEPT_LINES)(self._write)
+
+    @property
+    def unit(self) -> float:
+        """A point, px."""
+        width, height = self.surface.get_size()
+        return min(width / POINTS[0], height / POINTS[1])
+
+    def px(self, points: float) -> int:
+        """Return a length as a whole number of pixels, at least one."""
+        return max(round(points * self.unit), 1)
+
+    def fill_screen(self) -> None:
+        """Fill the whole screen, or be a window again."""
+        is_full = bool(self.surface.get_flags() & pygame.FULLSCREEN)
+        size, flags = (POINTS, pygame.RESIZABLE) if is_full else ((0, 0), pygame.FULLSCREEN)
+        self.surface = pygame.display.set_mode(size, flags)
 
     def text(
         self,
@@ -116,37 +146,40 @@ class Window:
         `anchor` is the name of the point of that rectangle which comes to lie at `place`:
         "topleft", "center", "midright" and so on.
         """
-        written = self._written(words, size, colour)
+        written = self._written(words, self._letters(size), colour)
         rectangle = written.get_rect(**{anchor: (round(place[0]), round(place[1]))})
         return self.surface.blit(written, rectangle)
 
-    def wrapped(self, words: str, width: float, size: int = TEXT_SIZE) -> list[str]:
+    def width(self, words: str, size: float = TEXT_SIZE) -> int:
+        """Return the width of a line, px."""
+        return letters(self._letters(size)).size(words)[0]
+
+    def wrapped(self, words: str, width: float, size: float = TEXT_SIZE) -> list[str]:
         """Return words in lines that are no wider than `width` px; a long word has its own line."""
         lines: list[str] = []
         for word in words.split():
             longer = f"{lines[-1]} {word}" if lines else word
-            if lines and self._font(size).size(longer)[0] <= width:
+            if lines and self.width(longer, size) <= width:
                 lines[-1] = longer
             else:
                 lines.append(word)
         return lines
 
-    def _write(self, words: str, size: int, colour: Colour) -> pygame.Surface:
-        """Return the picture of a line."""
-        return self._font(size).render(words, True, colour)
+    def _letters(self, size: float) -> int:
+        """Return the size of letters in lines of a height in points, px."""
+        return max(round(LETTER * size * self.unit), SMALLEST_LETTERS)
 
-    def _font(self, size: int) -> pygame.font.Font:
-        """Return the letters of a size, px, loaded once."""
-        if size not in self._fonts:
-            self._fonts[size] = pygame.font.Font(None, size)
-        return self._fonts[size]
+    def _write(self, words: str, size: int, colour: Colour) -> pygame.Surface:
+        """Return the picture of a line in letters of a size in px."""
+        return letters(size).render(words, True, colour)
 
     def arrow(self, tail: Place, along: Place, colour: Colour, *, width: float = 3.0) -> None:
         """Draw an arrow from `tail` to `tail` + `along`; one shorter than a pixel is left out.
 
-        A dark rim sets it off from light bodies; on the dark ground it shows by itself.
+        A dark rim sets it off from light bodies; on the dark ground it shows by itself. `width` is
+        in points.
         """
-        length = math.hypot(*along)
+        length, width = math.hypot(*along), width * self.unit
         if length < 1:
             return
         direction = along[0] / length, along[1] / length
@@ -156,8 +189,9 @@ class Window:
             pygame.draw.aalines(self.surface, ink, True, corners)
 
     def show(self) -> None:
-        """Bring what was drawn to the screen."""
+        """Bring what was drawn to the screen; the next picture has the size of the window then."""
         pygame.display.flip()
+        self.surface = pygame.display.get_surface() or self.surface
 
     def wait(self) -> float:
         """Wait for the next frame and return the time since the last one, s."""
@@ -186,8 +220,7 @@ def open_window(size: tuple[int, int], caption: str, *, headless: bool = False) 
     Parameters
     ----------
     size : (int, int)
-        Width and height, px. The user may make the window larger, not smaller; its picture is
-        then scaled by a whole number, and the mouse still speaks in these pixels.
+        Width and height at first, px. The user may give the window any other size.
     caption : str
         The window's title.
     headless : bool
@@ -226,6 +259,18 @@ def open_window(size: tuple[int, int], caption: str, *, headless: bool = False) 
             os.environ.pop(name, None)
             if value is not None:
                 os.environ[name] = value
+
+
+@cache
+def letters(size: int) -> pygame.font.Font:
+    """Return DejaVu Sans in a size, px; Matplotlib brings the file, and its free licence with it.
+
+    Where Matplotlib is missing, pygame has letters of its own.
+    """
+    found = importlib.util.find_spec("matplotlib")
+    if found is None or found.origin is None:
+        return pygame.font.Font(None, size)
+    return pygame.font.Font(Path(found.origin).parent / "mpl-data" / DEJAVU, size)
 
 
 def blend(colour: Colour, other: Colour, part: float) -> Colour:
@@ -328,9 +373,7 @@ def _open_surface(size: tuple[int, int], caption: str, headless: bool) -> pygame
         if unseen and not headless and "SDL_VIDEODRIVER" not in os.environ:
             # SDL falls back on drawing where nobody can see it, but nobody asked for that.
             raise RuntimeError(no_screen)
-        # Scaling needs a renderer, which an unseen screen has not.
-        flags = 0 if unseen else pygame.SCALED | pygame.RESIZABLE
-        surface = pygame.display.set_mode(size, flags)
+        surface = pygame.display.set_mode(size, pygame.RESIZABLE)
     except pygame.error as error:
         raise RuntimeError(f"{no_screen} (SDL says: {error})") from error
     pygame.display.set_caption(caption)

@@ -6,10 +6,8 @@ import math
 
 import pytest
 
-from lesson_code.chapters.simulator.game import HEIGHT, PROGRAM, WIDTH, Simulator, draw
-from lesson_code.view.pygame.picture import Picture
+from lesson_code.chapters.simulator.game import HEIGHT, WIDTH, Simulator
 from lesson_code.view.pygame.program import Input
-from lesson_code.view.pygame.window import Window
 
 from ..conftest import deepest_in_room, deepest_overlap, energy, run
 
@@ -157,16 +155,3 @@ def test_simulator_second_ball_taken_lets_the_first_go() -> None:
         game.take(Input("down", place=game.world.position(ball)))
     game.take(Input("up", place=(4.0, 3.0)))
     assert all(not game.world.body(ball).is_static for ball in game.balls)
-
-
-@pytest.mark.parametrize("balls", [1, 12, 13, 140])
-def test_simulator_draws_the_velocity_of_every_ball(
-    program_window: Window, monkeypatch: pytest.MonkeyPatch, balls: int
-) -> None:
-    """Launching a thirteenth ball takes no arrow away."""
-    drawn: list[tuple[float, float]] = []
-    monkeypatch.setattr(Picture, "arrow", lambda _, tail, *__: drawn.append(tuple(tail)))
-    monkeypatch.setattr(Picture, "lines", lambda _, starts, *__: drawn.extend(map(tuple, starts)))
-    game = Simulator(0, balls=balls)
-    draw(game, Picture(program_window, PROGRAM.camera), PROGRAM.effects())
-    assert drawn == [pytest.approx(game.world.position(ball)) for ball in game.balls]

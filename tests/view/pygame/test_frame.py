@@ -14,10 +14,12 @@ from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.engine.compiled import choice
 from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
-from lesson_code.view.pygame.frame import FILM_SIZE, SLOW_MOTION, Painter, Session, play
+from lesson_code.view.pygame.frame import FILM_HEIGHT, play
+from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import Picture
 from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.recording import Recording
+from lesson_code.view.pygame.session import SLOW_MOTION, Session
 from lesson_code.view.pygame.window import Window, pygame
 
 DEMO = load("demo")
@@ -152,7 +154,7 @@ def test_window_is_closed_by_its_button_and_by_escape(session: Session, kind: st
 def test_click_in_the_panel_is_no_click_in_the_world(session: Session) -> None:
     """The demo adds a circle in the field, and none beside it."""
     bodies = len(session.game.world)
-    for x, expected in ((900, bodies), (400, bodies + 1)):
+    for x, expected in ((1100, bodies), (400, bodies + 1)):
         session.handle(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=(x, 40), button=1))
         assert len(session.game.world) == expected
 
@@ -237,7 +239,8 @@ def test_film_ends_with_what_the_screenshot_shows(tmp_path: Path) -> None:
     play(DEMO, screenshot=picture, record=film, **options)
     with Image.open(picture) as image, Image.open(film) as last:
         last.seek(10)
-        small = image.convert("RGB").resize(FILM_SIZE, Image.Resampling.HAMMING)
+        assert last.height == FILM_HEIGHT
+        small = image.convert("RGB").resize(last.size, Image.Resampling.HAMMING)
         off = ImageChops.difference(small, last.convert("RGB"))
     assert np.asarray(off).mean() < NEARLY_ALIKE
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +28,7 @@ def surface(step: int = 0) -> pygame.Surface:
 
 def film(path: Path, times: list[float], steps: list[int] | None = None) -> Gif:
     """Write a film of pictures with these times between them, s."""
-    with Gif(path, SIZE) as one:
+    with closing(Gif(path, SIZE)) as one:
         for k, elapsed in enumerate(times):
             one.see(surface(k if steps is None else steps[k]), elapsed)
     return one
@@ -98,7 +99,7 @@ def test_picture_of_many_colours_is_near_to_what_was_seen(tmp_path: Path) -> Non
     wheel = np.indices(SIZE).sum(axis=0)[..., None] * np.array([2.5, 1.0, 0.5])
     wheel[..., 2] += np.arange(SIZE[1]) * 3
     seen = pygame.surfarray.make_surface(wheel.astype(np.uint8))
-    with Gif(path, SIZE) as one:
+    with closing(Gif(path, SIZE)) as one:
         one.see(seen, 0.0)
     [shown] = pictures(path)
     off = np.abs(shown.astype(int) - pygame.surfarray.array3d(seen).swapaxes(0, 1))
@@ -108,7 +109,7 @@ def test_picture_of_many_colours_is_near_to_what_was_seen(tmp_path: Path) -> Non
 def test_film_is_scaled_to_its_size(tmp_path: Path) -> None:
     """A larger window makes no larger film."""
     path = tmp_path / "film.gif"
-    with Gif(path, SIZE) as one:
+    with closing(Gif(path, SIZE)) as one:
         one.see(pygame.Surface((300, 200)), 0.0)
     with Image.open(path) as image:
         assert image.size == SIZE
@@ -129,7 +130,7 @@ def test_film_of_a_run_that_failed_can_be_seen(tmp_path: Path) -> None:
     path = tmp_path / "film.gif"
 
     def fail() -> None:
-        with Gif(path, SIZE) as one:
+        with closing(Gif(path, SIZE)) as one:
             one.see(surface(), 0.0)
             raise ZeroDivisionError
 

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 
 import numpy as np
 import pytest
 
+from lesson_code.chapters.programs import load
 from lesson_code.view.pygame import sound as sound_module
+from lesson_code.view.pygame.recording import Recording
+from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.sound import (
+    LATENCY,
     LEVELS,
     MOST_A_STEP,
     RATE,
     RINGS,
+    SECONDS,
+    Headroom,
     Sounds,
     impact_sound,
     loudness_level,
@@ -140,3 +147,51 @@ def test_sounds_without_a_device_are_silent(monkeypatch: pytest.MonkeyPatch) -> 
     assert not sounds.audible
     assert sounds.play(1.0) == LEVELS
     sounds.close()
+
+
+# Many sounds at once
+
+
+def test_sounds_together_are_never_clipped_cradle() -> None:
+    """The impacts of a cradle's tour, mixed: no sample beyond what can be played.
+
+    Without the headroom some are.
+    """
+    program = load("cradle")
+    session = Session(program, program.game(0), Recording("cradle", 0))
+    session.tour = program.tour
+    heard: list[tuple[float, float]] = []
+    sounds = session.effects.sounds
+    assert sounds is not None
+    session.game.listeners.append(
+        lambda touch: heard.append(
+            (session.steps / 60, loudness_level(touch.normal_impulse, sounds._full) / LEVELS)
+        )
+    )
+    for _ in range(1200):
+        session.step()
+    mixes = []
+    for headroom in (Headroom(RINGS["steel"].decay), None):
+        mix = np.zeros(int((1200 / 60 + SECONDS + 0.1) * RATE))
+        for now, loudness in (one for one in heard if one[1] > 0):
+            part = 1.0 if headroom is None else headroom.take(loudness, now)
+            sound = part * impact_sound("steel", 0.3, loudness)
+            mix[int(now * RATE) :][: len(sound)] += sound
+        mixes.append(np.abs(mix).max())
+    assert mixes[0] <= 1.0
+    assert mixes[1] > 1.0
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_headroom_bounds_any_sequence_of_sounds(seed: int) -> None:
+    """Whatever begins when, a block late or not: the sum of all envelopes stays within 1."""
+    stream, headroom, decay = np.random.default_rng(seed), Headroom(30.0), 30.0
+    playing: list[tuple[float, float]] = []
+    now = 0.0
+    for wait in stream.exponential(0.02, 300):
+        now += wait
+        loudness = stream.uniform(0.1, 1.0)
+        delay = stream.uniform(0.0, LATENCY)
+        playing.append((now + delay, headroom.take(loudness, now) * loudness))
+        ringing = sum(a * math.exp(-decay * max(now - begun, 0.0)) for begun, a in playing)
+        assert ringing <= 1.0 + 1e-9

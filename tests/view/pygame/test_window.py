@@ -182,7 +182,7 @@ def test_text_lies_where_its_anchor_says(window: Window) -> None:
 
 def test_arrow_points_from_tail_to_tip(window: Window) -> None:
     """The arrow's pixels reach from its tail to its tip, and its head is wider than its shaft."""
-    window.arrow((20, 50), (100, 0), INK, width=4)
+    window.arrow((20, 50), (100, 0), INK, width=4 / window.unit)
     painted = pygame.mask.from_threshold(window.surface, INK, (9, 9, 9, 255)).get_bounding_rects()
     assert len(painted) == 1
     assert painted[0].left == pytest.approx(20, abs=1)
@@ -197,7 +197,7 @@ def test_arrow_stands_out_from_whatever_it_is_drawn_on(
 ) -> None:
     """Shaft or rim has three times the ground's luminance or a third, and so has rim to shaft."""
     window.surface.fill(ground)
-    window.arrow((20, 50), (100, 0), colour, width=4)
+    window.arrow((20, 50), (100, 0), colour, width=4 / window.unit)
     across = [tuple(window.surface.get_at((60, y)))[:3] for y in range(40, 60)]
     assert colour in across
     assert max(contrast(one, ground) for one in across) >= LEAST_CONTRAST

@@ -1,0 +1,116 @@
+"""The ledger of a game: momentum and energy after each step, and what became of them."""
+
+from __future__ import annotations
+
+import csv
+from collections import deque
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
+from lesson_code.view.pygame.program import Game
+
+MOST_ROWS = 216_000
+"""Steps that are kept: an hour."""
+
+
+class Row(NamedTuple):
+    """What there is after a step.
+
+    Attributes
+    ----------
+    time : float
+        s.
+    px, py : float
+        kg m/s, momentum.
+    angular : float
+        kg m^2/s, angular momentum about the origin.
+    moving, turning, height, other : float
+        J: kinetic energy of motion and of rotation, energy of height and, where a game has
+        springs, in those.
+    given, lost : float
+        J since the start: put in from outside between steps, and lost in steps; below 0 where
+        more was gained.
+    """
+
+    time: float
+    px: float
+    py: float
+    angular: float
+    moving: float
+    turning: float
+    height: float
+    other: float
+    given: float
+    lost: float
+
+    @property
+    def energy(self) -> float:
+        """All of it, J."""
+        return self.moving + self.turning + self.height + self.other
+
+
+UNITS = ("s", "kg m/s", "kg m/s", "kg m^2/s", "J", "J", "J", "J", "J", "J")
+"""Of the columns."""
+
+
+class Ledger:
+    """Rows, one a step.
+
+    Parameters
+    ----------
+    game : Game
+        Whose steps are noted.
+    ground : float
+        m: the height where the energy of height is 0.
+    """
+
+    def __init__(self, game: Game, ground: float = 0.0) -> None:
+        self._game, self._ground = game, ground
+        self.rows = deque([self._row(0.0, 0.0, 0.0)], maxlen=MOST_ROWS)
+
+    @property
+    def last(self) -> Row:
+        """What there is now."""
+        return self.rows[-1]
+
+    def before_step(self) -> None:
+        """Note what was put in or taken out from outside since the last step."""
+        last = self.last
+        now = self._row(last.time, last.given, last.lost)
+        self.rows[-1] = now._replace(given=last.given + now.energy - last.energy)
+
+    def after_step(self, dt: float) -> None:
+        """Note a step."""
+        last = self.last
+        now = self._row(last.time + dt, last.given, last.lost)
+        self.rows.append(now._replace(lost=last.lost + last.energy - now.energy))
+
+    def forget(self, steps: int) -> None:
+        """Go back by some steps."""
+        for _ in range(min(steps, len(self.rows) - 1)):
+            self.rows.pop()
+
+    def write(self, path: str | Path) -> None:
+        """Write all rows to a .csv file; its first line names quantities and units."""
+        with Path(path).open("w", encoding="utf-8", newline="") as file:
+            table = csv.writer(file)
+            table.writerow(f"{name}, {unit}" for name, unit in zip(Row._fields, UNITS, strict=True))
+            table.writerows(self.rows)
+
+    @np.errstate(over="ignore", invalid="ignore")  # a student's ball may be anywhere
+    def _row(self, time: float, given: float, lost: float) -> Row:
+        """Return what there is now."""
+        states, mass, inertia = self._game.matter()
+        (px, py), spin, moving, turning, height = (0.0, 0.0), 0.0, 0.0, 0.0, 0.0
+        if len(mass):
+            places, velocities, rates = states[:, :2], states[:, 3:5], states[:, 5]
+            px, py = momentum(mass, velocities).tolist()
+            spin = float(angular_momentum(mass, places, velocities, inertia, rates))
+            moving = float(kinetic_energy(mass, velocities))
+            turning = float(kinetic_energy(mass, velocities, inertia, rates)) - moving
+            height = -float(mass @ ((places - (0.0, self._ground)) @ self._game.gravity))
+        energies = moving, turning, height, self._game.stored_energy()
+        return Row(time, px, py, spin, *energies, given, lost)

@@ -1,0 +1,51 @@
+"""Draws a session: the program's own picture, what keys add to it, and the panel."""
+
+from __future__ import annotations
+
+from lesson_code.view.pygame.laboratory import Laboratory
+from lesson_code.view.pygame.panel import Panel
+from lesson_code.view.pygame.picture import Picture
+from lesson_code.view.pygame.session import Session
+from lesson_code.view.pygame.window import YELLOW, pygame
+
+HELP = (("R", "start again"), ("TAB", "sliders"), ("H", "all keys"))
+"""What the panel says of the keys that all programs share; the page of help has them all."""
+
+
+class Painter:
+    """Draws a session into a window."""
+
+    def __init__(self, session: Session, picture: Picture) -> None:
+        self._session, self._picture = session, picture
+        self.panel = Panel(picture.window, session.program.title)
+        self._laboratory = Laboratory(session, picture)
+
+    def draw(self) -> None:
+        """Draw field and panel and show them; from then on the mouse means places in them."""
+        session, program, picture = self._session, self._session.program, self._picture
+        picture.clear()
+        program.draw(session.game, picture, session.effects)
+        if session.effects.sparks is not None:
+            session.effects.sparks.draw(picture)
+        picture.notice(session.game.notice)
+        self._laboratory.draw()
+        self._draw_panel()
+        session.camera, session.field = picture.camera, pygame.Rect((0, 0), picture.size)
+        picture.window.show()
+
+    def _draw_panel(self) -> None:
+        """Draw title, clock, read-outs, curves, and keys or sliders."""
+        session, program = self._session, self._session.program
+        self.panel.begin()
+        self.panel.readings([("clock", f"{session.ledger.last.time:.2f} s")])
+        self.panel.scale(program.length, self._picture.camera.scale)
+        self.panel.readings(program.readings(session.game))
+        self.panel.readings(session.switched(), YELLOW)
+        if program.more is not None:
+            program.more(session.game, self.panel)
+        if "sliders" in session.shown:
+            self.panel.slide(session.slider_values())
+            self.panel.keys(HELP[1:2])
+        else:
+            self.panel.keys(program.keys + HELP)
+        session.rails = self.panel.sliders if "sliders" in session.shown else {}
