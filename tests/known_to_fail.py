@@ -8,7 +8,6 @@ algebra rounds in another way, on another processor, the law may hold at that se
 from __future__ import annotations
 
 KNOWN_TO_FAIL: dict[str, tuple[int, str]] = {
-    "bodies-in-one-place": (50078, "the ways out of a heap block each other, and an overlap stays"),
     "forces-under-load": (50072, "what rounding leaves of a load's velocity comes and goes"),
 }
 """By family: the seed of a draw that fails, and the reason."""

@@ -190,5 +190,8 @@ def _softened(problem: Problem) -> Answer:
     k = problem.delassus
     soft = k + SOFT * float(np.trace(k)) / len(k) * np.eye(len(k))
     yielding = problem._replace(delassus=soft)
-    x = by_pivoting(yielding, first_guess(yielding, None)).impulses
+    answer = by_pivoting(yielding, first_guess(yielding, None))
+    if not _is_solved(yielding, answer) and len(problem.friction) <= MOST_FOR_LEMKE:
+        answer = min(answer, by_lemke(yielding), key=_error)
+    x = answer.impulses
     return Answer(x, complementarity_error(problem, x), "softened")

@@ -293,6 +293,25 @@ def test_ten_discs_in_one_place_come_apart() -> None:
     np.testing.assert_array_equal(run.positions[-1, :, 1], 3.0)
 
 
+def test_bodies_wedged_in_one_another_by_friction_come_apart() -> None:
+    """No push frees them while their friction holds: they give way a little, and come apart.
+
+    The smallest part of a heap (bodies-in-one-place:80046) that stayed as it was for ever.
+    """
+    triangle, square = Polygon([(-0.5, -0.3), (0.5, -0.3), (0.0, 0.6)]), Polygon.box(1, 1)
+    places = [
+        (triangle, (-0.06, -0.12), 0.64),
+        (triangle, (-0.14, -0.16), 1.88),
+        (square, (-0.15, 0.03), 1.98),
+        (triangle, (-0.17, 0.17), 3.02),
+    ]
+    rough = Material(restitution=0.0, friction=0.827)
+    heap = [Body(s, mass=1, position=p, angle=angle, material=rough) for s, p, angle in places]
+    run = direct(Scene(heap), 2.0)
+    assert np.abs(run.velocities).max() == 0.0
+    assert run.max_penetration[-1] < 2e-3
+
+
 def test_islands_without_an_exact_answer_are_counted() -> None:
     """A ball between walls that close has none; a stack has one in every step."""
     walls = [Body(Polygon.box(1, 2), position=(-0.9 * s, 0), velocity=(s, 0)) for s in (1.0, -1.0)]
