@@ -69,10 +69,11 @@ class Columns:
         """Whether a body moves that nothing can push."""
         return bool((self.is_moving & ~self.is_free).any())
 
-    @property
+    @cached_property
     def has_corners(self) -> Flags:
         """Whether the body is no circle."""
-        return np.greater(self.corner_count, 0)
+        cornered: Flags = self.corner_count > 0
+        return cornered
 
     @property
     def thickness(self) -> Floats:

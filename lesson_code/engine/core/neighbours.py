@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 from lesson_code.engine.core.broad_phase import most_pairs
 from lesson_code.engine.core.columns import Flags, Floats
 from lesson_code.engine.core.constants import LAST_CELL, LEAST_MARGIN
-from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.tables import arrays_of
+from lesson_code.engine.core.tables import cell_size_for, outlined_bodies
 
 Indices: TypeAlias = NDArray[np.int64]
 
@@ -42,10 +41,9 @@ def has_neighbour(scene: Scene) -> Flags:
     >>> has_neighbour(Scene(discs)).tolist()
     [True, True, False]
     """
-    world = arrays_of(scene, dt=1.0, iterations=0, combine=MixingRule())
-    sides, is_free = sides_of(world), scene.columns.is_free
+    sides, is_free = sides_of(*outlined_bodies(scene)), scene.columns.is_free
     with np.errstate(over="ignore", invalid="ignore"):  # a box may reach to infinity
-        pairs = _candidate_pairs(sides, world.state.cell_size)
+        pairs = _candidate_pairs(sides, cell_size_for(scene.columns))
     if pairs is None:
         return np.ones(len(is_free), dtype=bool)
     a, b = pairs
@@ -57,12 +55,11 @@ def has_neighbour(scene: Scene) -> Flags:
     return found
 
 
-def sides_of(world: Any) -> Floats:
+def sides_of(bodies: Any, corners: Any) -> Floats:
     """Return left, low, right and high of the boxes around all bodies, shape (4, N), m.
 
     The tables are arrays. Bodies that can be pushed have a margin.
     """
-    bodies, corners = world.bodies, world.corners
     sides = np.zeros((4, len(bodies)))
     cornered = bodies["corner_count"] > 0
     first = bodies["first_corner"][cornered]

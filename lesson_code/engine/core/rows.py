@@ -32,6 +32,12 @@ class BodyRow:
     start_vx: float = 0.0  # m/s, before the forces of this part of a step (the direct solver)
     start_vy: float = 0.0
     start_w: float = 0.0  # rad/s
+    seen_x: float = 0.0  # m, where it was when its box was drawn (next_contact.py)
+    seen_y: float = 0.0
+    seen_angle: float = 0.0  # rad
+    room: float = 0.0  # m, how far it may move in the box
+    moved: float = 0.0  # m, how far it has
+    way: float = 0.0  # m, how far it may go in this part of a step
 
     x: float = 0.0  # m, centre of mass
     y: float = 0.0
@@ -73,12 +79,17 @@ class PlaceRow:
     is_large: bool = False  # whether the box is too large for the grid
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, order=True)
 class PairRow:
     """A candidate pair: two bodies whose boxes overlap, a < b."""
 
     a: int = 0
     b: int = 0
+    seen_gap: float = 0.0  # m, between their skins when it was looked at; 0: it was not
+    seen_dx: float = 0.0  # m, from a to b then (next_contact.py)
+    seen_dy: float = 0.0
+    seen_angle_a: float = 0.0  # rad
+    seen_angle_b: float = 0.0
 
 
 @dataclass(slots=True)
@@ -248,6 +259,7 @@ class State:
     has_pairs: bool = False  # whether the pairs are those of the boxes as they are drawn
 
     pair_count: int = 0  # rows in use
+    candidate_count: int = 0  # the same with those behind them that are apart (next_contact.py)
     contact_count: int = 0
     static_count: int = 0
     visit_count: int = 0

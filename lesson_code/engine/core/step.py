@@ -41,6 +41,10 @@ from lesson_code.engine.effects.impulse_record import (
     record_impulses,
     record_resting,
 )
+from lesson_code.engine.effects.next_contact import (
+    choose_part_ahead,
+    find_near_pairs,
+)
 from lesson_code.engine.effects.sleeping import everything_sleeps, has_capacity_for_sleep, let_sleep
 
 
@@ -107,6 +111,12 @@ def detect(world: World, pipeline: Pipeline) -> bool:
     effects = pipeline.effects
     if not find_pairs(world, pipeline.broad_phase, effects):
         return False
+    return see_contacts(world, pipeline)
+
+
+def see_contacts(world: World, pipeline: Pipeline) -> bool:
+    """Find the contacts of the candidate pairs; return whether the tables have room for them."""
+    effects = pipeline.effects
     if not find_contacts(world, effects):
         return False
     if effects.sleeping and not has_capacity_for_sleep(world):
@@ -179,7 +189,7 @@ def midpoint_part(world: World, pipeline: Pipeline) -> bool:
     state.dt = longest
     let_forces_act(world, pipeline)
     exchange_velocities(world)
-    is_chosen = choose_part(world, pipeline)
+    is_chosen = choose_part_ahead(world, pipeline)
     exchange_velocities(world)
     if not is_chosen:
         return False
@@ -198,7 +208,7 @@ def begin_at_contacts(world: World, pipeline: Pipeline) -> bool:
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
     state.dt, state.horizon = state.left, math.inf
     if effects.collisions:
-        if not detect(world, pipeline):
+        if not (find_near_pairs(world, pipeline) and see_contacts(world, pipeline)):
             return False
         take_skins_off(world)
         solver.warm_start(world, effects)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import astuple
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,9 @@ BROAD_PHASES: dict[str, BroadPhase] = {
 }
 """The ways to find candidate pairs, by name."""
 
+local_values = attrgetter("local_x", "local_y", "local_nx", "local_ny")
+"""Returns what of a corner does not change as its body turns."""
+
 
 def world_of(
     scene: Scene, dt: float, iterations: int, combine: MixingRule, skin: float = 0.0
@@ -60,7 +63,7 @@ def arrays_of(
 ) -> World:
     """Return the same tables as arrays with all fields."""
     columns = scene.columns
-    bodies = _bodies(columns, skin)
+    bodies, corners = outlined_bodies(scene, skin)
     count, slots = len(columns), slots_for(len(columns))
     thinnest = _least(columns.thickness[columns.is_free])
     state = State(
@@ -72,7 +75,7 @@ def arrays_of(
         iterations=iterations,
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
-        cell_size=_cell_size(columns),
+        cell_size=cell_size_for(columns),
         slot_count=slots,
         row_stride=row_stride_for(slots),
         thinnest=thinnest,
@@ -81,11 +84,10 @@ def arrays_of(
         free_count=int(columns.is_free.sum()),
         has_moving_static=columns.has_mover,
     )
-    outlines = (body.shape.outline for body in scene.bodies) if columns.has_corners.any() else ()
     return World(
         state=state,
         bodies=bodies,
-        corners=_corners(outlines, bodies),
+        corners=corners,
         pairs=[],
         sorted_pairs=[],
         places=new_table(PlaceRow, count),
@@ -102,6 +104,14 @@ def arrays_of(
         frames=[],
         manifold=ManifoldRow(),
     )
+
+
+def outlined_bodies(scene: Scene, skin: float = 0.0) -> tuple[Any, Any]:
+    """Return the tables of bodies and of the corners of their outlines alone, as arrays."""
+    bodies = _bodies(scene.columns, skin)
+    if not bodies["corner_count"].any():
+        return bodies, new_table(Corner, 0)
+    return bodies, _corners([body.shape.outline for body in scene.bodies], bodies)
 
 
 def broad_phase_for(scene: Scene) -> str:
@@ -147,7 +157,7 @@ def _corners(outlines: Iterable[tuple[Point, ...]], bodies: Any) -> Any:
     local: list[tuple[float, ...]] = []
     for outline in outlines:
         if outline not in seen:
-            seen[outline] = [astuple(corner)[:4] for corner in corner_rows(outline)]
+            seen[outline] = [local_values(corner) for corner in corner_rows(outline)]
         local += seen[outline]
     x, y, nx, ny = np.array(local, dtype=float).reshape(-1, 4).T
     cos, sin = (np.repeat(bodies[name], bodies["corner_count"]) for name in ("cos", "sin"))
@@ -170,7 +180,7 @@ def _least(widths: Floats) -> float:
     return float(widths.min(initial=math.inf))
 
 
-def _cell_size(c: Columns) -> float:
+def cell_size_for(c: Columns) -> float:
     """Return the width of a grid cell, m: the largest box's, the few much larger ones left out."""
     if not len(c):
         return 1.0

@@ -54,6 +54,8 @@ def _find(question: Question, name: str, meeting: Finding) -> Finding:
     """Return it, where it is known whether bodies meet: most effects depend on that."""
     lacking, built_in = capabilities(question.solver)
     effect = EFFECTS[name]
+    if name == "collisions":
+        return meeting
     if name in lacking:
         return Finding(False, lacking[name])
     if effect.needs_collisions and not meeting.called_for:

@@ -87,28 +87,35 @@ def can_meet(scene: Scene, duration: float, dt: float) -> bool:
 def _boxes_of_ways(scene: Scene, time: float) -> Iterator[Box]:
     """Yield a box around each body's flight, m, from left to right."""
     c = scene.columns
-    is_damped = scene.damping > 0.0
-    gx, gy = (np.where(c.is_free, along, 0.0) for along in scene.gravity)
     with np.errstate(over="ignore", invalid="ignore"):
-        left, right = _span(c.x, c.vx, gx, time, is_damped)
-        low, high = _span(c.y, c.vy, gy, time, is_damped)
-        reach = c.bounding_radius
-        sides = [left - reach, right + reach, low - reach, high + reach, ~c.is_free]
-    order = np.argsort(sides[0], kind="stable")
+        low, high = _spans(
+            np.array([c.x, c.y]),
+            np.array([c.vx, c.vy]),
+            np.outer(scene.gravity, c.is_free),
+            time,
+            is_damped=scene.damping > 0.0,
+        )
+        low, high = low - c.bounding_radius, high + c.bounding_radius
+    order = np.argsort(low[0], kind="stable")
+    sides = [low[0], high[0], low[1], high[1], ~c.is_free]
     return map(Box._make, zip(*(side[order].tolist() for side in sides), strict=True))
 
 
-def _span(
-    start: Floats, speed: Floats, gain: Floats, time: float, is_damped: bool
+def _spans(
+    start: Floats, speed: Floats, gain: Floats, time: float, *, is_damped: bool
 ) -> tuple[Floats, Floats]:
     """Return the least and the largest of start + speed t + gain t^2 / 2, m; wider if damped."""
     if is_damped:
         way = abs(speed) * time + 0.5 * abs(gain) * time * time
         return start - way, start + way
-    turning = np.divide(-speed, gain, out=np.zeros_like(speed), where=gain != 0.0)
-    middle = np.where((turning > 0.0) & (turning < time), turning, 0.0)
-    places = [start + speed * t + 0.5 * gain * t * t for t in (0.0, time, middle)]
-    return np.minimum.reduce(places), np.maximum.reduce(places)
+    end = start + speed * time + 0.5 * gain * time * time
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    if gain.any():
+        turning = np.divide(-speed, gain, out=np.zeros_like(speed), where=gain != 0.0)
+        turning[(turning < 0.0) | (turning > time)] = 0.0
+        middle = start + speed * turning + 0.5 * gain * turning * turning
+        low, high = np.minimum(low, middle), np.maximum(high, middle)
+    return low, high
 
 
 def _share_y(a: Box, b: Box) -> bool:

@@ -6,8 +6,8 @@ there, a little later than the impact, so that the overlap is seen; the impact i
 every other; and what is left of the step follows. Scenes without fast bodies pay for one look at
 the speeds.
 
-With a skin (``skin``) contacts are seen before the bodies touch, and the step ends there. Then a
-body is fast as soon as it moves by more than the skin.
+With a skin contacts are seen before the bodies touch, and a body is fast as soon as it moves by
+more than the skin; ``next_contact`` says how far its step goes.
 
 After many impacts within one step the fast bodies wait for the next step. They lose time then,
 but pass through nothing.
@@ -24,7 +24,6 @@ from lesson_code.engine.core.candidate_pairs import seek_pairs
 from lesson_code.engine.core.columns import Columns
 from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
-    LEAST_PART,
     MOST_IMPACTS,
     SLOP,
     SPEED_DOUBT,
@@ -33,7 +32,6 @@ from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.skin import next_corner_time, skin_of, touching_gap
 from lesson_code.engine.effects import friction, restitution
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.question import Effect, Finding, Question
@@ -194,7 +192,7 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
         ):
             after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
-                earliest = min(earliest, after + time_into(world, a, b, pipeline.effects))
+                earliest = min(earliest, after + time_into(a, b, pipeline.effects))
     return earliest
 
 
@@ -219,30 +217,9 @@ def pair_impact_time(
     solver has seen them.
     """
     touch(world, a, b, effects)
-    if world.state.skin > 0.0:
-        return time_into_skin(world, a, b, duration, effects)
     if world.manifold.count > 0:
         return 0.0 if is_far(world, way_into(world.manifold, a, b, duration)) else math.inf
-    return free_impact_time(world, a, b, duration, 0.1 * depth_into(world, a, b), effects)
-
-
-def time_into_skin(
-    world: World, a: BodyRow, b: BodyRow, duration: float, effects: Effects
-) -> float:
-    """Return when two bodies with skins meet at a new contact, s.
-
-    The contacts that there are the solver holds. There may be more as the bodies turn.
-    """
-    if world.manifold.count > 0:
-        speed, depth = rim_speed(a, effects) + rim_speed(b, effects), depth_into(world, a, b)
-        return next_corner_time(world, a, b, duration, speed, depth) if speed > 0.0 else math.inf
-    near = 0.5 * touching_gap(a, b)
-    body = a if a.inv_m > 0.0 else b
-    radius = body.radius
-    body.radius = radius + near - skin_of(world, a) - skin_of(world, b)
-    time = free_impact_time(world, a, b, duration, 0.1 * near, effects)
-    body.radius = radius
-    return time
+    return free_impact_time(world, a, b, duration, 0.1 * depth_into(a, b), effects)
 
 
 def free_impact_time(
@@ -266,17 +243,14 @@ def is_turning(body: BodyRow) -> bool:
     return body.w != 0.0 and body.corner_count > 0
 
 
-def depth_into(world: World, a: BodyRow, b: BodyRow) -> float:
-    """Return how deep two bodies, or their skins, are let overlap, so that an impact is seen, m."""
-    scale = world.state.skin if world.state.skin > 0.0 else SLOP
-    return IMPACT_DEPTH * scale * min(a.min_width, b.min_width)
+def depth_into(a: BodyRow, b: BodyRow) -> float:
+    """Return how deep two bodies are let overlap, so that an impact is seen, m."""
+    return IMPACT_DEPTH * SLOP * min(a.min_width, b.min_width)
 
 
-def time_into(world: World, a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
+def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
     """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
-    if world.state.skin > 0.0:
-        return LEAST_PART * world.state.whole  # they are as deep already
-    return depth_into(world, a, b) / way_between(a, b, 1.0, effects)
+    return depth_into(a, b) / way_between(a, b, 1.0, effects)
 
 
 def let_fast_wait(world: World) -> None:

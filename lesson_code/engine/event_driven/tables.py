@@ -16,7 +16,7 @@ from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.neighbours import HIGH, LEFT, LOW, RIGHT, sides_of
 from lesson_code.engine.core.rows import ContactRow, IndexRow
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.core.tables import arrays_of
+from lesson_code.engine.core.tables import outlined_bodies
 from lesson_code.engine.event_driven.constants import (
     CELL_MARGIN,
     GRIPS,
@@ -47,12 +47,12 @@ def tables_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -> Tabl
 
 def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -> Tables:
     """Return the same tables, the long ones as arrays with all fields."""
-    world: Any = arrays_of(scene, dt=1.0, iterations=0, combine=combine)
+    bodies, corners = outlined_bodies(scene)
     is_free = scene.columns.is_free
     free, fixed = np.flatnonzero(is_free), np.flatnonzero(~is_free)
     state = _state(scene, combine, has_grid)
-    discs, obstacles = world.bodies[free], world.bodies[fixed]
-    boxes = sides_of(world)[:, fixed]
+    discs, obstacles = bodies[free], bodies[fixed]
+    boxes = sides_of(bodies, corners)[:, fixed]
     _bound_grid(state, np.hstack([boxes, [discs["x"], discs["y"]] * 2]))
     slots = new_table(SlotRow, state.slot_count)
     near, everywhere = _obstacles_near(state, boxes, scene.columns.is_moving[fixed], slots)
@@ -61,7 +61,7 @@ def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -
         discs=_discs(state, discs, free, slots),
         obstacles=obstacles,
         obstacle_bodies=new_table(IndexRow, len(fixed), index=fixed),
-        corners=world.corners,
+        corners=corners,
         queue=queue_for(len(free)),
         slots=slots,
         near=near,

@@ -12,8 +12,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,7 +39,8 @@ from lesson_code.engine.effects.choice import capabilities, checked_wishes
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.effects.restitution import smallest_restitution
 from lesson_code.engine.event_driven import why_not
-from lesson_code.geometry.shapes import Circle
+from lesson_code.geometry.manifold import collide
+from lesson_code.geometry.shapes import Circle, Shape
 
 
 class SolverChoice(NamedTuple):
@@ -129,18 +132,30 @@ def flies_freely(question: Question) -> bool:
 
 def is_apart(scene: Scene) -> bool:
     """Return whether no two bodies touch, one of which is a disc that can be pushed."""
-    near: Sequence[Body] = scene.bodies
-    if len(near) >= FEWEST_FOR_GRID:
-        near = [scene.bodies[n] for n in np.flatnonzero(has_neighbour(scene))]
-    larger = [
-        replace(body, shape=Circle(body.shape.radius * (1 + TOUCHING)))
-        if isinstance(body.shape, Circle) and not body.is_static
-        else body
-        for body in near
-    ]
+    if len(scene.bodies) < FEWEST_FOR_GRID:
+        return not any(_touch(a, b) for a, b in combinations(scene.bodies, 2))
+    near = [scene.bodies[n] for n in np.flatnonzero(has_neighbour(scene))]
+    larger = [replace(body, shape=_with_edge(body)) for body in near]
     positions = np.array([[body.position for body in near]])
     angles = np.array([[body.angle for body in near]])
     return bool(deepest_overlaps(Scene(larger), positions, angles)[0] == 0.0)
+
+
+def _touch(a: Body, b: Body) -> bool:
+    """Return whether two bodies touch, one of which can be pushed."""
+    if a.is_static and b.is_static:
+        return False
+    shape_a, shape_b = _with_edge(a), _with_edge(b)
+    if math.dist(a.position, b.position) > shape_a.bounding_radius + shape_b.bounding_radius:
+        return False
+    return collide(shape_a, (*a.position, a.angle), shape_b, (*b.position, b.angle)) is not None
+
+
+def _with_edge(body: Body) -> Shape:
+    """Return a body's shape, that of a disc which can be pushed a little larger."""
+    if isinstance(body.shape, Circle) and not body.is_static:
+        return Circle(body.shape.radius * (1 + TOUCHING))
+    return body.shape
 
 
 def falling(scene: Scene) -> int:

@@ -135,7 +135,7 @@ def prepare(
 ) -> None:
     """Find the islands, give each the impulses of its impacts, and note when the next is due."""
     state = world.state
-    islands[:] = islands_of(world)
+    islands[:] = islands_of(world) if state.contact_count > 0 else []
     for island in islands:
         contacts, m = island.contacts, len(island.contacts)
         gap = np.array([open_gap(world, c) for c in contacts])
