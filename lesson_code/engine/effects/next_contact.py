@@ -170,8 +170,10 @@ def has_fast(world: World, duration: float, effects: Effects) -> bool:
 
 
 def leaves_its_box(world: World) -> bool:
-    """Return whether a body may leave the box for which the candidate pairs hold."""
-    return any(body.moved + body.way > body.room for body in world.bodies)
+    """Return whether a body may leave its box; or the table was too small for the pairs."""
+    return not world.state.has_pairs or any(
+        body.moved + body.way > body.room for body in world.bodies
+    )
 
 
 def time_to_contact(world: World, duration: float, effects: Effects) -> float:
