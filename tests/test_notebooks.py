@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from html import unescape
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -12,11 +13,20 @@ from urllib.parse import unquote
 import nbformat
 import pytest
 
+from lesson_code.course.grading.gaps import all_gaps
+from lesson_code.course.quiz.bank import load_quiz
+
 ROOT = Path(__file__).parents[1]
 CHAPTERS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))
 STUDENT_COPIES = sorted((ROOT / "exercises").glob("*.ipynb"))
 ALL = [*CHAPTERS, *SOLUTIONS, *STUDENT_COPIES]
+
+CONVERTED = [path for path in CHAPTERS if "@gap(" in path.read_text(encoding="utf-8")]
+"""Notebooks in which the reader predicts and writes.
+
+The others still ask in prose: this list grows to all of them.
+"""
 
 MOST_LINES_IN_A_CELL = 15
 MOST_WORDS_IN_A_PARAGRAPH = 119
@@ -152,6 +162,91 @@ def test_sections_are_numbered_without_gaps(path: Path) -> None:
     assert len(numbers) >= 5
 
 
+# What the reader does
+
+
+def has_tag(cell: Any, tag: str) -> bool:
+    """Return whether a cell has a tag."""
+    return tag in cell.metadata.get("tags", [])
+
+
+def asks(cell: Any) -> bool:
+    """Return whether a cell asks for a prediction, or belongs to the answer of one."""
+    return has_tag(cell, "answer") or cell.source.startswith('predict("')
+
+
+@chapters
+def test_predictions_are_asked_once_and_where_they_stand_in_the_quiz_file(path: Path) -> None:
+    """Each prediction of the chapter's file is asked in its notebook, in the file's order."""
+    asked = re.findall(
+        r'^predict\("([^"]*)"\)', "\n".join(c.source for c in code_cells(path)), re.M
+    )
+    assert asked == [question.id for question in load_quiz(path.stem[:2]).predictions]
+
+
+@chapters
+def test_every_prediction_has_its_answer_folded_below(path: Path) -> None:
+    """A prediction is a cell of its own; the cell that answers it follows and is folded."""
+    cells = read(path).cells
+    for cell, follows in pairwise(cells):
+        if cell.source.startswith("predict("):
+            assert len(cell.source.splitlines()) == 1
+            assert has_tag(follows, "answer"), cell.source
+        if has_tag(follows, "answer"):
+            assert asks(cell), follows.source
+
+
+@chapters
+def test_first_line_of_an_answer_gives_nothing_away(path: Path) -> None:
+    """JupyterLab shows the first line of a folded cell: a comment, or that this is the answer."""
+    for cell in read(path).cells:
+        if has_tag(cell, "answer"):
+            first = cell.source.splitlines()[0]
+            is_code = cell.cell_type == "code"
+            assert first.startswith("# ") if is_code else first == "**The answer.**", first
+
+
+@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
+def test_nobody_is_asked_to_predict_in_prose(path: Path) -> None:
+    """Every prompt is a form that hides its answer."""
+    assert not [text for text in prose(path) if re.search(r"\*\*Predict|[Pp]redict first", text)]
+
+
+@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
+def test_reader_writes_two_or_three_functions(path: Path) -> None:
+    """Each gap of the chapter stands in its notebook, open, and is used further down."""
+    code = "\n".join(cell.source for cell in code_cells(path))
+    gaps = re.findall(r'@gap\("([^"]*)"\)\ndef (\w+)\(.*\):\n    return \.\.\.', code)
+    number = path.stem[:2]
+    assert [name for name, _ in gaps] == [g.id for g in all_gaps() if g.id.startswith(number)]
+    assert 2 <= len(gaps) <= 3
+    for _, function in gaps:
+        assert len(re.findall(rf"\b{function}\b", code)) > 1, function
+
+
+PLUMBING = re.compile(
+    r"^\s*(import |from |fig\b|ax\b|axes\b|show\(|plots\.|style\.|scene_plots\.|for ax|\w+\.set\()"
+)
+"""A line that imports or draws: a figure is one named call of the chapter's ``figures.py``."""
+
+MOST_PLUMBING = 0.1
+"""Of the code lines that are not folded."""
+
+
+@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
+def test_plumbing_is_folded(path: Path) -> None:
+    """Nearly all lines that a reader sees are about the subject."""
+    lines = [
+        line
+        for cell in code_cells(path)
+        if not has_tag(cell, "plumbing")
+        for line in cell.source.splitlines()
+        if line.strip()
+    ]
+    plumbing = [line for line in lines if PLUMBING.match(line)]
+    assert len(plumbing) < MOST_PLUMBING * len(lines), plumbing
+
+
 # Words
 
 
@@ -254,11 +349,11 @@ def test_code_names_no_place_on_one_machine(path: Path) -> None:
 
 @notebooks
 def test_nothing_is_stored_of_when_and_where_it_ran(path: Path) -> None:
-    """Metadata is what the kernel needs and tags, no more; no widget's state, no errors."""
+    """Metadata is what the kernel needs, tags and folding; no widget's state, no errors."""
     notebook = read(path)
     assert set(notebook.metadata) <= {"kernelspec", "language_info", "workbook"}
     for cell in notebook.cells:
-        assert set(cell.metadata) <= {"tags"}
+        assert set(cell.metadata) <= {"tags", "jupyter"}
         for output in cell.get("outputs", []):
             assert set(output.get("metadata", {})) <= {"image/png"}
             assert not [kind for kind in output.get("data", {}) if "widget" in kind]

@@ -52,13 +52,42 @@ def check(claim: str, measured: Any, expected: Any, tolerance: float = 0.0) -> N
     """
     tolerance = float(non_negative("tolerance", tolerance))
     fault = _fault(measured, expected, tolerance)
-    line = (
+    line = _agreement(claim, measured, expected, tolerance) if not fault else ""
+    line = line or (
         f"{claim}: {_written(measured, tolerance)}, expected {_written(expected, tolerance)}"
         f"{f' within {tolerance:g}' if tolerance else ''}"
     )
     if fault:
         raise CheckFailedError(f"FALSE {line} ({fault})")
     print(f"ok    {line}")  # noqa: T201 - the line in the notebook is what this is for
+
+
+NOISE = 1e-3
+"""Of the tolerance: errors below are not told apart, since rounding differs between machines."""
+
+
+def _agreement(claim: str, measured: Any, expected: Any, tolerance: float) -> str:
+    """Return the line for many numbers that agree: how far off the worst is, to a power of ten."""
+    if not _is_numeric(measured) or np.size(measured) <= MOST_NUMBERS_WRITTEN:
+        return ""
+    if tolerance == 0:
+        return ""
+    worst = max(float(_apart(measured, expected).max()), NOISE * tolerance)
+    bound = min(10.0 ** math.ceil(math.log10(worst) - 1e-9), tolerance)
+    wanted = _written(expected, tolerance) if np.size(expected) == 1 else "as many"
+    return (
+        f"{claim}: {np.size(measured)} numbers, expected {wanted} within {tolerance:g}: "
+        f"none is off by more than {bound:g}"
+    )
+
+
+def _apart(measured: Any, expected: Any) -> Any:
+    """Return the differences between numbers."""
+    m, x = np.asarray(measured), np.asarray(expected)
+    # Python's own numbers do not wrap round, as small integers in an array do.
+    with np.errstate(over="ignore", invalid="ignore"):
+        differences = np.abs(m.astype(object) - x.astype(object))
+    return np.where(m == x, 0.0, differences).astype(float)
 
 
 def _fault(measured: Any, expected: Any, tolerance: float) -> str:
@@ -68,12 +97,8 @@ def _fault(measured: Any, expected: Any, tolerance: float) -> str:
     m, x = np.asarray(measured), np.asarray(expected)
     if m.shape != x.shape and (x.ndim > 0 or m.size == 0):
         return f"shape {m.shape}, not {x.shape}"
-    equal = m == x
-    # Python's own numbers do not wrap round, as small integers in an array do.
-    with np.errstate(over="ignore", invalid="ignore"):
-        differences = np.abs(m.astype(object) - x.astype(object))
-    apart = np.where(equal, 0.0, differences).astype(float)
-    agree = equal if tolerance == 0 else apart <= tolerance
+    apart = _apart(m, x)
+    agree = m == x if tolerance == 0 else apart <= tolerance
     return "" if np.all(agree) else f"off by {apart.max():.3g}"
 
 

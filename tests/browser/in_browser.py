@@ -30,10 +30,14 @@ NOTEBOOK_RUNS = 300_000
 
 
 ALL_HAVE_RUN = r"""() => {
-    const prompts = [...document.querySelectorAll(".jp-Notebook .jp-CodeCell .jp-InputPrompt")];
+    const prompts = [...document.querySelectorAll(
+        ".jp-Notebook .jp-CodeCell:not(:has(.jp-InputPlaceholder)) .jp-InputPrompt")];
     return prompts.length && prompts.every((prompt) => /\[\d+\]/.test(prompt.textContent));
 }"""
-"""In the page: whether every prompt holds a number, and none is empty or a star."""
+"""In the page: whether every prompt holds a number, and none is empty or a star.
+
+A folded cell shows no prompt; the last cell, which is the quiz, is not folded.
+"""
 
 
 @contextmanager

@@ -103,14 +103,68 @@ def test_quiz_gives_the_feedback_to_the_answer_that_was_clicked(
     number = request.node.callspec.params["chapter"][:2]
     asked = load_quiz(number).questions
     question = next(q for q in asked if isinstance(q, ChoiceQuestion))
-    quiz = output_with(chapter.page, ".widget-radio")
-    place = asked.index(question)
+    quiz = chapter.page.locator(".quiz:not(.predict)")
+    form = quiz.locator("form").nth(asked.index(question))
     wrong = next(option for option in question.options if option != question.right_option)
     for option in (wrong, question.right_option):
-        quiz.locator(".widget-radio").first.get_by_text(f") {option.text}", exact=False).click()
-        quiz.get_by_role("button", name="Check").nth(place).click()
-        quiz.get_by_text(option.feedback).wait_for(timeout=ANSWERED)
+        form.get_by_text(f") {option.text}", exact=False).click()
+        form.get_by_role("button").click()
+        form.get_by_text(option.feedback).wait_for(timeout=ANSWERED)
     quiz.get_by_text(f"1 of {len(asked)} right").wait_for(timeout=ANSWERED)
+
+
+IN_SIGHT = """form => {
+    const seen = [];
+    for (let cell = form.closest(".jp-Cell").nextElementSibling;
+         cell && !cell.querySelector(".quiz, h2"); cell = cell.nextElementSibling) {
+        const [code, output] = [".jp-Cell-inputArea", ".jp-Cell-outputWrapper"].map(
+            (part) => Boolean(cell.querySelector(part)?.offsetHeight));
+        seen.push([code, output && Boolean(cell.querySelector(".jp-OutputArea-child"))]);
+    }
+    return seen;
+}"""
+"""In the page: of each cell below a prediction, whether code and output can be seen."""
+
+
+def test_predictions_open_their_answers(
+    request: pytest.FixtureRequest, chapter: LabNotebook
+) -> None:
+    """After Run All each result is out of sight, until an answer is given; then it is there."""
+    questions = load_quiz(request.node.callspec.params["chapter"][:2]).predictions
+    forms = chapter.page.locator(".predict form")
+    assert forms.count() == len(questions)
+    for place, question in enumerate(questions):
+        form = forms.nth(place)
+        assert form.evaluate(IN_SIGHT)[0] == [False, False], question.id
+        if isinstance(question, ChoiceQuestion):
+            form.get_by_role("radio").first.check()
+            said = question.options[0].feedback
+        else:
+            form.get_by_role("textbox").fill(f"{question.wrong_values[0].value} {question.unit}")
+            said = question.wrong_values[0].feedback
+        form.get_by_role("button", name="Commit").click()
+        form.get_by_text(said).wait_for(timeout=ANSWERED)
+        assert any(form.evaluate(IN_SIGHT)[0]), question.id
+
+
+def test_gap_is_filled_and_used(browser: Browser, lab: JupyterLab) -> None:
+    """A known mistake gets its hint and ours is lent; the right line is used from then on."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    notebook = lab.open(page, "notebooks/01_one_dimension.ipynb")
+    cell = page.locator(".jp-CodeCell:has-text('@gap(\"01-centre\")')")
+    for written, said in (
+        ("(v1 + v2) / 2", "hint: A truck meets a fly head on."),
+        ("(m1 * v1 + m2 * v2) / (m1 + m2)", "From here on yours is used."),
+    ):
+        cell.locator(".cm-content").click()
+        page.keyboard.press("Control+A")
+        head = '@gap("01-centre")\ndef centre_velocity(m1, v1, m2, v2):\n    return '
+        page.keyboard.insert_text(head + written)
+        notebook.run_all()
+        cell.get_by_text(said).wait_for(timeout=ANSWERED)
+        assert notebook.errors.all_text_contents() == []
+    lab.end_kernels(page)
+    page.close()
 
 
 def test_written_answer_gets_full_marks(browser: Browser, lab: JupyterLab) -> None:

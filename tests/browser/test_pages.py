@@ -233,7 +233,7 @@ def test_quiz_is_answered_by_keyboard(site: Path, page: Page) -> None:
     asked = load_bank()[1].questions
     question = next(q for q in asked if isinstance(q, ChoiceQuestion))
     open_page(page, site, "notebooks/01_one_dimension")
-    form = page.locator(".quiz form").nth(asked.index(question))
+    form = page.locator(".quiz:not(.predict) form").nth(asked.index(question))
     form.get_by_role("radio").first.focus()
     page.keyboard.press("Space")
     for _ in range("abcde".index(question.answer)):
@@ -241,6 +241,21 @@ def test_quiz_is_answered_by_keyboard(site: Path, page: Page) -> None:
     page.keyboard.press("Enter")
     assert form.get_by_role("status").text_content() == words_to(question, question.answer)
     assert page.locator(".quiz .count").text_content() == f"1 of {len(asked)} right"
+
+
+@pytest.mark.parametrize("chapter", load_bank(), ids=lambda chapter: chapter.number)
+def test_predictions_of_the_page_open_their_answers(site: Path, page: Page, chapter: Any) -> None:
+    """Each is judged as by the one judge; its answer is closed before, and open after."""
+    name = next(name for name in CHAPTERS if name.startswith(chapter.number))
+    open_page(page, site, f"notebooks/{name}")
+    forms, answers = page.locator(".predict form"), page.locator("details.answer")
+    assert forms.count() == answers.count() == len(chapter.predictions)
+    for place, question in enumerate(chapter.predictions):
+        assert answers.nth(place).get_attribute("open") is None
+        given = answers_to(question)
+        said = page.evaluate(GIVE, [question.id, given])
+        assert dict(zip(given, said, strict=True)) == {a: words_to(question, a) for a in given}
+        assert answers.nth(place).get_attribute("open") is not None
 
 
 # Figures with sliders

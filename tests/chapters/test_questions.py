@@ -13,7 +13,11 @@ import pytest
 
 from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, load_bank
 
-QUESTIONS = {question.id: question for quiz in load_bank() for question in quiz.questions}
+QUESTIONS = {
+    question.id: question
+    for quiz in load_bank()
+    for question in (*quiz.questions, *quiz.predictions)
+}
 NUMERIC = {key: q for key, q in QUESTIONS.items() if isinstance(q, NumericQuestion)}
 CHOICE = {key: q for key, q in QUESTIONS.items() if isinstance(q, ChoiceQuestion)}
 

@@ -14,7 +14,12 @@ from pathlib import Path
 from typing import Any
 
 KERNELSPEC = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-KEPT_CELL_METADATA = ("tags",)
+FOLDED = {
+    "answer": {"source_hidden": True, "outputs_hidden": True},
+    "plumbing": {"source_hidden": True},
+}
+"""What a cell's tag folds: the answer to a prediction, until it is made; imports and plotting."""
+
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 FOLDERS = ("notebooks", "solutions")
 
@@ -65,15 +70,22 @@ def normal(notebook: Any, exercise: str | None) -> Any:
     seen: dict[str, int] = {}
     count = 0
     for cell in notebook.cells:
-        cell.metadata = type(cell.metadata)(
-            {key: cell.metadata[key] for key in KEPT_CELL_METADATA if cell.metadata.get(key)}
-        )
+        cell.metadata = type(cell.metadata)(_kept_metadata(cell))
         cell["id"] = _cell_id(cell, seen)
         if cell.cell_type == "code":
             count += 1
             cell.execution_count = count if cell.outputs else None
             cell.outputs = [_normal_output(output) for output in _joined(cell.outputs)]
     return notebook
+
+
+def _kept_metadata(cell: Any) -> dict[str, Any]:
+    """Return a cell's tags, and how JupyterLab folds it because of them."""
+    tags = cell.metadata.get("tags", [])
+    folded = {key: True for tag in tags for key in FOLDED.get(tag, {})}
+    if cell.cell_type == "markdown":
+        folded.pop("outputs_hidden", None)
+    return {key: kept for key, kept in (("tags", tags), ("jupyter", folded)) if kept}
 
 
 def _cell_id(cell: Any, seen: dict[str, int]) -> str:

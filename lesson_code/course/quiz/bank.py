@@ -1,9 +1,10 @@
 """The question bank: what is asked, what is right, and what to say to every answer.
 
 A chapter's questions stand in its folder, in ``quiz.toml``. A question there is a ``[[question]]``
-table with ``kind = "choice"`` or ``kind = "numeric"``. Questions and options keep the order of the
-file. Every rule a question must obey is checked while it is built, so a bank that loads is a valid
-bank.
+table with ``kind = "choice"`` or ``kind = "numeric"``. A ``[[predict]]`` table has the same form:
+the chapter's notebook asks it before it shows a result. Questions and options keep the order of
+the file. Every rule a question must obey is checked while it is built, so a bank that loads is a
+valid bank.
 """
 
 from __future__ import annotations
@@ -177,18 +178,21 @@ class Quiz:
         What the chapter is about.
     questions : tuple of Question
         At least one; every id starts with the chapter's number, and none stands twice.
+    predictions : tuple of Question
+        What the notebook asks before it shows a result; their ids follow the same rules.
     """
 
     number: str
     title: str
     questions: tuple[Question, ...]
+    predictions: tuple[Question, ...] = ()
 
     def __post_init__(self) -> None:
         where = f"chapter {self.number}"
         _require_words(where, {"title": self.title})
         _require(where, len(self.questions) > 0, "it must ask something", self.questions)
         seen: set[str] = set()
-        for question in self.questions:
+        for question in (*self.questions, *self.predictions):
             where, prefix = f"question {question.id}", f"{self.number}-"
             _require(
                 where, question.id.startswith(prefix), f"id must start with {prefix}", question.id
@@ -256,12 +260,18 @@ def read_quiz(number: str, toml: str) -> Quiz:
         table = tomllib.loads(toml)
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{where}: the file must be TOML, got: {error}") from None
-    _require_keys(where, table, {"title", "question"})
-    questions = [
-        _read_question(f"{where}, question number {place}", open_question(dict(entry)))
-        for place, entry in enumerate(_tables(where, table, "question"), start=1)
-    ]
-    return Quiz(number, _text(where, table, "title"), tuple(questions))
+    _require_keys(where, table, {"title", "question"}, {"predict"})
+    questions = _read_questions(where, "question", table)
+    predictions = _read_questions(where, "predict", {"predict": []} | dict(table))
+    return Quiz(number, _text(where, table, "title"), questions, predictions)
+
+
+def _read_questions(where: str, key: str, table: Table) -> tuple[Question, ...]:
+    """Return the questions in one list of a chapter's file."""
+    return tuple(
+        _read_question(f"{where}, {key} number {place}", open_question(dict(entry)))
+        for place, entry in enumerate(_tables(where, table, key), start=1)
+    )
 
 
 def _read_question(place: str, table: Table) -> Question:

@@ -37,9 +37,10 @@ def seal_quiz(toml: str) -> str:
     """
     table = tomllib.loads(toml)
     lines = [f"title = {_written(table['title'])}"]
-    for question in table["question"]:
-        lines += ["", "[[question]]"]
-        lines += [f"{key} = {_written(value)}" for key, value in _sealed(question).items()]
+    for kind in ("question", "predict"):
+        for question in table.get(kind, []):
+            lines += ["", f"[[{kind}]]"]
+            lines += [f"{key} = {_written(value)}" for key, value in _sealed(question).items()]
     return "\n".join(lines) + "\n"
 
 

@@ -3,7 +3,7 @@
 notebooks and exercises       as they are
 lesson_code                   as it is, but for what follows of each chapter
 tasks.py, draws.py            practice checks, and what says why an answer is wrong
-wrong_answers, right_answers  only those that a notebook shows
+wrong_answers, right_answers  only those that a notebook shows or a gap knows
 rules.py                      a program's constants and helpers; for its answers, the student's own
 quiz.toml                     sealed
 README                        the students' part
@@ -19,6 +19,7 @@ from pathlib import Path, PurePath, PurePosixPath
 
 from lesson_code.course.fresh_copies import KEPT_EXERCISES, Files, zipped
 from lesson_code.course.grading.exercises import KNOWN_ANSWERS, Exercise, exercises
+from lesson_code.course.grading.gaps import GAPS
 from lesson_code.course.grading.practice import practice_of, reference
 from lesson_code.course.grading.task import Task
 from lesson_code.course.notebooks.root import require_instructors
@@ -110,7 +111,8 @@ def _taken_apart(root: Path, files: Files) -> Iterator[tuple[str, str]]:
         yield quiz.as_posix(), seal_quiz((root / quiz).read_text(encoding="utf-8"))
     answers = _sources(root, filter(holds_answers, inside))
     shown: Names = {}
-    for code in _notebook_code(files):
+    gaps = (content.decode() for path, content in files.items() if path.endswith(f"/{GAPS}"))
+    for code in (*_notebook_code(files), *gaps):
         _add(shown, used_names(code, answers))
     yield from _sliced_modules(answers, shown)
     tasks = {_tasks_module(exercise): exercise.tasks for exercise in exercises()}

@@ -182,11 +182,15 @@ def _keys(texts: Mapping[str, str]) -> Iterator[str]:
     """Yield where a key of the quiz, or what is said to an answer, can be read."""
     for name, text in texts.items():
         if is_quiz(PurePosixPath(name)):
-            for question in tomllib.loads(text)["question"]:
+            table = tomllib.loads(text)
+            for question in (*table["question"], *table.get("predict", [])):
                 if set(SECRET[question["kind"]]) & set(question):
                     yield f"{name}: question {question['id']} is not sealed"
     words = {
-        squeezed(said) for chapter in load_bank() for q in chapter.questions for said in _said(q)
+        squeezed(said)
+        for quiz in load_bank()
+        for question in (*quiz.questions, *quiz.predictions)
+        for said in _said(question)
     }
     for name, text in texts.items():
         line = squeezed(text)

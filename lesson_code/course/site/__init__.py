@@ -2,7 +2,6 @@
 
 :mod:`lesson_code.course.site.build` makes it. The text, the outputs and the still figures are those
 that the notebooks hold. Figures with sliders are drawn ahead, for a grid of values
-(:mod:`lesson_code.course.site.moving`), and the quiz is judged in the page
-(:mod:`lesson_code.course.site.page_quiz`). Navigation, search, dark and light come from Sphinx and
+(:mod:`lesson_code.course.site.moving`). Navigation, search, dark and light come from Sphinx and
 Furo.
 """

@@ -28,7 +28,7 @@ NEEDS = ("sphinx", "furo", "myst_nb", "math_core", "ziamath")
 MARK = ".buildinfo"
 """A file that Sphinx leaves in what it has built."""
 
-SCRIPTS = ("moving.js", "quiz.js", "scrolling.js")
+SCRIPTS = ("moving.js", "scrolling.js")
 
 SETTINGS: dict[str, Any] = {
     "project": TITLE,
@@ -49,6 +49,8 @@ SETTINGS: dict[str, Any] = {
     "napoleon_use_rtype": False,
     "exclude_patterns": ["downloads"],
     "nb_execution_mode": "off",
+    "nb_code_prompt_show": "Show the code",
+    "nb_code_prompt_hide": "Hide the code",
     "myst_enable_extensions": ["dollarmath"],
     "html_math_renderer": "mathml",
     "html_theme": "furo",

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import base64
 import copy
+import itertools
 import json
 import re
 import struct
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from html import escape
 from pathlib import Path
 from typing import Any
 
-from lesson_code.course.quiz.bank import load_quiz
 from lesson_code.course.site.moving import Control, MovingFigure
-from lesson_code.course.site.page_quiz import quiz_html
 
 FIGURES = "_static/figures"
 """Where the files of figures are put, from the root of the site."""
@@ -25,8 +24,9 @@ FROM_A_PAGE = f"../{FIGURES}"
 EXERCISE = re.compile(r"\[([^\]]+)\]\(\.\./exercises/([^)]+)\)")
 """A link to an exercise."""
 
-QUIZ = re.compile(r"show_quiz\(\"(\d\d)\"\)")
-"""The line of a cell that shows a chapter's quiz."""
+BEGIN_ANSWER = '<details class="answer">\n<summary>Open the answer</summary>'
+END_ANSWER = "</details>"
+"""What stands around the cells that answer a prediction."""
 
 COMES_TO_LIFE = "(Run the cell to "
 """Stands in the text of a figure with sliders."""
@@ -62,19 +62,18 @@ class NotebookPage:
                     lambda link: download(link[1], f"../exercises/{link[2]}"), cell.source
                 )
             else:
-                shown = (self._shown(output, cell.source) for output in cell.outputs)
+                shown = map(self._shown, cell.outputs)
                 cell.outputs = [output for output in shown if output is not None]
+        page.cells = list(_folded(page.cells))
         return page
 
-    def _shown(self, output: Any, source: str) -> Any:
+    def _shown(self, output: Any) -> Any:
         """Return what a page shows of an output; None for a figure's text, which its image has."""
         data = output.get("data", {})
         if "image/png" in data:
             return _html_output(output, self._figure(output))
         if data.get("text/plain", "").startswith("Figure: "):
             return None
-        if "text/html" in data and (quiz := QUIZ.search(source)):
-            return _html_output(output, quiz_html(load_quiz(quiz[1])))
         return output
 
     def _figure(self, output: Any) -> str:
@@ -102,6 +101,31 @@ class NotebookPage:
             f"{''.join(_slider(control) for control in figure.controls)}</div>\n"
             f"{_image(f'{name}.svg', figure.alt, png)}\n{status}</figure>"
         )
+
+
+def _folded(cells: Iterable[Any]) -> Iterator[Any]:
+    """Yield cells, those that answer a prediction folded together, plumbing each for itself."""
+    for is_answer, group in itertools.groupby(cells, lambda cell: has_tag(cell, "answer")):
+        if is_answer:
+            yield _markdown(BEGIN_ANSWER)
+        for cell in group:
+            if has_tag(cell, "plumbing"):
+                cell.metadata.tags.append("hide-input")
+            yield cell
+        if is_answer:
+            yield _markdown(END_ANSWER)
+
+
+def _markdown(text: str) -> Any:
+    """Return a cell of text."""
+    from nbformat.v4 import new_markdown_cell
+
+    return new_markdown_cell(text)  # type: ignore[no-untyped-call]
+
+
+def has_tag(cell: Any, tag: str) -> bool:
+    """Return whether a notebook's cell has a tag."""
+    return tag in cell.metadata.get("tags", [])
 
 
 def download(words: str, address: str) -> str:

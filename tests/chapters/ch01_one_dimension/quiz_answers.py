@@ -19,6 +19,14 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             F(3 * 4 - 2),
         ],
     ),
+    "01-stick": (F(3 - 3, 4), [F(3 - 1, 2), F(3 * 3 - 1, 4), F(3 + 3, 4)]),
+    "01-share": (F(1 * 3, 3), [F(3), F(3 * 3), F(-1 * 3, 3)]),
+    "01-elastic": (
+        2 * F(2 - 3, 4) - 2,
+        [F(-2), F(-1), F(2 - 3, 4) - 2, 2 * F(2 - 3, 4) + 2],
+    ),
+    "01-stops": (1 / F(1, 2), [F(1), F(1, 2)]),
+    "01-wall-comes": (F(2 * -1 - 3), [F(-3), F(-(3 + 1)), F(-(3 - 1))]),
     "01-velocity-change": (F(-6, 12), [F(6, 12), F(6, 3), F(-6, 3), F(-6, 12 + 3), F(-6 * 12)]),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.

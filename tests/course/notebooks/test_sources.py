@@ -220,3 +220,15 @@ def test_sources_come_in_the_order_of_chapters_notebooks_first(tmp_path: Path) -
 def test_workbook_without_sources_has_none(tmp_path: Path) -> None:
     """An empty folder yields nothing, and no error."""
     assert list(sources(tmp_path)) == []
+
+
+def test_tags_fold_cells() -> None:
+    """Of an answer code and output are folded, of plumbing the code; text has no output."""
+    notebook = notebook_with(tags=["answer"])
+    notebook.cells.append(new_code_cell("import x", metadata={"tags": ["plumbing"]}))
+    notebook.cells.append(new_markdown_cell("So.", metadata={"tags": ["answer"]}))
+    assert [cell.metadata["jupyter"] for cell in normal(notebook, None).cells] == [
+        {"source_hidden": True, "outputs_hidden": True},
+        {"source_hidden": True},
+        {"source_hidden": True},
+    ]

@@ -10,7 +10,12 @@ import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from lesson_code.course.site.moving import Control, MovingFigure
-from lesson_code.course.site.notebook_page import STANDS_STILL, NotebookPage
+from lesson_code.course.site.notebook_page import (
+    BEGIN_ANSWER,
+    END_ANSWER,
+    STANDS_STILL,
+    NotebookPage,
+)
 from lesson_code.view.browser.show import png_of
 from lesson_code.view.matplotlib import style
 
@@ -30,9 +35,9 @@ def html(text: str, words: str = "") -> Any:
     return new_output("display_data", data={"text/html": text, "text/plain": words})
 
 
-def page_of(folder: Path, *outputs: Any, source: str = "", moving: Any = ()) -> list[Any]:
+def page_of(folder: Path, *outputs: Any, moving: Any = ()) -> list[Any]:
     """Return the outputs of a page whose notebook has one cell with these."""
-    notebook = new_notebook(cells=[new_code_cell(source, outputs=list(outputs))])
+    notebook = new_notebook(cells=[new_code_cell("", outputs=list(outputs))])
     [cell] = NotebookPage("01_carts", folder, moving).page_of(notebook).cells
     return list(cell.outputs)
 
@@ -77,11 +82,25 @@ def test_figure_that_was_not_drawn_ahead_says_where_it_moves(tmp_path: Path) -> 
     assert STANDS_STILL not in still.data["text/html"]
 
 
-def test_quiz_becomes_a_form(tmp_path: Path) -> None:
-    """The list of questions a notebook holds is replaced by the live quiz of that chapter."""
-    [shown] = page_of(tmp_path, html("<ol>questions</ol>"), source='show_quiz("01")')
-    assert "<form" in shown.data["text/html"]
-    assert "Quiz 01" in shown.data["text/html"]
+def test_answers_are_folded_together_and_plumbing_each_for_itself(tmp_path: Path) -> None:
+    """Neighbouring cells of an answer stand in one element that opens without a script."""
+    tagged = {tag: {"tags": [tag]} for tag in ("answer", "plumbing")}
+    cells = [
+        new_code_cell("import numpy", metadata=tagged["plumbing"]),
+        new_code_cell("x = 1", metadata=tagged["answer"]),
+        new_markdown_cell("And so it is.", metadata=tagged["answer"]),
+        new_markdown_cell("Next."),
+    ]
+    page = NotebookPage("01_carts", tmp_path).page_of(new_notebook(cells=cells))
+    assert [cell.source for cell in page.cells] == [
+        "import numpy",
+        BEGIN_ANSWER,
+        "x = 1",
+        "And so it is.",
+        END_ANSWER,
+        "Next.",
+    ]
+    assert page.cells[0].metadata.tags == ["plumbing", "hide-input"]
 
 
 def test_other_outputs_and_the_notebook_itself_stay(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
-// Judges the quiz of a page. The verdicts are those of lesson_code/course/quiz/checker.py, and a test
-// holds the two together. How answers are sealed is said in lesson_code/course/site/page_quiz.py.
+// Judges the answers to the forms of the element it stands in. The verdicts are those of checker.py,
+// and a test holds the two together. How answers are sealed, and folded cells hidden, is said in
+// forms.py.
 "use strict";
 {
   const NUMBER = /^([+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)([\s\S]*)$/;
@@ -79,8 +80,7 @@
     if (!Number.isFinite(value)) return null;
     const near = (said) => Math.abs(value - said.value) <= question.tolerance;
     const drawer = Math.floor(value / (2 * question.tolerance));
-    return opened(question, String(drawer)).find(near) ||
-      { right: false, feedback: question.otherwise };
+    return opened(question, String(drawer)).find(near) || opened(question, "otherwise")[0];
   }
 
   function answered(form, question) {
@@ -89,28 +89,48 @@
     const line = form.querySelector(".verdict");
     line.textContent = verdict ? verdict.feedback : `Please give ${question.expected}.`;
     line.dataset.right = verdict ? verdict.right : "";
-    if (!verdict) return;
+    if (!verdict) return false;
     const strong = document.createElement("strong");
     strong.textContent = `${given.trim()}: ${verdict.right ? "right" : "not right"}. `;
     line.prepend(strong);
+    return true;
+  }
+
+  // What follows the cell of a prediction, down to the next question.
+  function* below(quiz) {
+    let cell = quiz.closest(".jp-Cell, .cell");
+    while ((cell = cell && cell.nextElementSibling) && !cell.querySelector(".quiz")) yield cell;
+  }
+
+  // Opens the folded answer: in a page, or cell by cell in JupyterLab, which folds with a bar to click.
+  function reveal(quiz) {
+    for (const cell of [...below(quiz)]) {
+      if (cell.matches("details.answer")) cell.open = true;
+      cell.querySelectorAll(".jp-InputPlaceholder, .jp-OutputPlaceholder").forEach((bar) =>
+        (bar.querySelector(".jp-Placeholder-content") || bar).click());
+    }
   }
 
   function start(quiz) {
     const forms = [...quiz.querySelectorAll("form")];
     const count = () => {
       const right = quiz.querySelectorAll('.verdict[data-right="true"]').length;
-      quiz.querySelector(".count").textContent = `${right} of ${forms.length} right`;
+      const line = quiz.querySelector(".count");
+      if (line) line.textContent = `${right} of ${forms.length} right`;
     };
+    const foresees = quiz.classList.contains("predict");
     for (const form of forms) {
       const question = JSON.parse(form.dataset.question);
       form.addEventListener("submit", (event) => {
         event.preventDefault();
-        answered(form, question);
+        if (answered(form, question) && foresees) reveal(quiz);
         count();
       });
     }
+    quiz.querySelector(".reveal")?.addEventListener("click", () => reveal(quiz));
+    quiz.querySelector(".asleep")?.remove();
     count();
   }
 
-  document.querySelectorAll(".quiz").forEach(start);
+  start(document.currentScript.closest(".quiz"));
 }

@@ -1,4 +1,4 @@
-"""The quiz of a page: what stands in it, and what only an answer can open."""
+"""Questions as forms: what stands in them, and what only an answer can open."""
 
 from __future__ import annotations
 
@@ -10,8 +10,22 @@ from typing import Any
 
 import pytest
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Quiz, load_bank
-from lesson_code.course.site.page_quiz import key_name, quiz_html, seal, sealed_answers
+from lesson_code.course.quiz.bank import (
+    ChoiceQuestion,
+    NumericQuestion,
+    Option,
+    Question,
+    Quiz,
+    load_bank,
+)
+from lesson_code.course.quiz.forms import (
+    OTHERWISE,
+    key_name,
+    prediction_html,
+    quiz_html,
+    seal,
+    sealed_answers,
+)
 
 CHAPTERS = pytest.mark.parametrize("chapter", load_bank(), ids=lambda chapter: chapter.number)
 
@@ -41,16 +55,17 @@ def test_sealed_text_is_read_with_its_answer_alone() -> None:
 
 
 @CHAPTERS
-def test_page_holds_no_answer_in_the_clear(chapter: Quiz) -> None:
-    """No feedback but that to any other number, no value, and no word which option is right."""
-    html = unescape(quiz_html(chapter))
-    for question in chapter.questions:
+def test_form_holds_no_answer_in_the_clear(chapter: Quiz) -> None:
+    """No feedback, no value, and no word which option is right."""
+    html = unescape(quiz_html(chapter) + "".join(map(prediction_html, chapter.predictions)))
+    for question in (*chapter.questions, *chapter.predictions):
         if isinstance(question, ChoiceQuestion):
             assert all(option.feedback not in html for option in question.options)
         else:
             assert question.right_feedback not in html
+            assert question.wrong_feedback not in html
             assert f'"value": {question.value}' not in html
-    assert '"right"' not in html
+    assert '"right":' not in html
 
 
 @CHAPTERS
@@ -78,11 +93,11 @@ def test_drawers_of_a_value_open_its_feedback(chapter: Quiz) -> None:
 
 
 def test_value_far_off_opens_nothing() -> None:
-    """A number that nobody foresaw has no drawer; the page has words for it in the clear."""
+    """A number that nobody foresaw has no drawer; the words for it are sealed with the id alone."""
     [question] = [q for q in load_bank()[2].questions if q.id == "02-measure"]
     assert isinstance(question, NumericQuestion)
     assert read(question, str(int(17 // (2 * question.tolerance)))) is None
-    assert question.wrong_feedback in unescape(quiz_html(load_bank()[2]))
+    assert read(question, OTHERWISE)[0]["feedback"] == question.wrong_feedback
 
 
 @CHAPTERS
@@ -96,3 +111,20 @@ def test_every_question_is_a_form_with_its_text_and_options(chapter: Quiz) -> No
         assert f"<legend>{place}. {question.text}</legend>" in unescape(html)
         for option in getattr(question, "options", ()):
             assert f") {option.text}</span>" in unescape(html)
+
+
+def test_texts_are_escaped() -> None:
+    """Text that looks like HTML is shown as text."""
+    options = (Option("<script>", "<i>No</i> & no."), Option("a & b", 'Yes, "<".'))
+    tricky: Question = ChoiceQuestion("07-x", "Is <b>x</b> < y?", options, "b")
+    for html in (quiz_html(Quiz("07", "Less < more", (tricky,))), prediction_html(tricky)):
+        form = html[: html.index("<style>")]
+        assert "&lt;b&gt;x&lt;/b&gt; &lt; y?" in form
+        assert "&lt;script&gt;" in form
+        assert not [raw for raw in ("<b>x", "<script>", "<i>", "Less < more") if raw in form]
+
+
+def test_prediction_can_be_passed_over() -> None:
+    """Beside the button that commits stands one that opens the answer without."""
+    html = prediction_html(load_bank()[1].predictions[0])
+    assert html.count('<button type="submit">') == html.count('<button type="button"') == 1

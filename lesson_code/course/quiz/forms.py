@@ -1,10 +1,13 @@
-"""The quiz in a page: judged in the browser, with the same verdicts as everywhere else.
+"""Questions as forms of HTML, for notebooks and pages, judged in the browser without a kernel.
 
-The page does not hold the answers in the clear. What is said to an answer, and whether it is
-right, is sealed with that answer: ``quiz.js`` can open it only when the answer is given. For a
-number, which has a tolerance, the key is the drawer it lies in, two tolerances wide; inside stands
-the exact value. So a look at the page's source gives nothing away. It is no protection against
-somebody who tries all answers.
+Each quiz and each prediction carries its style and its script, ``quiz.css`` and ``quiz.js``, so
+that it needs no other file. The verdicts are those of the one judge.
+
+A form does not hold its answers in the clear. What is said to an answer, and whether it is right,
+is sealed with that answer: the script can open it only when the answer is given. For a number,
+which has a tolerance, the key is the drawer it lies in, two tolerances wide; inside stands the
+exact value. What is said to any other number is sealed with the question's id. So a look at the
+source gives nothing away. It is no protection against somebody who tries all answers.
 """
 
 from __future__ import annotations
@@ -13,8 +16,11 @@ import hashlib
 import itertools
 import json
 import math
+import re
 from collections.abc import Iterator
+from functools import cache
 from html import escape
+from importlib.resources import files
 from typing import Any, TypeAlias
 
 from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, Quiz
@@ -23,6 +29,9 @@ from lesson_code.course.quiz.checker import expected_answer
 Sealed: TypeAlias = dict[str, str]
 """For each key's name the sealed text, both in hexadecimal digits."""
 
+OTHERWISE = "otherwise"
+"""The key of what is said to a number that nobody foresaw."""
+
 NAME_LENGTH = 16
 """Digits of a key's name."""
 
@@ -30,17 +39,64 @@ ROUNDING = 1e-6
 """Of a tolerance: how much further the drawers reach, so that no answer at its edge is missed."""
 
 
+ASLEEP = "To answer here, run the notebook, or allow scripts."
+"""Stands below a form until its script runs."""
+
+MOST_FOLDED = 8
+"""Folded cells below a prediction that can belong to its answer."""
+
+
 def quiz_html(quiz: Quiz) -> str:
-    """Return a chapter's quiz, a form for each question, for ``quiz.js`` to bring to life."""
+    """Return a chapter's quiz: a form for each question, and the count of right answers."""
     questions = "\n".join(
-        _form(place, question) for place, question in enumerate(quiz.questions, start=1)
+        _form(question, f"{place}. {question.text}", _check_button(place))
+        for place, question in enumerate(quiz.questions, start=1)
     )
-    title = escape(f"Quiz {quiz.number}: {quiz.title}")
+    title = f"Quiz {quiz.number}: {quiz.title}"
+    count = '<p class="count" role="status"></p>'
+    return _group("", title, f"<p><strong>{escape(title)}</strong></p>\n{questions}\n{count}")
+
+
+def prediction_html(question: Question) -> str:
+    """Return one question; an answer to it opens the folded cells below it."""
+    buttons = (
+        '<button type="submit">Commit</button> '
+        '<button type="button" class="reveal">Show me without an answer</button>'
+    )
+    return _group(" predict", "Prediction", _form(question, f"Predict: {question.text}", buttons))
+
+
+def _group(kind: str, label: str, forms: str) -> str:
+    """Return forms with what brings them to life."""
     return (
-        f'<div class="quiz" role="group" aria-label="{title}">\n<p><strong>{title}</strong></p>\n'
-        f'{questions}\n<p class="count" role="status"></p>\n'
-        "<noscript>To answer here, allow scripts; or run the notebook.</noscript>\n</div>"
+        f'<div class="quiz{kind}" role="group" aria-label="{escape(label)}">\n{forms}\n'
+        f'<p class="asleep">{ASLEEP}</p>\n{_style_and_script()}</div>'
     )
+
+
+@cache
+def _style_and_script() -> str:
+    """Return the style and the script of a group of forms, without comments."""
+    style, script = (
+        files("lesson_code.course.quiz").joinpath(name).read_text("utf-8")
+        for name in ("quiz.css", "quiz.js")
+    )
+    style = re.sub(r"/\*.*?\*/\n?", "", style, flags=re.DOTALL) + _folded_answers()
+    script = re.sub(r"^ *//.*\n|^\n", "", script, flags=re.MULTILINE)
+    return f"<style>\n{style}</style>\n<script>\n{script}</script>\n"
+
+
+def _folded_answers() -> str:
+    """Return the rules that keep the output of a folded cell out of sight in JupyterLab.
+
+    JupyterLab unfolds an output whenever its cell is run, but not the source. So the output of a
+    cell below a prediction is shown when its source is.
+    """
+    asks = ".jp-Cell:has(.predict)"
+    folded = ".jp-Cell:not(:has(.quiz)):has(> .jp-Cell-inputWrapper .jp-InputPlaceholder)"
+    rows = [f"{asks}{f' + {folded}' * count}" for count in range(1, MOST_FOLDED + 1)]
+    places = ",\n".join(f"{row} .jp-Cell-outputWrapper" for row in rows)
+    return f"{places} {{ display: none; }}\n"
 
 
 def sealed_answers(question: Question) -> Sealed:
@@ -81,6 +137,7 @@ def _foreseen(question: Question) -> Iterator[tuple[str, Any]]:
             drawers.setdefault(drawer, []).append(said)
     for drawer, verdicts in drawers.items():
         yield str(drawer), verdicts
+    yield OTHERWISE, [{"right": False, "feedback": question.wrong_feedback}]
 
 
 def _values(question: NumericQuestion) -> Iterator[tuple[float, bool, str]]:
@@ -101,19 +158,23 @@ def _hash(text: str) -> bytes:
     return hashlib.sha256(text.encode()).digest()
 
 
-def _form(place: int, question: Question) -> str:
-    """Return a question with its answers, its button and the place of its feedback."""
+def _form(question: Question, legend: str, buttons: str) -> str:
+    """Return a question with its answers, its buttons and the place of its feedback."""
     data: dict[str, Any] = {"id": question.id, "sealed": sealed_answers(question)}
     data["expected"] = expected_answer(question)
     if isinstance(question, NumericQuestion):
         data |= {"unit": question.unit, "tolerance": question.tolerance}
-        data["otherwise"] = question.wrong_feedback
     return (
-        f'<form data-question="{escape(json.dumps(data))}" autocomplete="off">\n'
-        f"<fieldset>\n<legend>{place}. {escape(question.text)}</legend>\n{_answers(question)}\n"
-        f'<button type="submit" aria-label="Check question {place}">Check</button>\n'
+        f'<form data-question="{escape(json.dumps(data))}" autocomplete="off" '
+        f'data-lm-suppress-shortcuts="true">\n'
+        f"<fieldset>\n<legend>{escape(legend)}</legend>\n{_answers(question)}\n{buttons}\n"
         f'<p class="verdict" role="status"></p>\n</fieldset>\n</form>'
     )
+
+
+def _check_button(place: int) -> str:
+    """Return the button that judges one question of a quiz."""
+    return f'<button type="submit" aria-label="Check question {place}">Check</button>'
 
 
 def _answers(question: Question) -> str:
