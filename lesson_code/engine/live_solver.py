@@ -4,9 +4,11 @@
 2. Few bodies: the direct solver. No law depends on its step.
 3. Discs that fly, or fall and are perfectly elastic, so that none comes to rest: the exact solver,
    in which a frame of 600 discs takes less time than one of 20 in the direct solver.
-4. Some more bodies that nothing presses together: the direct solver.
-5. Others: the sequential solver. Its sweeps let fast bodies into one another by what they move in a
-   step, and its energy is right only on average.
+4. Up to 64 bodies that nothing presses together: the direct solver.
+5. Up to 64 that fall: the solver with sub-steps, which gains no energy in a pile.
+6. Others: the sequential solver, in machine code as soon as that is there.
+
+The last two let fast bodies into one another by what they move in a step or a sub-step.
 """
 
 from __future__ import annotations
@@ -60,6 +62,8 @@ def stepped_solver_for(scene: Scene) -> SolverChoice:
     free = int(scene.columns.is_free.sum())
     if free <= (MOST_PRESSED if any(scene.gravity) else MOST_DRIFTING):
         return SolverChoice("direct", "so few bodies that all contacts are solved at once")
+    if free <= MOST_DRIFTING:
+        return SolverChoice("substep", "bodies that pile up: soft contacts gain no energy")
     return SolverChoice("sequential", "many bodies: contacts are swept, one after the other")
 
 

@@ -34,6 +34,7 @@ from lesson_code.engine.live_solver import (
     solver_for,
     stepped_solver_for,
 )
+from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers.choice import SolverChoice
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
@@ -366,7 +367,7 @@ class LiveWorld:
         question = Question(scene, engine.plan("").solver, dt=self.dt, combine=self.combine)
         run = dict.fromkeys(names_used(engine.effects), True)
         plan = replace(engine.plan(reason), effects=choose_effects(question, run))
-        if plan.solver == "direct":
+        if plan.solver != "sequential":
             return plan
         return replace(plan, code_reason="many bodies" if self.compiled else self._why_plain())
 
@@ -455,15 +456,16 @@ class LiveWorld:
         self, bodies: Iterable[Body], choice: SolverChoice, *, has_grid: bool
     ) -> EngineStepper:
         """Return the engine at the start of a scene; in machine code it always has the grid."""
-        is_direct = choice.solver == "direct"
+        is_swept = choice.solver == "sequential"
+        solver = our_solvers()[choice.solver]
         return EngineStepper(
             Scene(bodies, self.gravity, self.damping),
             solver=choice.solver,
             dt=self.dt,
-            iterations=1 if is_direct else self._iterations or SWEEPS,
-            substeps=1,
+            iterations=(self._iterations or SWEEPS) if is_swept else solver.iterations,
+            substeps=solver.substeps,
             combine=self.combine,
-            compiled=self.compiled and not is_direct,
+            compiled=self.compiled and is_swept,
             effects=ANY_SCENE | ({"broad_phase": True} if has_grid else {}),
             splits_steps=True,
         )

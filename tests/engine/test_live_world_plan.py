@@ -100,4 +100,5 @@ def test_plan_tells_which_solver_moves_the_world_and_why() -> None:
     assert LiveWorld(bouncy).plan().solver == "exact"
     assert LiveWorld(bouncy, gravity=(0, -9.81)).plan().solver == "exact"
     assert LiveWorld(bouncy, gravity=(0, -9.81), damping=0.1).plan().solver == "sequential"
+    assert LiveWorld(bouncy[:64], gravity=(0, -9.81), damping=0.1).plan().solver == "substep"
     assert LiveWorld(bouncy[:3], iterations=4).plan().reason == "sweeps are asked for"

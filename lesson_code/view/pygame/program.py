@@ -32,8 +32,9 @@ Readings: TypeAlias = list[tuple[str, str]]
 Keys: TypeAlias = tuple[tuple[str, str], ...]
 """Keys and what they do, as the panel shows them."""
 
-WALL_HALF = 0.5
-"""m: half thickness of the walls of a room; most of a wall lies outside the picture."""
+WALL_HALF = 4.0
+"""m: half thickness of the walls of a room, most of which lies outside the picture. What a heap
+presses into a wall by more than this would be pushed out on the other side."""
 
 
 @dataclass(frozen=True)
