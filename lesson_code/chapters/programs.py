@@ -55,6 +55,7 @@ def own_answer(exercise: str, function: str) -> Callable[..., Any]:
             raise NotImplementedError(f"{missing}, in exercises/{path.name}") from missing
 
     answer.__name__ = function
+    vars(answer)["is_own"] = True
     return answer
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -13,7 +14,7 @@ from lesson_code.cli.shared import clear_errors, console
 
 SIZE = "1280x720"
 
-play = typer.Typer(no_args_is_help=True, help="Play one of the programs.")
+play = typer.Typer(help="Play one of the programs; without a name, choose it by its picture.")
 
 Seed = Annotated[int, typer.Option(help="What is drawn by lot follows from it.")]
 Frames = Annotated[int | None, typer.Option(help="Stop after so many frames.")]
@@ -26,7 +27,28 @@ Record = Annotated[
 Replay = Annotated[Path | None, typer.Option(help="Play such a .json file again.")]
 Tour = Annotated[bool, typer.Option("--tour", help="Let the program play itself.")]
 Size = Annotated[str, typer.Option(help="Of the window at first, px: WIDTHxHEIGHT.")]
+With = Annotated[
+    str | None, typer.Option("--with", help='"exercises": run what stands in the exercise.')
+]
 Balls = Annotated[int, typer.Option(min=0, max=600, help="How many there are at the start.")]
+
+
+@play.callback(invoke_without_command=True)
+def menu(context: typer.Context) -> None:
+    """Show the menu of all programs, until it is closed; without a screen, the list."""
+    if context.invoked_subcommand is not None:
+        return
+    from lesson_code.chapters.programs import load
+    from lesson_code.view.pygame.frame import play as play_program
+    from lesson_code.view.pygame.menu import Entry, choose
+
+    entries = [Entry(n, words, partial(load, n)) for n, words in program_summaries().items()]
+    try:
+        while (name := choose(entries)) is not None:
+            play_program(load(name))
+    except RuntimeError:
+        console.print(context.get_help(), markup=False, highlight=False)
+        raise typer.Exit(2) from None
 
 
 @play.command("simulator", help=program_summaries()["simulator"])
@@ -57,8 +79,9 @@ def _command(name: str) -> Callable[..., None]:
         replay: Replay = None,
         tour: Tour = False,
         size: Size = SIZE,
+        own: With = None,
     ) -> None:
-        _play(name, seed, frames, headless, screenshot, record, replay, tour, size)
+        _play(name, seed, frames, headless, screenshot, record, replay, tour, size, own=own)
 
     return command
 
@@ -74,15 +97,21 @@ def _play(
     tour: bool,
     size: str,
     balls: int | None = None,
+    own: str | None = None,
 ) -> None:
     """Play a program, and say how it went."""
     with clear_errors():
         _require_end(headless, frames, replay)
+        from lesson_code.chapters.own_functions import OwnProgram, load_own
         from lesson_code.chapters.programs import load
         from lesson_code.view.pygame.frame import play as play_program
 
+        if own not in (None, "exercises"):
+            raise ValueError(f'--with must be "exercises", got {own!r}')
+        settings = {} if balls is None else {"balls": balls}
+        shown = load_own(name) if own else OwnProgram(load(name), settings, is_compared=False)
         outcome = play_program(
-            load(name),
+            shown.program,
             seed=seed,
             frames=frames,
             headless=headless,
@@ -91,7 +120,8 @@ def _play(
             replay=replay,
             tour=tour,
             size=_pixels(size),
-            settings={} if balls is None else {"balls": balls},
+            settings=shown.settings,
+            beside=shown.is_compared,
         )
     world, picture = 1e3 * outcome.seconds.sum(axis=0) / max(outcome.frames, 1)
     console.print(

@@ -300,6 +300,8 @@ def readings(game: Asteroids) -> Readings:
 PROGRAM = Program(
     name="asteroids",
     title="Asteroid field",
+    own=(split, fire),
+    with_own=lambda *own: {"rules": Rules(*own)},
     game=Asteroids,
     draw=draw,
     readings=readings,

@@ -302,6 +302,8 @@ def readings(game: Billiards) -> Readings:
 PROGRAM = Program(
     name="billiards",
     title="Cushion-bounce billiards",
+    own=(billiards_table.advance,),
+    with_own=lambda own: {"advance": own},
     game=Billiards,
     draw=draw,
     readings=readings,

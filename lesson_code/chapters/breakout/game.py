@@ -365,6 +365,8 @@ def readings(game: Breakout) -> Readings:
 PROGRAM = Program(
     name="breakout",
     title="Breakout",
+    own=(paddle_bounce,),
+    with_own=lambda *own: {"rules": Rules(*own)},
     game=Breakout,
     draw=draw,
     readings=readings,

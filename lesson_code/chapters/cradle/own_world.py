@@ -57,9 +57,11 @@ def draw_cradle(game: OwnCradle, picture: Picture, effects: ImpactEffects) -> No
 CRADLE = Program(
     name="own_cradle",
     title="Your cradle",
+    own=(cradle,),
+    with_own=lambda own: {"move": own},
     game=OwnCradle,
     draw=draw_cradle,
     readings=rate_readings,
-    keys=(("1 ... 5", "balls to pull out"), ("R", "reset")),
+    keys=(("1 ... 5", "balls to pull out"),),
     camera=Camera(left=-4.0, bottom=0.0, scale=100.0),
 )

@@ -53,9 +53,11 @@ def draw_dominoes(game: OwnDominoes, picture: Picture, effects: ImpactEffects) -
 DOMINOES = Program(
     name="own_dominoes",
     title="Your dominoes",
+    own=(chain,),
+    with_own=lambda own: {"move": own},
     game=OwnDominoes,
     draw=draw_dominoes,
     readings=rate_readings,
-    keys=(("SPACE", "push the first one"), ("R", "stand all up")),
+    keys=(("SPACE", "push the first one"),),
     camera=Camera(left=-4.0, bottom=-1.0, scale=100.0),
 )

@@ -311,6 +311,8 @@ def readings(game: Pool) -> Readings:
 PROGRAM = Program(
     name="pool",
     title="Pool",
+    own=(rack, strike),
+    with_own=lambda *own: {"rules": Rules(*own)},
     game=Pool,
     draw=draw,
     readings=readings,

@@ -71,9 +71,11 @@ def ring_readings(game: OwnSoftBody) -> Readings:
 SOFT_BODY = Program(
     name="own_soft_body",
     title="Your soft body",
+    own=(drop,),
+    with_own=lambda own: {"move": own},
     game=OwnSoftBody,
     draw=draw_soft_body,
     readings=ring_readings,
-    keys=(("SPACE", "throw it up"), ("R", "drop it anew")),
+    keys=(("SPACE", "throw it up"),),
     camera=Camera(left=-4.0, bottom=-0.5, scale=100.0),
 )

@@ -134,6 +134,7 @@ def play(
     tour: bool = False,
     size: tuple[int, int] = PROGRAM_SIZE,
     settings: Mapping[str, Any] = MappingProxyType({}),
+    beside: bool = False,
 ) -> Played:
     """Play a program until its window is closed.
 
@@ -161,6 +162,8 @@ def play(
         px, of the window at first.
     settings : mapping
         What else the game is made with.
+    beside : bool
+        Draw the game without these settings pale beside it, with the same inputs.
 
     Raises
     ------
@@ -179,7 +182,9 @@ def play(
     films = record is not None and _suffix(record) == ".gif"
     if films:
         _check_length(recording.steps if frames is None else frames)
-    session = Session(program, _new_game(program, recording, settings), recording)
+    game = _new_game(program, recording, settings)
+    ghost = _new_game(program, recording, {}) if beside else None
+    session = Session(program, game, recording, ghost)
     session.tour = program.tour if tour else ()
     with (
         open_window(size, program.title, headless=headless) as window,

@@ -5,11 +5,15 @@ from __future__ import annotations
 from lesson_code.view.pygame.laboratory import Laboratory
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import Picture
+from lesson_code.view.pygame.program import Game, ImpactEffects
 from lesson_code.view.pygame.session import Session
-from lesson_code.view.pygame.window import YELLOW, pygame
+from lesson_code.view.pygame.window import YELLOW, Window, pygame
 
 HELP = (("R", "start again"), ("TAB", "sliders"), ("H", "all keys"))
 """What the panel says of the keys that all programs share; the page of help has them all."""
+
+GHOST = 130
+"""Of 255: how bright another game is."""
 
 
 class Painter:
@@ -27,11 +31,26 @@ class Painter:
         program.draw(session.game, picture, session.effects)
         if session.effects.sparks is not None:
             session.effects.sparks.draw(picture)
+        if session.ghost is not None:
+            self._draw_ghost(session.ghost)
         picture.notice(session.game.notice)
         self._laboratory.draw()
         self._draw_panel()
         session.camera, session.field = picture.camera, pygame.Rect((0, 0), picture.size)
         picture.window.show()
+
+    def _draw_ghost(self, ghost: Game) -> None:
+        """Draw another game dimmed behind this one, where this one is darker."""
+        window = self._picture.window
+        pale = Picture(
+            Window(pygame.Surface(window.surface.get_size())), self._session.program.camera
+        )
+        pale.clear()
+        self._session.program.draw(ghost, pale, ImpactEffects())
+        pale.window.surface.fill((GHOST, GHOST, GHOST), special_flags=pygame.BLEND_RGB_MULT)
+        window.surface.blit(
+            pale.window.surface, pale.seen, pale.seen, special_flags=pygame.BLEND_RGB_MAX
+        )
 
     def _draw_panel(self) -> None:
         """Draw title, clock, read-outs, curves, and keys or sliders."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.picture import GRID, PANEL_WIDTH
-from lesson_code.view.pygame.window import FADED_INK, INK, SKY, Colour, Window, pygame
+from lesson_code.view.pygame.window import FADED_INK, INK, SKY, YELLOW, Colour, Window, pygame
 
 PROGRAM_SIZE = (1280, 720)
 """px: the window of every program, at first."""
@@ -80,6 +80,12 @@ class Panel:
                 value, right, colour=colour or INK, size=READING_SIZE, anchor="topright"
             )
             self._y += self._window.px(LINE)
+
+    def paragraph(self, words: str) -> None:
+        """Write words in as many lines as they take."""
+        for line in self._window.wrapped(words, self._right - self._left, KEY_SIZE):
+            self._window.text(line, (self._left, self._y), colour=YELLOW, size=KEY_SIZE)
+            self._y += self._window.px(KEY_LINE)
 
     def curve(self, name: str, values: Sequence[float], colour: Colour) -> None:
         """Draw the history of a quantity, a value a step, between axes with numbers."""

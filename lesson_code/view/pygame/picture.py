@@ -124,16 +124,18 @@ class Picture:
         What is drawn in.
     camera : Camera
         What is seen.
+    beside : float
+        Points: width of what stands at the right of the field.
     """
 
-    def __init__(self, window: Window, camera: Camera) -> None:
-        self.window, self._shown = window, camera
+    def __init__(self, window: Window, camera: Camera, beside: float = PANEL_WIDTH) -> None:
+        self.window, self._shown, self._beside = window, camera, beside
         self.fit()
 
     def fit(self) -> None:
         """Show the same part of the world in the window as large as it is now."""
         width, height = self._fitted = self.window.surface.get_size()
-        self.size = max(width - self.window.px(PANEL_WIDTH), 1), height
+        self.size = max(width - round(self._beside * self.window.unit), 1), height
         self.camera = self._shown.fitted(self.size)
         larger = self.camera.scale / self._shown.scale
         seen = pygame.Rect(0, 0, round(larger * FIELD_SIZE[0]), round(larger * FIELD_SIZE[1]))

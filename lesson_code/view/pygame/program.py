@@ -369,6 +369,10 @@ class Program:
         "restitution", "friction", "mass".
     length : str
         The unit of lengths in its world.
+    own : tuple of callable
+        The lesson's functions that a player may write for it.
+    with_own : callable, optional
+        ``with_own(*functions)`` returns the settings of a game that runs on others in their place.
     """
 
     name: str
@@ -383,6 +387,8 @@ class Program:
     tour: tuple[tuple[int, Input], ...] = ()
     forbids: Mapping[str, str] = field(default_factory=dict)
     length: str = "m"
+    own: tuple[Callable[..., Any], ...] = ()
+    with_own: Callable[..., dict[str, Any]] | None = None
 
 
 def room(left: float, bottom: float, right: float, top: float, material: Material) -> list[Body]:

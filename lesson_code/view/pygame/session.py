@@ -62,6 +62,8 @@ class Session:
         The game itself.
     recording : Recording
         Where inputs are written down; with inputs in it, they are played again.
+    ghost : Game, optional
+        Another game that gets the same inputs, and is drawn pale beside it.
 
     Attributes
     ----------
@@ -71,8 +73,11 @@ class Session:
         What the window is to do after this frame: "screenshot", "film" and so on.
     """
 
-    def __init__(self, program: Program, game: Game, recording: Recording) -> None:
-        self.program, self.game, self.recording = program, game, recording
+    def __init__(
+        self, program: Program, game: Game, recording: Recording, ghost: Game | None = None
+    ) -> None:
+        self.program, self.game, self.recording, self.ghost = program, game, recording, ghost
+        self._games = [game] if ghost is None else [game, ghost]
         self.effects = program.effects()
         self.effects.listen_to(game)
         game.listeners.append(lambda touch: self.news.append((self.steps, touch)))
@@ -91,7 +96,7 @@ class Session:
         self.message, self._message_ends = "", 0.0
         self.news: deque[News] = deque(maxlen=MOST_NEWS)
         self.ledger = Ledger(game, program.camera.bottom if program.camera.up > 0 else 0.0)
-        self._saves: deque[tuple[int, dict[str, Any]]] = deque(maxlen=MOST_SAVES)
+        self._saves: deque[tuple[int, list[dict[str, Any]]]] = deque(maxlen=MOST_SAVES)
         self._was_touched = True
         self._left_over = 0.0
 
@@ -153,7 +158,8 @@ class Session:
         if given.kind == "show":
             self.shown ^= {given.key}
         else:
-            self.game.take(given)
+            for game in self._games:
+                game.take(given)
 
     def _button_down(self, button: int, place: XY) -> None:
         """Handle a press in the field: the left button is the program's, the right one grabs."""
@@ -292,7 +298,7 @@ class Session:
     def step(self) -> None:
         """Make one step of the game."""
         if self.steps % STEPS_A_SAVE == 0 and (not self._saves or self._saves[-1][0] != self.steps):
-            self._saves.append((self.steps, self.game.saved()))
+            self._saves.append((self.steps, [game.saved() for game in self._games]))
         for given in self.recording.inputs_at(self.steps):
             self._take(given)
         for step, given in self.tour:
@@ -313,12 +319,12 @@ class Session:
             return
         self.ledger.forget(self.steps - self._saves[-1][0])
         self.steps, saved = self._saves[-1]
-        self.game.restore(saved)
+        for game, state in zip(self._games, saved, strict=True):
+            game.restore(state)
         while self.steps < wanted:
             for given in self.recording.before(self.steps):
                 if given.kind != "show":
-                    self.game.take(given)
-            self._was_touched = True
+                    self._take(given)
             self._advance()
         self.recording.forget_from(self.steps)
         self.news = deque((n for n in self.news if n[0] <= self.steps), maxlen=MOST_NEWS)
@@ -329,10 +335,12 @@ class Session:
             self.ledger.before_step()
             self._was_touched = False
         self.effects.step(TIME_STEP)
-        self.game.pull_grip()
+        for game in self._games:
+            game.pull_grip()
         if self.game.hand is not None:
             self.ledger.before_step()  # the hand has pushed
-        self.game.step()
+        for game in self._games:
+            game.step()
         self.steps += 1
         self.ledger.after_step(TIME_STEP)
         if self.effects.trails is not None:

@@ -102,6 +102,10 @@ HEADLESS = {"SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
 """The environment that makes pygame work without screen and loudspeaker."""
 
 
+UNSEEN = ("dummy", "offscreen")
+"""The drivers of SDL that draw where nobody can see it."""
+
+
 class Window:
     """An open window, or a surface in memory that stands for it; :func:`open_window` makes it.
 
@@ -369,7 +373,7 @@ def _open_surface(size: tuple[int, int], caption: str, headless: bool) -> pygame
     no_screen = "no screen to open a window on; run the program headless"
     try:
         pygame.display.init()
-        unseen = pygame.display.get_driver() in ("dummy", "offscreen")
+        unseen = pygame.display.get_driver() in UNSEEN
         if unseen and not headless and "SDL_VIDEODRIVER" not in os.environ:
             # SDL falls back on drawing where nobody can see it, but nobody asked for that.
             raise RuntimeError(no_screen)

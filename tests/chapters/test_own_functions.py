@@ -1,0 +1,130 @@
+"""A program with a student's functions: whose run, and what is wrong with them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lesson_code.chapters import programs
+from lesson_code.chapters.own_functions import Watched, alike, load_own
+from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.view.pygame.frame import play
+from lesson_code.view.pygame.painter import Painter
+from lesson_code.view.pygame.picture import Picture
+from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.recording import Recording
+from lesson_code.view.pygame.session import Session
+from lesson_code.view.pygame.window import Window
+
+EXERCISES = [name for name in program_summaries() if name not in ("simulator", "demo")]
+
+ANGLED_RACK = "from lesson_code.chapters.pool.rules import rack\n"
+WRONG_STRIKE = """
+def strike(impulse, offset, mass, radius):
+    return (2 * impulse[0] / mass, 2 * impulse[1] / mass), 0.0
+"""
+
+
+@pytest.fixture
+def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return a folder of exercises of a student's own."""
+    (tmp_path / "exercises").mkdir()
+    monkeypatch.setattr(programs, "find_root", lambda: tmp_path)
+    return tmp_path / "exercises"
+
+
+def test_panel_says_whose_functions_run_and_which_differ(write: Path) -> None:
+    """Before a call, after a right answer, after a wrong one; the first wrong one is named."""
+    (write / "pool.py").write_text(ANGLED_RACK + WRONG_STRIKE)
+    own = load_own("pool")
+    game = own.program.game(0, **own.settings)
+    assert own.program.readings(game)[:2] == [
+        ("rack", "yours, as the lesson's"),
+        ("strike", "yours, not called yet"),
+    ]
+    game.take(Input("down", place=(0.2, 0.6)))
+    game.take(Input("up", place=(0.2, 0.6)))
+    assert own.program.readings(game)[1] == ("strike", "yours, and not the lesson's")
+    strike = own.settings["rules"].strike
+    assert strike.difference.startswith("strike((")
+    assert "the lesson's is ((" in strike.difference
+
+
+def test_ghost_is_the_lesson_s_answer_beside_the_student_s(
+    write: Path, program_window: Window
+) -> None:
+    """A ball struck twice too hard runs ahead of its ghost, and both are seen."""
+    (write / "pool.py").write_text(ANGLED_RACK + WRONG_STRIKE)
+    own = load_own("pool")
+    assert own.is_compared
+    game, ghost = own.program.game(0, **own.settings), own.program.game(0)
+    session = Session(own.program, game, Recording("pool", 0), ghost)
+    session.give(Input("down", place=(0.55, 0.635)))
+    session.give(Input("up", place=(0.55, 0.635)))
+    for _ in range(20):
+        session.step()
+    mine, lesson = (np.array(one.world.position(0)) for one in (game, ghost))
+    start = np.array((0.635, 0.635))
+    assert np.linalg.norm(mine - start) > 1.5 * np.linalg.norm(lesson - start) > 0.02
+    picture = Picture(program_window, own.program.camera)
+    painter = Painter(session, picture)
+    painter.draw()
+    x, y = picture.camera.world_to_screen((float(lesson[0]), float(lesson[1])))
+    with_ghost = program_window.surface.get_at((round(x), round(y)))
+    session.ghost = None
+    painter.draw()
+    assert program_window.surface.get_at((round(x), round(y))) != with_ghost
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_exercise_that_is_not_written_says_so(name: str) -> None:
+    """Each of the seven runs with the fresh exercise; no function is called the lesson's."""
+    own = load_own(name)
+    outcome = play(
+        own.program, frames=3, headless=True, settings=own.settings, beside=own.is_compared
+    )
+    rows = own.program.readings(outcome.game)[: len(own.program.own)]
+    assert {words for _, words in rows} <= {"not written yet", "yours, not called yet"}
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_lesson_s_own_functions_differ_nowhere(name: str) -> None:
+    """Watched in place of a student's, they leave the picture of the lesson alone, bit for bit."""
+    program = load_own(name).program
+    assert program.with_own is not None
+    watched = [Watched(one, one) for one in program.own]
+    settings = program.with_own(*watched)
+    plain = play(program, frames=40, headless=True, tour=True).game
+    shown = play(program, frames=40, headless=True, tour=True, settings=settings).game
+    assert (plain.snapshot() == shown.snapshot()).all()
+    assert [one.difference for one in watched] == [""] * len(watched)
+
+
+def test_program_that_is_no_exercise_is_refused() -> None:
+    """The simulator has nothing to write."""
+    with pytest.raises(ValueError, match=r"--with exercises needs .* got 'simulator'"):
+        load_own("simulator")
+
+
+@pytest.mark.parametrize(
+    ("answer", "expected", "same"),
+    [
+        (1.0, 1.0 + 1e-12, True),
+        (1.0, 1.001, False),
+        ([1.0, 2.0], np.array([1.0, 2.0]), True),
+        ([1.0], [1.0, 2.0], False),
+        (None, 1.0, False),
+        (((0.0, 1.0), ["top"]), ((0.0, 1.0), ["left"]), False),
+        ("top", ["t", "o", "p"], False),
+    ],
+)
+def test_answers_are_alike_up_to_rounding(answer: object, expected: object, same: bool) -> None:
+    """Lists and arrays are one; lengths, names and kinds are not."""
+    assert alike(answer, expected) is same
+
+
+def test_program_is_still_the_lesson_s_without_the_option() -> None:
+    """`load` knows nothing of exercises."""
+    assert "yours" not in str(load("pool").readings(load("pool").game(0)))
