@@ -1,7 +1,8 @@
 """The asteroid field: varying masses, pieces that fly apart, a ship with thrust and recoil.
 
-What matters is the ledger: the momentum of everything there is, and the momentum that the
-engine's exhaust and spent shots have carried away, always add up to the same.
+What matters is the ledger: the momentum of everything there is, and the momentum that exhaust,
+spent shots and dust have carried away, always add up to the same. Both are drawn tip to tail, with
+their sum beside them. Three waves are to be shot to dust with three lives.
 """
 
 from __future__ import annotations
@@ -26,20 +27,40 @@ from lesson_code.view.pygame.program import (
     Input,
     Program,
     Readings,
-    motion_readings,
     short,
 )
 from lesson_code.view.pygame.sound import Sounds
-from lesson_code.view.pygame.window import INK, ORANGE, SKY, VERMILION, YELLOW, Colour, blend
+from lesson_code.view.pygame.window import (
+    BACKGROUND,
+    INK,
+    ORANGE,
+    SKY,
+    VERMILION,
+    YELLOW,
+    Colour,
+    blend,
+)
 
 SIZE = (8.0, 6.0)
 """m: the field. What has left on one side comes back on the other."""
 
-ROCKS, DENSITY = 9, 30.0
-"""Asteroids at the start; kg/m^2."""
+WAVES, LIVES, DENSITY = (6, 8, 10), 3, 30.0
+"""Asteroids of each wave; lives; kg/m^2."""
+
+SAFE_STEPS = 150
+"""Steps after a hit, or the begin of a wave, in which the ship loses no life."""
+
+CLEAR = 1.2
+"""m around the ship, in which no asteroid of a wave begins."""
+
+LEDGER_PLACE, LEDGER_SCALE = (1.6, 1.2), 0.05
+"""m, where the arrows of the ledger begin; m for 1 kg m/s."""
+
+AIMED = 0.06
+"""rad: the pilot shoots when it is so near to its aim; a step turns the ship by as much."""
 
 SMALLEST_SPLIT, PIECES = 0.26, 3
-"""m, radius: a smaller asteroid bursts into nothing that counts; pieces of one that is larger."""
+"""m, radius: a smaller asteroid bursts into dust; pieces of one that is larger."""
 
 HEADINGS = 12
 """Directions that a burst is tried in; the one in which its pieces have most room is taken."""
@@ -81,7 +102,8 @@ class Asteroids(Game):
     def reset(self) -> None:
         """Scatter the asteroids, and put the ship into the middle."""
         self.random.seed(self.seed)
-        self.score = self.hits_taken = 0
+        self.score = self.hits_taken = self.wave = self.safe_until = 0
+        self.lives, self.plays_itself = LIVES, False
         self.carried_away = (0.0, 0.0)
         self._last_shot = -RELOAD_STEPS
         self.world = LiveWorld(callbacks=self.callbacks)
@@ -96,12 +118,36 @@ class Asteroids(Game):
         )
         self.shots: dict[int, int] = {}  # number of the body: step at which it is spent
         self.struck: set[int] = set()
-        for k in range(ROCKS):
-            turn = 2 * math.pi * k / ROCKS
+        self._begin_wave()
+
+    def _begin_wave(self) -> None:
+        """Scatter the asteroids of the next wave; what momentum they bring was outside before."""
+        count, before = WAVES[self.wave], self.world.momentum()
+        self.wave += 1
+        self.safe_until = self.world.steps + SAFE_STEPS
+        for k in range(count):
+            turn = 2 * math.pi * k / count
             place = (SIZE[0] / 2 + 3.1 * math.cos(turn), SIZE[1] / 2 + 2.3 * math.sin(turn))
             heading, speed = self.random.uniform(0, 2 * math.pi), self.random.uniform(0.2, 0.9)
             radius = self.random.uniform(0.25, 0.55)
-            self._add_rock(place, radius, (speed * math.cos(heading), speed * math.sin(heading)))
+            velocity = speed * math.cos(heading), speed * math.sin(heading)
+            if math.dist(place, self.world.position(self.ship)) > CLEAR or self.wave == 1:
+                self._add_rock(place, radius, velocity)
+        after = self.world.momentum()
+        if self.wave > 1:
+            self._carry_away((before[0] - after[0], before[1] - after[1]))
+
+    @property
+    def is_over(self) -> bool:
+        """Whether all lives are lost, or all waves are dust."""
+        return self.lives == 0 or (self.wave == len(WAVES) and not self.rocks)
+
+    @property
+    def notice(self) -> str:
+        """What is not written yet, and what the end of the game was."""
+        if not self.is_over:
+            return super().notice
+        return "All waves are dust: R plays again" if self.lives else "Game over: R plays again"
 
     @property
     def rocks(self) -> list[int]:
@@ -132,11 +178,15 @@ class Asteroids(Game):
     def press(self, key: str) -> None:
         """Shoot, or start again."""
         super().press(key)
-        if key == "space":
+        if key == "space" and not self.is_over:
             self.shoot()
+        elif key == "a":
+            self.plays_itself = not self.plays_itself
 
     def step(self) -> None:
         """Make one step: ship, impacts, bursts, edges."""
+        if self.is_over:
+            return
         self._steer()
         self.world.step()
         for rock in sorted(self.struck):
@@ -149,6 +199,8 @@ class Asteroids(Game):
             inside = wrap(place, SIZE, self.radius(number))
             if inside != place and self._is_free(number, inside):
                 self.world.move(number, inside)
+        if not self.rocks and not self.is_over:
+            self._begin_wave()
 
     def _is_free(self, number: int, place: XY) -> bool:
         """Return whether a body would overlap no other one there; if not, it waits outside."""
@@ -160,7 +212,9 @@ class Asteroids(Game):
 
     def _steer(self) -> None:
         """Turn the ship and push it; the exhaust carries the opposite momentum away."""
-        way = ("left" in self.held) - ("right" in self.held)
+        way = ("left" in self.held) - ("right" in self.held) + 0.0
+        if self.plays_itself:
+            way = self._pilot()
         self.world.throw(self.ship, self.world.velocity(self.ship), TURN * way)
         if "up" in self.held:
             angle = self.world.angle(self.ship)
@@ -168,6 +222,25 @@ class Asteroids(Game):
             impulse = push * math.cos(angle), push * math.sin(angle)
             self.world.push(self.ship, impulse)
             self._carry_away((-impulse[0], -impulse[1]))
+
+    def _pilot(self) -> float:
+        """Shoot at where the asteroid that comes first will be; return the turn towards that."""
+        (x, y), (vx, vy) = self.world.position(self.ship), self.world.velocity(self.ship)
+        aims = []
+        for rock in self.rocks:
+            (rx, ry), (ux, uy) = self.world.position(rock), self.world.velocity(rock)
+            distance = math.dist((x, y), (rx, ry)) - self.radius(rock)
+            closing = ((ux - vx) * (x - rx) + (uy - vy) * (y - ry)) / (distance + 1e-9)
+            time = distance / MUZZLE
+            aim = rx - x + (ux - vx) * time, ry - y + (uy - vy) * time
+            aims.append((distance / max(closing, 0.1), math.atan2(aim[1], aim[0])))
+        if not aims:
+            return 0.0
+        turn = min(aims)[1] - self.world.angle(self.ship)
+        turn = math.remainder(turn, 2 * math.pi)
+        if abs(turn) < AIMED:
+            self.shoot()
+        return min(max(turn / (TURN * TIME_STEP), -1.0), 1.0)
 
     def _carry_away(self, momentum: XY) -> None:
         """Note momentum that has left the field, kg m/s."""
@@ -217,11 +290,19 @@ class Asteroids(Game):
                 self.shots[one] = self.world.steps
             if one == self.ship and other not in self.shots:
                 self.hits_taken += 1
+                if self.world.steps >= self.safe_until:
+                    self.lives = max(self.lives - 1, 0)
+                    self.safe_until = self.world.steps + SAFE_STEPS
 
     def _burst(self, rock: int) -> None:
         """Split an asteroid into pieces of unequal mass, which keep mass and momentum."""
         self.score += 1
-        if self.radius(rock) < SMALLEST_SPLIT or len(self.rocks) + PIECES > MOST_ROCKS:
+        if self.radius(rock) < SMALLEST_SPLIT:
+            vx, vy = self.world.velocity(rock)
+            self._carry_away((self.mass(rock) * vx, self.mass(rock) * vy))
+            self.world.remove(rock)
+            return
+        if len(self.rocks) + PIECES > MOST_ROCKS:
             return
         place, velocity, mass = (
             self.world.position(rock),
@@ -281,19 +362,37 @@ def draw(game: Asteroids, picture: Picture, effects: ImpactEffects) -> None:
     if "up" in game.held:
         tail = place[0] - 0.2 * math.cos(angle), place[1] - 0.2 * math.sin(angle)
         picture.arrow(tail, (-0.3 * math.cos(angle), -0.3 * math.sin(angle)), ORANGE, 5.0)
-    picture.body(game.world.body(game.ship), place, angle, effects.colour(game.ship, YELLOW))
+    is_safe = game.world.steps < game.safe_until
+    colour = effects.colour(game.ship, blend(YELLOW, BACKGROUND, 0.5) if is_safe else YELLOW)
+    picture.body(game.world.body(game.ship), place, angle, colour)
+    _draw_ledger(game, picture)
+
+
+def _draw_ledger(game: Asteroids, picture: Picture) -> None:
+    """Draw the momentum in the field and what was carried away tip to tail, and their sum."""
+    x, y = LEDGER_PLACE
+    parts = (game.world.momentum(), SKY), (game.carried_away, ORANGE)
+    for (px, py), colour in parts:
+        picture.arrow((x, y), (LEDGER_SCALE * px, LEDGER_SCALE * py), colour)
+        x, y = x + LEDGER_SCALE * px, y + LEDGER_SCALE * py
+    lx, ly = game.ledger()
+    picture.arrow(LEDGER_PLACE, (LEDGER_SCALE * lx, LEDGER_SCALE * ly), INK, 5.0)
 
 
 def readings(game: Asteroids) -> Readings:
     """Return counts, momentum and the ledger."""
+    (px, py), (ox, oy) = game.world.momentum(), game.carried_away
     lx, ly = game.ledger()
-    ox, oy = game.carried_away
     return [
+        ("wave", f"{game.wave} of {len(WAVES)}"),
+        ("lives", f"{game.lives}"),
         ("asteroids", f"{len(game.rocks)}"),
-        ("hits   taken", f"{game.score}   {game.hits_taken}"),
-        *motion_readings(game.world),
-        ("carried away", f"({short(ox)}, {short(oy)})"),
-        ("sum, kept", f"({short(lx)}, {short(ly)})"),
+        ("hits", f"{game.score}"),
+        ("kinetic energy", f"{short(game.world.kinetic_energy())} J"),
+        ("momentum, kg m/s:", ""),
+        ("in the field, blue", f"({short(px)}, {short(py)})"),
+        ("carried away, orange", f"({short(ox)}, {short(oy)})"),
+        ("sum, white: kept", f"({short(lx)}, {short(ly)})"),
     ]
 
 
@@ -309,6 +408,7 @@ PROGRAM = Program(
         ("left right", "turn"),
         ("up", "thrust"),
         ("SPACE", "shoot"),
+        ("A", "it plays itself"),
     ),
     forbids={
         "grab": "the ship and its shots move everything",
@@ -324,7 +424,7 @@ PROGRAM = Program(
         (60, Input("press", "up")),
         (90, Input("release", "up")),
         (110, Input("press", "space")),
-        (130, Input("press", "up")),
+        (130, Input("press", "a")),
     ),
     effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.2), Sparks(least_impulse=1.0), sounds=Sounds("stone", 0.6, 20.0)

@@ -7,7 +7,7 @@ from itertools import combinations
 
 import pytest
 
-from lesson_code.chapters.asteroids.game import Asteroids
+from lesson_code.chapters.asteroids.game import LIVES, PROGRAM, WAVES, Asteroids
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.program import Input
 
@@ -110,3 +110,55 @@ def test_asteroids_overlap_by_no_more_than_they_approach_in_a_step(seed: int) ->
         for a, b in combinations(game.rocks, 2):
             apart = math.dist(game.world.position(a), game.world.position(b))
             assert game.radius(a) + game.radius(b) - apart <= 2 * fastest * TIME_STEP
+
+
+def test_asteroids_tour_plays_to_an_end_and_keeps_the_ledger() -> None:
+    """It turns, thrusts, shoots all waves to dust or loses its lives; and what it does adds up."""
+    game, tour, most = Asteroids(0), dict(PROGRAM.tour), 0.0
+    start = game.ledger()
+    for k in range(9_000):
+        if k in tour:
+            game.take(tour[k])
+        game.step()
+        most = max(most, math.dist(game.ledger(), start))
+        if game.is_over:
+            break
+    assert game.is_over
+    assert game.notice
+    assert game.wave > 1
+    assert most < 1e-9
+
+
+def test_asteroids_all_waves_shot_to_dust_are_a_win() -> None:
+    """Each wave begins when the last asteroid is gone; what it brings was outside before."""
+    game = Asteroids(1)
+    start = game.ledger()
+    for wave, count in enumerate(WAVES, start=1):
+        assert (game.wave, game.lives) == (wave, LIVES)
+        assert 0 < len(game.rocks) <= count
+        while game.rocks and game.wave == wave:
+            game._burst(min(game.rocks, key=game.radius))
+        assert game.ledger() == pytest.approx(start, abs=1e-9)
+        game.step()
+    assert game.is_over
+    assert game.notice.startswith("All waves are dust")
+    game.press("r")
+    assert (game.wave, game.is_over) == (1, False)
+
+
+def test_asteroids_three_hits_are_the_end_and_a_hit_leaves_time() -> None:
+    """A life is lost once in 2.5 s, however often the ship is struck meanwhile."""
+    game = Asteroids(3)
+    rock, *others = game.rocks
+    for other in others:
+        game.world.remove(other)
+    for life in range(LIVES):
+        run(game, max(game.safe_until - game.world.steps, 0))
+        for _ in range(2):
+            game.world.move(game.ship, (4.0, 3.0))
+            game.world.throw(game.ship, (0.0, 0.0), 0.0)
+            game.world.move(rock, (4.0 - game.radius(rock) - 0.6, 3.0))
+            game.world.throw(rock, (3.0, 0.0), 0.0)
+            run(game, 20)
+        assert game.lives == LIVES - 1 - life
+    assert game.notice.startswith("Game over")
