@@ -13,7 +13,6 @@ from lesson_code.cli.shared import (
     clear_errors,
     console,
     say_error,
-    share_bar,
 )
 
 making = typer.Typer()
@@ -22,17 +21,14 @@ making = typer.Typer()
 @making.command(rich_help_panel=INSTRUCTORS)
 def site(
     folder: Annotated[Path, typer.Argument(help="Where the pages go: new, empty or a site.")],
-    still: Annotated[
-        bool, typer.Option("--still", help="Leave figures with sliders as they stand: seconds.")
-    ] = False,
 ) -> None:
     """Make the workbook's pages: a folder that needs no server and no network."""
     from lesson_code.course.notebooks.root import find_root
     from lesson_code.course.site.build import build
     from lesson_code.view.browser.lab import lab_html
 
-    with clear_errors(), share_bar() as told:
-        pages = build(find_root(), folder, moving=() if still else None, lab=lab_html(), told=told)
+    with clear_errors():
+        pages = build(find_root(), folder, lab=lab_html())
     console.print(f"{pages} pages. Open {folder / 'index.html'}", soft_wrap=True, highlight=False)
 
 

@@ -49,6 +49,21 @@ def measure_chaos(
         console.print(measured.as_table())
 
 
+@measure.command("figures")
+def measure_figures(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="NAME", help="Only what begins so: ch03.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """How long each live figure takes, in Chromium, from a move of the pointer to its picture."""
+    from lesson_code.view.browser.answer_times import measure_answers
+
+    with clear_errors():
+        measured = measure_answers(only)
+    _show(measured, as_json)
+
+
 @measure.command("hard-cases")
 def measure_cases(
     only: Annotated[

@@ -1,1 +1,1 @@
-"""Everything visible: figures, interactive figures, the pygame window."""
+"""Everything visible: figures, live figures, the pygame window."""

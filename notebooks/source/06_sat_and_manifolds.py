@@ -35,7 +35,6 @@ from lesson_code.evidence.scenes import corner_impacts, rigid_bodies
 from lesson_code.formulas import reflect
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
-from lesson_code.view.browser.interactive import Slider, explore
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
@@ -109,8 +108,9 @@ check("each at right angles to its edge", (axes * edges).sum(axis=1), 0)
 # %%
 live(
     "ch06_sat_and_manifolds/two_polygons",
-    "A tilted box A and a triangle B that overlap at the right end of A. On the axis that decides, "
-    "A2, the two shadows overlap by 0.81 m; on four others by more. B can be moved and turned.",
+    "A tilted box A and a triangle B that overlap at the right end of A. On the axis that "
+    "decides, A2, the two shadows overlap by 0.81 m; on four others by more. B can be moved and "
+    "turned.",
 )
 
 # %% [markdown]
@@ -226,16 +226,16 @@ for judge, answers in (("pymunk", pymunks), ("Minkowski", minkowskis)):
 # 2. The incident edge is **clipped**: what lies beyond the ends of the reference edge is cut off.
 # 3. The ends of what is left are the contacts, if they are behind the reference edge. How far
 #    behind is the **penetration** there.
+#
+# Drag B, or turn it, and go through the steps with the first slider. **Predict** before each step
+# what it will find. Where does one contact become two?
 
 # %%
-pose_a, pose_b = (0.0, 0.0, 0.0), (1.3, 0.85, 0.22)
-fig, axes = style.figure(3, width=11, height=2.7)
-manifold_figures.clipping(axes, Polygon.box(3, 1), pose_a, Polygon.box(2, 1), pose_b)
-show(
-    fig,
-    "A tilted box B sits with its lower edge in the top of a level box A. First: the top edge of "
-    "A and the lower edge of B are marked. Second: what of B's edge lies beyond the end of A's is "
-    "cut off. Third: two contact points with penetrations of 0.36 m and 0.12 m.",
+live(
+    "ch06_sat_and_manifolds/clipping",
+    "A tilted box B sits with its lower edge in the top of a level box A; the top edge of A and "
+    "the lower edge of B are thick. What of B's edge lies beyond the right end of A's is cut off. "
+    "B can be dragged and turned, and the clipping followed in six steps.",
 )
 
 # %%
@@ -409,28 +409,17 @@ check("ours, 1 sweep: up at e v", run.velocities[-1, 1], (0, 0.5), tolerance=1e-
 check("and not turning", run.angular_velocities[-1, 1], 0, tolerance=1e-12)
 
 
-# %%
-def draw_sweeps(width, height):
-    counts = np.arange(1, 31)
-    scene = rigid_bodies.box_landing_flat(width, height, 1.0, 0.5)
-    runs = [simulate(scene, 1 / 60, solver="pymunk", iterations=n, sample="end") for n in counts]
-    exact = [flat_landing(width, height, 1.0, 0.5, sweeps=n)[1] for n in counts]
-    measured = [run.angular_velocities[-1, 1] for run in runs]
-    fig, ax = style.figure(width=7, height=3.4)
-    named = {"pymunk": (counts, np.abs(measured)), "closed form": (counts, np.abs(exact))}
-    plots.curves(ax, named, "sweeps", "left spin, rad/s")
-    ax.set(yscale="log", ylim=(1e-12, 10))
-    return fig
-
+# %% [markdown]
+# Here are the visits one by one. Drag the corner of the box: when does a sweep bring nearly
+# nothing, and when is one sweep enough?
 
 # %%
-explore(
-    draw_sweeps,
-    "The spin that a box 1 m wide and 4 m high has left after a flat landing, over 1 to 30 sweeps, "
-    "on a logarithmic scale: a straight line downwards, pymunk's on the closed form's. The sliders "
-    "change the box.",
-    width=Slider("width of the box, m", 0.5, 5, 1, step=0.5),
-    height=Slider("height of the box, m", 0.5, 10, 4, step=0.5),
+live(
+    "ch06_sat_and_manifolds/sweeps",
+    "A box 1 m wide and 4 m high has landed flat, and the contact at its left corner has been "
+    "visited: that corner goes up at 0.5 m/s, as it should, the right one at 0.05 m/s. Beside it "
+    "the spin that is left over the sweeps, in powers of ten: a straight line downwards. The box "
+    "and the number of visits can be changed.",
 )
 
 # %% [markdown]

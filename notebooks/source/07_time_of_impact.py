@@ -35,7 +35,6 @@ from lesson_code.evidence.scenes import gas as gas_scenes
 from lesson_code.formulas.smooth_pair import smooth_impulse
 from lesson_code.geometry import collide, time_of_impact
 from lesson_code.reference import closed_forms, event_closed_forms
-from lesson_code.view.browser.interactive import Slider, explore
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
@@ -57,26 +56,14 @@ from lesson_code.view.svg.animation import animate
 # **Predict:** a ball with a radius of 0.1 m and a wall 0.1 m thick, at 60 steps a second. From
 # which speed on does a ball get through? How many at 18 m/s?
 
-
 # %%
-def draw_steps(speed, thickness):
-    fig, ax = style.figure(width=9, height=2.6)
-    ball = {"dt": 1 / 60, "radius": 0.1, "thickness": thickness, "phase": 0.3}
-    figures.steps_over_a_wall(ax, speed, **ball)
-    passing = event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, thickness)
-    ax.set_title(f"{ax.get_title()}; of many balls {passing:.0%} get through", fontsize=11)
-    return fig
-
-
-# %%
-explore(
-    draw_steps,
-    "A ball at the ends of its steps, half a metre apart. The last one before the wall does not "
-    "touch it yet, the next one is behind it. An outline shows the ball at its exact impact, and "
-    "a narrow zone the places where it would be seen in time. The sliders change the speed of the "
-    "ball and the thickness of the wall.",
-    speed=Slider("speed, m/s", 2, 60, 30, step=1),
-    thickness=Slider("thickness of the wall, m", 0.02, 1, 0.1, step=0.02),
+live(
+    "ch07_time_of_impact/steps_at_a_wall",
+    "A ball at the ends of its steps, half a metre apart. The last one before a thin wall does "
+    "not touch it yet, the next one is beyond its middle, and the ball flies on. A dashed outline "
+    "shows the ball at its first touch. A strip, one step long, shows from which places it is "
+    "stopped: the first three tenths. The ball can be dragged along it; speed, wall and steps can "
+    "be changed.",
 )
 
 # %% [markdown]
@@ -200,9 +187,9 @@ check("a rod that turns at 1.5 rad/s", turning, (np.pi / 2 - foot) / 1.5, tolera
 # %%
 live(
     "ch07_time_of_impact/two_bodies",
-    "A disc flies at 2 m/s to the right and a little down, and first touches the upper left corner "
-    "of a box after 1.794 s. A program that looks after 2.6 s finds it deep inside. You can drag "
-    "the disc and its velocity, let the box turn, and change the time of the look.",
+    "A disc flies at 2 m/s to the right and a little down, and first touches the upper left "
+    "corner of a box after 1.794 s. A program that looks after 2.6 s finds it deep inside. You "
+    "can drag the disc and its velocity, let the box turn, and change the time of the look.",
 )
 
 # %% [markdown]

@@ -34,7 +34,7 @@ from lesson_code.evidence import check
 from lesson_code.evidence.scenes import discs, events, rigid_bodies
 from lesson_code.evidence.scenes import gas as gas_scenes
 from lesson_code.view import listing
-from lesson_code.view.browser.interactive import Slider, explore
+from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.svg.animation import animate
@@ -213,29 +213,14 @@ print(f"bound {way:.4f} m in a step; fastest in 10 s {speeds.max() / 60:.4f} m; 
 check("energy after 10 s, parts", long.energy[-1] / long.energy[0], 1.0, tolerance=1e-3)
 check("nobody was faster than the bound", bool(speeds.max() / 60 <= way), True)
 
-
 # %%
-def draw_bound(speed, mass):
-    heavy = Body(Circle(0.5), mass=100.0, position=(-1, 0), velocity=(speed, 0))
-    pair = Scene([heavy, Body(Circle(0.1), mass=mass)])
-    steps = np.linspace(1e-3, 1 / 30, 50)
-    ways = np.array([fastest_way(pair, dt)[0] for dt in steps])
-    fig, ax = style.figure(width=7, height=3)
-    room = np.full_like(steps, fastest_way(pair, 1.0)[1])
-    curves = {"a body may move": (1e3 * steps, ways), "half of its width": (1e3 * steps, room)}
-    plots.curves(ax, curves, "step, ms", "m in a step")
-    ax.set_ylim(0, 0.5)
-    return fig
-
-
-# %%
-explore(
-    draw_bound,
-    "How far a body may move in a step, over the length of the step: a straight line from zero, "
-    "which crosses the level line of half a width, 0.1 m, at a step of 20 ms. The sliders change "
-    "the speed of a heavy ball and the mass of a light one.",
-    speed=Slider("speed of a ball of 100 kg, m/s", 0.1, 4.0, 0.5, step=0.1),
-    mass=Slider("mass of the small ball at rest, kg", 0.1, 10.0, 1.0, step=0.1),
+live(
+    "ch10_only_what_the_scene_needs/fastest",
+    "A ball of 100 kg comes towards a small one of 1 kg at rest. Beside them, how far the small "
+    "one may move in a step, over the length of the step: three straight lines from zero, the "
+    "lowest after a hit, above it the bound by the energy, and highest the bound with its margin, "
+    "which crosses the level line of half a width, 0.1 m, at 13 ms. Speed, mass and step can be "
+    "changed.",
 )
 
 # %% [markdown]
@@ -314,6 +299,20 @@ check("but to add and take away again may round", (v + 0.2) - 0.2 == v, False)
 # The last line is a warning. An effect that adds something and takes it away again would not be
 # nothing, even if on paper it is.
 #
+# Now take effects away yourself. Two discs fly, bounce and roll; each row says what becomes of the
+# scene without one effect. **Predict:** the floor is rough, the discs are smooth. Which effects can
+# go? Then make the discs rough, give disc 1 a spin, throw it faster: which is needed from when on?
+
+# %%
+live(
+    "ch10_only_what_the_scene_needs/left_out",
+    "A disc is thrown at another one that lies on a floor; both paths are drawn. A list says how "
+    "far apart the paths are without each of five effects: without gravity or restitution by "
+    "metres; without friction, rotation or the watch for fast bodies no bit changes. The velocity "
+    "can be dragged; gravity, restitution, friction and spin can be changed.",
+)
+
+# %% [markdown]
 # ## 7 What is needed cannot be left out
 #
 # You may overrule the plan, since rules may be too careful. But to leave out what the scene needs

@@ -67,10 +67,10 @@ def faults(page: Page) -> list[str]:
 
 @pytest.fixture(scope="session")
 def site(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the pages of the workbook, the figures with sliders standing still."""
+    """Return the pages of the workbook."""
     folder = tmp_path_factory.mktemp("site")
     try:
-        build(ROOT, folder, moving=(), lab=lab_html())
+        build(ROOT, folder, lab=lab_html())
     except MissingToolsError as error:
         pytest.skip(str(error))
     return folder

@@ -10,6 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import nbformat
+from nbformat.sign import NotebookNotary
+
 from lesson_code.course.notebooks import server
 
 if TYPE_CHECKING:
@@ -28,6 +31,19 @@ KERNEL_STARTS = 60_000
 NOTEBOOK_RUNS = 300_000
 """ms: a notebook runs for some seconds, a few of them for half a minute."""
 
+
+MOVES = """figure => {
+    const slider = figure.querySelector("input[type=range]");
+    const drawing = figure.querySelector("svg > g");
+    const before = drawing.innerHTML;
+    for (const value of [slider.min, slider.max]) {
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+        if (drawing.innerHTML !== before) return true;
+    }
+    return false;
+}"""
+"""In the page: whether a figure draws itself anew when its first slider is moved."""
 
 ALL_HAVE_RUN = r"""() => {
     const prompts = [...document.querySelectorAll(
@@ -50,23 +66,33 @@ def jupyterlab(root: Path) -> Iterator[JupyterLab]:
             file.write_text(json.dumps(settings), encoding="utf-8")
         running = server.start(root, Path("notebooks"), config=Path(folder))
         try:
-            yield JupyterLab(running.address)
+            yield JupyterLab(root, running.address)
         finally:
             running.stop()
 
 
 @dataclass(frozen=True)
 class JupyterLab:
-    """A running JupyterLab: the address at which the folder of notebooks opens."""
+    """A running JupyterLab: its workbook, and the address at which the notebooks open."""
 
+    root: Path
     address: str
 
     def open(self, page: Page, notebook: str) -> LabNotebook:
         """Open a notebook, "notebooks/02_restitution.ipynb", and wait for its kernel."""
-        page.goto(self.address.replace("/tree/notebooks", f"/tree/{notebook}") + "&reset")
-        page.locator(".jp-Notebook .jp-Cell:visible").first.wait_for(timeout=KERNEL_STARTS)
+        self.show(page, notebook)
         page.get_by_text("Python 3 (ipykernel) | Idle").wait_for(timeout=KERNEL_STARTS)
         return LabNotebook(page)
+
+    def show(self, page: Page, notebook: str) -> None:
+        """Open a notebook, and do not wait for its kernel."""
+        page.goto(self.address.replace("/tree/notebooks", f"/tree/{notebook}") + "&reset")
+        page.locator(".jp-Notebook .jp-Cell:visible").first.wait_for(timeout=KERNEL_STARTS)
+
+    def trust(self, notebook: str) -> None:
+        """Sign a notebook, as Jupyter does when a reader has run and saved it."""
+        path = self.root / notebook
+        NotebookNotary().sign(nbformat.read(path, as_version=4))  # type: ignore[no-untyped-call]
 
     def end_kernels(self, page: Page) -> None:
         """End all kernels that run."""
@@ -97,3 +123,19 @@ class LabNotebook:
         """Choose an entry of a menu."""
         self.page.get_by_role("menuitem", name=menu, exact=True).click()
         self.page.get_by_role("menuitem", name=entry, exact=True).click()
+
+
+def figures_in(notebook: Path) -> int:
+    """Return how many live figures the outputs of a notebook hold."""
+    cells = nbformat.read(notebook, as_version=4).cells  # type: ignore[no-untyped-call]
+    outputs = [output for cell in cells for output in cell.get("outputs", ())]
+    return sum("<figure data-live=" in o.get("data", {}).get("text/html", "") for o in outputs)
+
+
+def expect_all_alive(page: Page, count: int) -> None:
+    """Hold a page to have so many live figures, each of which answers to its first slider."""
+    assert count > 0
+    figures = page.locator("figure[data-ready]")
+    figures.nth(count - 1).wait_for(timeout=KERNEL_STARTS)
+    assert figures.count() == count
+    assert [figures.nth(k).evaluate(MOVES) for k in range(count)] == [True] * count

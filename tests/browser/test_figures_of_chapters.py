@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from lesson_code import Circle, Polygon
-from lesson_code.geometry import mtv, time_of_impact
+from lesson_code.geometry import collide, mtv, time_of_impact
+from lesson_code.reference.event_closed_forms import escape_fraction
+from lesson_code.reference.impact_closed_forms import flat_landing
 
 from .test_live import opened, seen
 
@@ -22,14 +24,22 @@ BOUNCES = "ch02_restitution/bounce_heights"
 HEIGHTS = "ch02_restitution/read_e"
 HIT = "ch04_circles/oblique_hit"
 FRICTION = "ch05_spin_and_friction/friction_cone"
+CLIPPING = "ch06_sat_and_manifolds/clipping"
 POLYGONS = "ch06_sat_and_manifolds/two_polygons"
+SWEEPS = "ch06_sat_and_manifolds/sweeps"
 IMPACT = "ch07_time_of_impact/two_bodies"
+WALL = "ch07_time_of_impact/steps_at_a_wall"
 
 
 def put(figure: Locator, numbers: dict[str, float]) -> None:
     """Type numbers in, each into the box of a label that begins so."""
     for label, value in numbers.items():
         figure.locator("label", has_text=label).locator("input[type=number]").fill(str(value))
+
+
+def choose(figure: Locator, label: str, name: str) -> None:
+    """Choose an entry of the list with a label."""
+    figure.locator("label", has_text=label).locator("select").select_option(label=name)
 
 
 @pytest.mark.browser
@@ -105,6 +115,56 @@ def test_two_polygons_part_as_python_says(page: Page, tmp_path: Path) -> None:
             expected = f"out of A is {depth:.2f} m along ({nx:.2f}, {ny:.2f}), on axis "
         assert expected in seen(figure)[1].replace("\N{MINUS SIGN}", "-")
     assert 5 <= overlaps <= 25
+
+
+@pytest.mark.browser
+def test_clipping_ends_with_the_contacts_of_python(page: Page, tmp_path: Path) -> None:
+    """How many, and how deep, in centimetres, for places of B drawn at random."""
+    figure = opened(page, tmp_path, CLIPPING)
+    put(figure, {"step of": 6})
+    a, b = Polygon.box(3, 1), Polygon.box(2, 1)
+    rng = np.random.default_rng(seed=8)
+    counts = []
+    for _ in range(30):
+        x, y, angle = rng.uniform(-2, 2.4), rng.uniform(-1.2, 1.6), rng.uniform(-180, 180)
+        put(figure, {"x of B": x, "y of B": y, "angle of B": angle})
+        contact = collide(a, (0, 0, 0), b, (x, y, np.radians(angle)))
+        counts.append(0 if contact is None else len(contact.points))
+        words = seen(figure)[1]
+        if contact is None:
+            assert "no contact" in words
+        else:
+            assert words.startswith(("One contact", "Two contacts")[counts[-1] - 1])
+            assert all(f"{depth:.2f} m" in words for depth in contact.penetrations)
+    assert {*counts} == {0, 1, 2}
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(("width", "height", "sweeps"), [(1, 4, 1), (1, 10, 7), (5, 2, 3)])
+def test_spin_that_sweeps_leave_is_that_of_the_closed_form(
+    page: Page, tmp_path: Path, width: float, height: float, sweeps: int
+) -> None:
+    """Two visits make a sweep; written to a thousandth, or as a power of ten."""
+    figure = opened(page, tmp_path, SWEEPS)
+    put(figure, {"width": width, "height": height, "visits": 2 * sweeps})
+    spin = abs(flat_landing(width, height, 1.0, 0.5, sweeps=sweeps)[1])
+    assert spin >= 1e-3
+    assert f"turns at {spin:.3f} rad/s" in seen(figure)[1]
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(
+    ("speed", "thickness", "rate"), [(30, 0.1, 60), (60, 0.5, 30), (9, 0.1, 60), (50, 1.0, 40)]
+)
+def test_share_that_gets_through_a_wall_is_the_laws(
+    page: Page, tmp_path: Path, speed: float, thickness: float, rate: int
+) -> None:
+    """A hundred places within a step, each followed by looks of the program: one may be off."""
+    figure = opened(page, tmp_path, WALL)
+    put(figure, {"speed": speed, "thickness": thickness, "steps a second": rate})
+    law = escape_fraction(speed, 1 / rate, 0.1, thickness)
+    through = int(seen(figure)[1].split("From ")[1].split(" of")[0])
+    assert through == pytest.approx(100 * law, abs=1)
 
 
 @pytest.mark.browser

@@ -10,27 +10,30 @@ import pytest
 
 from lesson_code.course.quiz.bank import ChoiceQuestion, load_quiz
 
-from .in_browser import JupyterLab, LabNotebook
+from .in_browser import JupyterLab, LabNotebook, expect_all_alive, figures_in
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Locator, Page
 
 ROOT = Path(__file__).parents[2]
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+
 SHORT = "02_restitution"
 """The notebook that the short run opens; -m browser opens all of them."""
 
 CHAPTERS = [
     pytest.param(path.stem, marks=() if path.stem == SHORT else pytest.mark.browser, id=path.stem)
-    for path in sorted((ROOT / "notebooks").glob("*.ipynb"))
+    for path in NOTEBOOKS
 ]
 ANSWERED = 20_000
 """ms: a figure is drawn anew and an answer judged within a second, if the machine is idle."""
 
-FIGURE = ".widget-slider, figure[data-ready] input[type=range]"
-"""A figure that moves: one that asks the kernel, or one that is alive by itself."""
-
-PICTURE = "output => (output.querySelector('img') || output.querySelector('svg')).outerHTML"
-"""In the page: what an output shows."""
+WITH_FIGURES = [
+    pytest.param(path.stem, marks=() if path.stem == SHORT else pytest.mark.browser, id=path.stem)
+    for path in NOTEBOOKS
+    if figures_in(path)
+]
+"""The notebooks with live figures, all but one for the full run."""
 
 ANSWER = """def elastic_1d(m1, v1, m2, v2):
     v_centre = (m1 * v1 + m2 * v2) / (m1 + m2)
@@ -60,23 +63,8 @@ def test_notebook_runs_from_top_to_bottom(chapter: LabNotebook) -> None:
     assert chapter.errors.all_text_contents() == []
 
 
-def test_slider_moved_by_a_key_draws_the_figure_anew(chapter: LabNotebook) -> None:
-    """An arrow key moves a slider by a step, and the picture with it is another one."""
-    output = output_with(chapter.page, f":is({FIGURE})")
-    slider = output.locator(".noUi-handle, input[type=range]").first
-    before = output.evaluate(PICTURE)
-    slider.focus()
-    chapter.page.keyboard.press("ArrowLeft")
-    # Fails with a time-out if the picture stays as it was.
-    chapter.page.wait_for_function(
-        f"([output, before]) => ({PICTURE})(output) !== before",
-        arg=[output.element_handle(), before],
-        timeout=ANSWERED,
-    )
-
-
 def test_live_figure_needs_no_kernel_once_it_is_saved(browser: Browser, lab: JupyterLab) -> None:
-    """The notebook is run and saved, its kernel ended, and opened again: the figure answers."""
+    """The notebook is run and saved, its kernel ended, and opened again: its figures answer."""
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     notebook = lab.open(page, "notebooks/03_reflection.ipynb")
     notebook.run_all()
@@ -88,11 +76,20 @@ def test_live_figure_needs_no_kernel_once_it_is_saved(browser: Browser, lab: Jup
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     lab.open(page, "notebooks/03_reflection.ipynb")
     lab.end_kernels(page)
-    figure = page.locator("figure[data-ready]").first
-    before = figure.evaluate(PICTURE)
-    figure.locator("input[type=range]").first.focus()
-    page.keyboard.press("ArrowLeft")
-    assert figure.evaluate(PICTURE) != before
+    expect_all_alive(page, figures_in(ROOT / "notebooks" / "03_reflection.ipynb"))
+    page.close()
+
+
+@pytest.mark.parametrize("name", WITH_FIGURES)
+def test_every_figure_of_a_saved_notebook_is_alive(
+    browser: Browser, lab: JupyterLab, name: str
+) -> None:
+    """It is opened as it is kept and trusted, and no cell of it is run."""
+    lab.trust(f"notebooks/{name}.ipynb")
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    lab.show(page, f"notebooks/{name}.ipynb")
+    expect_all_alive(page, figures_in(ROOT / "notebooks" / f"{name}.ipynb"))
+    lab.end_kernels(page)
     page.close()
 
 

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 FIGURES = stills.names()
 FIGURE = "ch03_reflection/bounce"
+CHOOSING = [name for name in FIGURES if "names: " in file_of(name).read_text("utf-8")]
+"""Figures with a list to choose from."""
+
 NONSENSE = ("NaN", "Infinity", "undefined", "null")
 
 SHEET = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Figure</title>
@@ -82,6 +85,38 @@ def test_figure_answers_to_each_slider_up_to_its_ends(
         live.get_by_role("button", name="Start again").click()
         assert seen(live) == start
     assert faults == []
+
+
+@pytest.mark.parametrize("figure", CHOOSING)
+def test_figure_answers_to_each_choice(
+    page: Page, faults: list[str], tmp_path: Path, figure: str
+) -> None:
+    """Each entry of a list shows something else, without nonsense."""
+    live = opened(page, tmp_path, figure)
+    for choice in live.locator("select").all():
+        shown = []
+        for value in range(choice.locator("option").count()):
+            choice.select_option(str(value))
+            shown.append(seen(live))
+        assert len({*shown}) == len(shown)
+    assert faults == []
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_figure_on_a_phone_has_its_panels_below_each_other(
+    page: Page, tmp_path: Path, figure: str
+) -> None:
+    """Nothing has to be scrolled sideways; made wider, it stands as before."""
+    live = opened(page, tmp_path, figure)
+    wide = seen(live), live.locator("svg").get_attribute("viewBox")
+    page.set_viewport_size({"width": 360, "height": 740})
+    page.wait_for_function("document.documentElement.scrollWidth === 360")
+    seen(live)
+    page.set_viewport_size({"width": 1280, "height": 900})
+    page.wait_for_function(
+        "size => document.querySelector('figure svg').getAttribute('viewBox') === size", arg=wide[1]
+    )
+    assert seen(live) == wide[0]
 
 
 @pytest.mark.parametrize("figure", FIGURES)

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 from zipfile import ZipFile
 
-import nbformat
 import pytest
-from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_bank
 from lesson_code.course.quiz.checker import check_answer, expected_answer
-from lesson_code.course.site.build import build
-from lesson_code.course.site.moving import figures_of
+
+from .in_browser import expect_all_alive, figures_in
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -37,22 +34,6 @@ AXE: Any = {"resultTypes": ["violations"], "preload": False}
 
 SOON = 10_000
 """ms: what needs no computing is there at once, unless the machine is busy."""
-
-MOVING = """
-from lesson_code.view.matplotlib import style
-from lesson_code.view.browser.interactive import Slider, explore
-
-def draw(x, y):
-    figure, ax = style.figure(width=3, height=2)
-    ax.plot(x, y, marker="o")
-    ax.set(xlim=(-1, 2), ylim=(-1, 2))
-    return figure
-
-explore(draw, "A point.", x=Slider("x, m", 0, 1, 0.5, step=0.5), y=Slider("y, m", 0, 1, 0, step=1))
-"""
-PIXEL = (
-    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR42mNkYAAAAAYAAjCB0C8AAAAASUVORK5CYII="
-)
 
 
 def open_page(page: Page, site: Path, name: str) -> None:
@@ -87,6 +68,14 @@ def test_page_fits_a_phone(site: Path, page: Page, name: str) -> None:
     page.set_viewport_size(PHONE)
     open_page(page, site, name)
     assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
+
+
+@pytest.mark.parametrize("name", CHAPTERS)
+def test_every_live_figure_of_a_page_answers(site: Path, page: Page, name: str) -> None:
+    """All that the notebook has, without a server."""
+    if count := figures_in(ROOT / "notebooks" / f"{name}.ipynb"):
+        open_page(page, site, f"notebooks/{name}")
+        expect_all_alive(page, count)
 
 
 @pytest.mark.parametrize("name", CHAPTERS)
@@ -256,67 +245,3 @@ def test_predictions_of_the_page_open_their_answers(site: Path, page: Page, chap
         said = page.evaluate(GIVE, [question.id, given])
         assert dict(zip(given, said, strict=True)) == {a: words_to(question, a) for a in given}
         assert answers.nth(place).get_attribute("open") is not None
-
-
-# Figures with sliders
-
-
-@pytest.fixture(scope="module")
-def tiny(site: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """Return a workbook of one notebook with one moving figure, and its pages.
-
-    Where there is no `site`, there is none of this either.
-    """
-    root = tmp_path_factory.mktemp("tiny")
-    (root / "notebooks").mkdir()
-    (root / "exercises").mkdir()
-    output = new_output(
-        "display_data",
-        data={"image/png": PIXEL, "text/plain": "Figure: A point. (Run the cell to move it.)"},
-        metadata={"image/png": {"alt": "A point."}},
-    )
-    cells = [new_markdown_cell("# 00 Tiny"), new_code_cell(MOVING, outputs=[output])]
-    notebook = root / "notebooks" / "00_tiny.ipynb"
-    nbformat.write(
-        new_notebook(cells=cells, metadata={"language_info": {"name": "python"}}), notebook
-    )
-    build(root, root / "site")
-    return notebook, root / "site"
-
-
-def test_every_place_of_the_sliders_shows_its_own_picture(
-    tiny: tuple[Path, Path], page: Page, faults: list[str]
-) -> None:
-    """For each pair of values the page shows the very picture that was drawn for them."""
-    notebook, site = tiny
-    [figure] = figures_of(notebook)
-    open_page(page, site, "notebooks/00_tiny")
-    x, y = page.get_by_role("slider").all()
-    for state, picture in islice(enumerate(figure.pictures), 6):
-        x.fill(str(state // 2))
-        y.fill(str(state % 2))
-        image = page.locator(f"figure.moving img[data-state='{state}']")
-        image.wait_for(timeout=SOON)
-        shown = image.evaluate("image => fetch(image.src).then((file) => file.text())")
-        assert shown == picture
-    assert faults == []
-
-
-def test_slider_is_moved_by_keyboard_and_says_its_value(
-    tiny: tuple[Path, Path], page: Page
-) -> None:
-    """An arrow key moves it by one value; label and value are what a screen reader says."""
-    _, site = tiny
-    open_page(page, site, "notebooks/00_tiny")
-    slider = page.get_by_role("slider", name="x, m")
-    assert slider.get_attribute("aria-valuetext") == "0.5"
-    slider.focus()
-    page.keyboard.press("ArrowRight")
-    page.locator("figure.moving img[data-state='4']").wait_for(timeout=SOON)
-    assert slider.get_attribute("aria-valuetext") == "1"
-
-
-def test_figure_with_sliders_passes_axe(tiny: tuple[Path, Path], page: Page) -> None:
-    """Its sliders have names, its picture a text."""
-    open_page(page, tiny[1], "notebooks/00_tiny")
-    assert violations_in(page) == []

@@ -748,7 +748,7 @@ def test_site_leaves_other_files_alone(tiny: Path, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(build, "NEEDS", ())
     (tiny / "mine").mkdir()
     (tiny / "mine" / "letter.txt").write_text("mine", encoding="utf-8")
-    result = workbook("site", "mine", "--still")
+    result = workbook("site", "mine")
     assert result.exit_code == NOT_DONE
     assert "the site's folder must be new, empty or a site, got mine" in result.stderr
     assert [path.name for path in (tiny / "mine").iterdir()] == ["letter.txt"]

@@ -19,61 +19,6 @@ LONGEST_CURVE = 400
 """Points of a curve that is drawn: more cannot be told apart."""
 
 
-# A ball and a wall
-
-
-def steps_over_a_wall(
-    ax: Axes,
-    speed: float,
-    *,
-    dt: float,
-    radius: float,
-    thickness: float,
-    phase: float,
-    reach: float = 2.0,
-) -> Axes:
-    """Draw where a fast ball is at the ends of steps, beside a wall that stands on x = 0.
-
-    The ball flies to the right. A step that ends in the shaded zone stops it: ball and wall
-    overlap there, and the ball's centre is still before the wall's middle. The outline is the
-    ball at its exact impact.
-
-    Parameters
-    ----------
-    ax : Axes
-        Where to draw.
-    speed, dt : float
-        m/s and s.
-    radius, thickness : float
-        Of the ball and of the wall, m.
-    phase : float
-        Part of a step, 0 to 1: how far beyond x = -reach the first step drawn ends.
-    reach : float
-        So much is seen to the left and to the right, m.
-    """
-    zone, step = radius + thickness / 2, speed * dt
-    places = -reach + step * (phase + np.arange(math.ceil(2 * reach / step + 1)))
-    stopped = next((x for x in places if -zone < x < 0), None)
-    seen = [x for x in places if x <= reach and (stopped is None or x <= stopped)]
-    ax.axvspan(-zone, 0, color=style.ORANGE, alpha=0.25, linewidth=0)
-    ax.add_patch(_hatched((-thickness / 2, -1.0), thickness, 2.0))
-    for x in seen:
-        color, hatch = (style.VERMILION, "////") if x == stopped else (style.BLUE, "")
-        ax.add_patch(_disc((x, 0), radius, color, hatch))
-        ax.plot(x, 0, marker="o", markersize=3, color=color)
-    ax.add_patch(Circle((-zone, 0), radius, fill=False, edgecolor=style.INK, linewidth=1.8))
-    half = 0.16 * reach
-    ax.set(xlim=(-reach, reach), ylim=(-half, half), yticks=[], xlabel="x, m", aspect="equal")
-    ax.set_title("stopped" if stopped is not None else "through the wall")
-    _legend(
-        ax,
-        _swatch(style.BLUE, "", "at the end of a step"),
-        Line2D([], [], marker="o", color="white", markeredgecolor=style.INK, label="exact impact"),
-        Patch(color=style.ORANGE, alpha=0.25, label="seen here, it is stopped"),
-    )
-    return ax
-
-
 # Two circles
 
 
@@ -232,17 +177,6 @@ def _disc(centre: tuple[float, float], radius: float, color: str, hatch: str) ->
 def _mark(color: str, marker: str) -> dict[str, Any]:
     """Return how a single point is drawn."""
     return {"color": color, "marker": marker, "linestyle": "", "markersize": 6}
-
-
-def _hatched(corner: tuple[float, float], width: float, height: float) -> Rectangle:
-    """Return a wall."""
-    look: dict[str, Any] = {"facecolor": "none", "edgecolor": style.INK, "hatch": "////"}
-    return Rectangle(corner, width, height, linewidth=1.2, **look)
-
-
-def _swatch(color: str, hatch: str, label: str) -> Patch:
-    """Return what stands for a disc in a legend."""
-    return Patch(facecolor=color, edgecolor=color, hatch=hatch, alpha=0.35, label=label)
 
 
 def _legend(ax: Axes, *handles: Any) -> None:

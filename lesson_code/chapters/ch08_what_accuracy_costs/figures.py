@@ -20,8 +20,6 @@ from lesson_code.evidence.work_precision import (
     Fit,
     Point,
     WorkPrecision,
-    cheapest,
-    in_words,
     order_of,
     orders,
     scenes,
@@ -157,26 +155,6 @@ def _orders_in_words(result: WorkPrecision, scene: str) -> str:
     return "\n".join(
         f"{method}: order {round(order, 2) + 0.0:.2f}" for method, order in found.items()
     )
-
-
-def how_wrong(ax: Axes, result: WorkPrecision, scene: str, error: float) -> Axes:
-    """Draw a scene's figure, a line at an error, and a ring about what reaches it most cheaply."""
-    work_precision(ax, result, scene)
-    ax.axhline(error, color=style.INK, linewidth=1)
-    ax.set_ylim(bottom=min(error / 2, ax.get_ylim()[0]))
-    best = cheapest(result, scene, error)
-    if best is None:
-        ax.set_title(f"{scene}, within {error:.2g} m: nothing that was tried", fontsize=11)
-        return ax
-    ring: dict[str, Any] = {"markersize": 15, "markerfacecolor": "none", "markeredgewidth": 2}
-    if best.error > FLOOR:
-        ax.plot(best.milliseconds, best.error, marker="o", color=style.INK, linestyle="", **ring)
-    else:
-        below = ax.get_xaxis_transform()
-        look = {"marker": "o", "color": style.INK, "linestyle": "", "transform": below, **ring}
-        ax.plot(best.milliseconds, ROUNDING_AT, **look)
-    ax.set_title(f"{scene}, within {error:.2g} m: {in_words(best)}", fontsize=11)
-    return ax
 
 
 def split_of_sweeps(ax: Axes, result: WorkPrecision, scene: str, sweeps: int) -> Axes:

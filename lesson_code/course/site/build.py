@@ -7,8 +7,7 @@ import io
 import shutil
 import tempfile
 import warnings
-from collections.abc import Callable, Collection, Iterable
-from contextlib import closing
+from collections.abc import Iterable
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
@@ -18,9 +17,7 @@ from lesson_code.course.site.api_pages import MODULES, write_api_pages
 from lesson_code.course.site.finishing import finish
 from lesson_code.course.site.front_pages import PAGES, TITLE, exercise_page, front_page, lab_page
 from lesson_code.course.site.mathml import write_font
-from lesson_code.course.site.moving import MovingFigure, figures_of
 from lesson_code.course.site.notebook_page import NotebookPage
-from lesson_code.parallel import iter_tasks
 
 NEEDS = ("sphinx", "furo", "myst_nb", "math_core", "ziamath")
 """What builds the pages, by import name."""
@@ -28,7 +25,7 @@ NEEDS = ("sphinx", "furo", "myst_nb", "math_core", "ziamath")
 MARK = ".buildinfo"
 """A file that Sphinx leaves in what it has built."""
 
-SCRIPTS = ("moving.js", "scrolling.js")
+SCRIPTS = ("scrolling.js",)
 
 SETTINGS: dict[str, Any] = {
     "project": TITLE,
@@ -66,9 +63,6 @@ SETTINGS: dict[str, Any] = {
 }
 """Sphinx's, in place of a conf.py. With them no page asks the network for anything."""
 
-Told = Callable[[str, float], None]
-"""Receives progress messages, and the share of the work that is done."""
-
 
 class SiteError(RuntimeError):
     """The site cannot be built; the message says what is missing or wrong."""
@@ -78,14 +72,7 @@ class MissingToolsError(SiteError):
     """What builds the pages is not installed."""
 
 
-def build(
-    root: Path,
-    site: Path,
-    *,
-    moving: Collection[str] | None = None,
-    lab: str = "",
-    told: Told = lambda *_: None,
-) -> int:
+def build(root: Path, site: Path, *, lab: str = "") -> int:
     """Make the workbook's pages.
 
     Parameters
@@ -95,13 +82,8 @@ def build(
     site : Path
         The folder for the pages: a new one, an empty one, or a site that was built before. Files
         of the latter that are made again are replaced; others stay.
-    moving : collection of str, optional
-        The notebooks whose figures with sliders are drawn ahead, by name; None for all. In the
-        others they stand still. Drawing them for all places of the sliders takes the time.
     lab : str, optional
         The collision lab as HTML, for the home page and a page of its own.
-    told : callable, optional
-        Receives progress messages.
 
     Returns
     -------
@@ -111,17 +93,13 @@ def build(
     Raises
     ------
     SiteError
-        Sphinx is not installed or finds a fault, a notebook does not run, or the folder holds
-        something else.
+        Sphinx is not installed or finds a fault, or the folder holds something else.
     """
     _require_tools()
     _require_own(site)
     notebooks = sorted((root / "notebooks").glob("*.ipynb"))
-    drawn = [path for path in notebooks if moving is None or path.stem in moving]
-    figures = _moving_figures(drawn, told)
-    told("pages", 1.0)
     with tempfile.TemporaryDirectory(prefix="workbook-site-") as folder:
-        _write_sources(root, Path(folder), notebooks, figures, lab)
+        _write_sources(root, Path(folder), notebooks, lab)
         _run_sphinx(Path(folder), site)
     finish(site)
     return len(notebooks) + len(PAGES) + len(MODULES) + 2 + bool(lab)
@@ -146,29 +124,7 @@ def _require_own(site: Path) -> None:
         raise SiteError(f"the site's folder must be new, empty or a site, got {site} with files")
 
 
-def _moving_figures(notebooks: list[Path], told: Told) -> dict[str, list[MovingFigure]]:
-    """Return each notebook's figures with sliders, drawn ahead on all cores."""
-    found = {}
-    # The largest files hold the largest figures. Begun first, they do not end alone.
-    by_size = sorted(notebooks, key=lambda path: -path.stat().st_size)
-    names = [path.stem for path in by_size]
-    with closing(iter_tasks(figures_of, by_size, names=names)) as drawn:
-        for number, future in drawn:
-            error = future.exception()
-            if error is not None:
-                raise SiteError(str(error)) from error
-            found[names[number]] = future.result()
-            told(f"figures of {names[number]}", len(found) / (len(notebooks) + 1))
-    return found
-
-
-def _write_sources(
-    root: Path,
-    folder: Path,
-    notebooks: Iterable[Path],
-    moving: dict[str, list[MovingFigure]],
-    lab: str,
-) -> None:
+def _write_sources(root: Path, folder: Path, notebooks: Iterable[Path], lab: str) -> None:
     """Write what Sphinx reads."""
     import nbformat
 
@@ -185,7 +141,7 @@ def _write_sources(
         for path in notebooks
     ]
     for name, notebook in read:
-        page = NotebookPage(name, folder, moving.get(name, ())).page_of(notebook)
+        page = NotebookPage(name, folder).page_of(notebook)
         text = nbformat.writes(page)  # type: ignore[no-untyped-call]
         (folder / "notebooks" / f"{name}.ipynb").write_text(text, encoding="utf-8")
     reference = write_api_pages(folder)

@@ -5,15 +5,12 @@ from __future__ import annotations
 import base64
 import copy
 import itertools
-import json
 import re
 import struct
 from collections.abc import Iterable, Iterator
 from html import escape
 from pathlib import Path
 from typing import Any
-
-from lesson_code.course.site.moving import Control, MovingFigure
 
 FIGURES = "_static/figures"
 """Where the files of figures are put, from the root of the site."""
@@ -28,12 +25,6 @@ BEGIN_ANSWER = '<details class="answer">\n<summary>Open the answer</summary>'
 END_ANSWER = "</details>"
 """What stands around the cells that answer a prediction."""
 
-COMES_TO_LIFE = "(Run the cell to "
-"""Stands in the text of a figure with sliders."""
-
-STANDS_STILL = "Open the notebook to move this figure."
-"""Stands below a figure with sliders that has not been drawn ahead."""
-
 
 class NotebookPage:
     """Makes one notebook's page, and writes the files of its figures.
@@ -44,13 +35,10 @@ class NotebookPage:
         The notebook's name without its suffix.
     folder : Path
         The root of the site's sources.
-    moving : iterable of MovingFigure
-        Its figures with sliders; those that are left out stand still.
     """
 
-    def __init__(self, name: str, folder: Path, moving: Iterable[MovingFigure] = ()) -> None:
+    def __init__(self, name: str, folder: Path) -> None:
         self._name, self._folder, self._count = name, folder / FIGURES, 0
-        self._moving = {figure.alt: figure for figure in moving}
         self._folder.mkdir(parents=True, exist_ok=True)
 
     def page_of(self, notebook: Any) -> Any:
@@ -77,30 +65,12 @@ class NotebookPage:
         return output
 
     def _figure(self, output: Any) -> str:
-        """Return a figure, with its sliders if it has some, and write its files."""
+        """Return a figure, and write its file."""
         self._count += 1
         name = f"{self._name}-{self._count}"
         alt, png = output.metadata["image/png"]["alt"], base64.b64decode(output.data["image/png"])
-        if alt in self._moving:
-            return self._with_sliders(name, self._moving[alt], png)
         (self._folder / f"{name}.png").write_bytes(png)
-        still = COMES_TO_LIFE in output.data["text/plain"]
-        caption = f"<figcaption>{STANDS_STILL}</figcaption>" if still else ""
-        return f'<figure class="drawn">{_image(f"{name}.png", alt, png)}{caption}</figure>'
-
-    def _with_sliders(self, name: str, figure: MovingFigure, png: bytes) -> str:
-        """Return a figure that is drawn ahead; `png` is how it stands in the notebook."""
-        start = figure.pictures[figure.start]
-        (self._folder / f"{name}.svg").write_text(start, encoding="utf-8")
-        call = f'drawnAhead("{name}", "{figure.packed()}");\n'
-        (self._folder / f"{name}.js").write_text(call, encoding="utf-8")
-        status = '<p role="status"></p>' if figure.words else ""
-        return (
-            f'<figure class="drawn moving" data-name="{name}" '
-            f'data-pictures="{FROM_A_PAGE}/{name}.js">\n<div class="sliders">\n'
-            f"{''.join(_slider(control) for control in figure.controls)}</div>\n"
-            f"{_image(f'{name}.svg', figure.alt, png)}\n{status}</figure>"
-        )
+        return f'<figure class="drawn">{_image(f"{name}.png", alt, png)}</figure>'
 
 
 def _folded(cells: Iterable[Any]) -> Iterator[Any]:
@@ -142,14 +112,3 @@ def _image(file: str, alt: str, png: bytes) -> str:
     """Return an image that takes the room of a PNG from the start."""
     width, height = struct.unpack(">II", png[16:24])
     return f'<img src="{FROM_A_PAGE}/{file}" alt="{escape(alt)}" width="{width}" height="{height}">'
-
-
-def _slider(control: Control) -> str:
-    """Return a slider with its label and the value it stands at; ``moving.js`` switches it on."""
-    values = [f"{value:g}".replace("-", "\N{MINUS SIGN}") for value in control.values]
-    return (
-        f'<label><span>{escape(control.label)}</span> <input type="range" min="0" '
-        f'max="{len(values) - 1}" value="{control.start}" disabled autocomplete="off" '
-        f'aria-valuetext="{values[control.start]}" data-values="{escape(json.dumps(values))}"> '
-        f"<output>{values[control.start]}</output></label>\n"
-    )

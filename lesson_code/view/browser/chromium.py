@@ -37,15 +37,15 @@ def browser_path() -> str:
 
 
 @contextmanager
-def chromium() -> Iterator[Browser]:
-    """Start Chromium without a window, and close it afterwards."""
+def chromium(*switches: str) -> Iterator[Browser]:
+    """Start Chromium without a window, with these switches, and close it afterwards."""
     path = browser_path()
     from playwright.sync_api import sync_playwright
 
     as_root = hasattr(os, "geteuid") and os.geteuid() == 0
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=path, args=["--no-sandbox"] if as_root else []
+            executable_path=path, args=[*switches, *(["--no-sandbox"] if as_root else [])]
         )
         try:
             yield browser

@@ -3,20 +3,25 @@
 // A chapter describes one in a module of its own:
 //
 //   export default {
-//     program: "formulas",  // what computes: one of programs/
+//     program: "formulas",  // what computes: one of programs/; or programs: ["formulas", "exact"]
 //     panels: [{ view: [-5, 5, -2, 4], width: 480 }],  // left, right, bottom, top; pixels
 //     numbers: { e: { label: "restitution e", low: 0, high: 1, start: 0.5, step: 0.05 } },
 //     handles: [{ label: "tip of the velocity", panel: 0, at, moved, says, step }],
 //     draw(lesson, values, pen) { ... return "what can be seen, in words"; },
 //   };
 //
-// `numbers` can be changed by slider and keyboard. A handle can be dragged, or moved by arrow keys
-// in steps of `step`: `at(values)` says where it is, and `moved(values, [x, y])` what changes when
-// it is put somewhere. A screen reader is told its place, or the words of `says(values)` instead.
+// `numbers` can be changed by slider and keyboard. One with `names`, in place of a range, is chosen
+// from a list: its value is the place in it. A handle can be dragged, or moved by arrow keys in
+// steps of `step`: `at(values)` says where it is, and `moved(values, [x, y])` what changes when it is
+// put somewhere. A screen reader is told its place, or the words of `says(values)` instead.
 // `draw` is called after each change; `lesson` holds the compiled functions of the course
-// (program.js), one pen for each panel follows. Nothing else decides what is seen.
+// (program.js), or each of several programs by its name; one pen for each panel follows. Nothing
+// else decides what is seen. On a narrow screen the panels stand one below the other.
+//
+// What a figure imports from this folder comes with it: world.js steps a scene.
 
 const MARGIN = 14; // pixels between panels
+const NARROW = 0.75; // of the drawing's width: with less room its panels stand one below the other
 const TIP = 9; // pixels: the length of an arrow's head
 const QUIET = 400; // ms without a change, after which a screen reader is told what can be seen
 const COLORS = ["blue", "orange", "green", "vermilion", "purple", "sky"]; // of the palette
@@ -34,17 +39,17 @@ const escaped = (words) => words.replace(/[&<>"]/g, (letter) => `&#${letter.char
 
 /** Draws in the units of one panel, x to the right and y upwards. */
 class Pen {
-  constructor(panel, left) {
+  constructor(panel, left, top) {
     const [west, east, south, north] = panel.view;
     this.view = panel.view;
     this.scale = panel.width / (east - west);
     this.scaleY = panel.height ? panel.height / (north - south) : this.scale;
-    Object.assign(this, { left, width: panel.width, height: this.scaleY * (north - south) });
+    Object.assign(this, { left, top, width: panel.width, height: this.scaleY * (north - south) });
     this.parts = [];
   }
 
   x = (value) => this.left + (value - this.view[0]) * this.scale;
-  y = (value) => (this.view[3] - value) * this.scaleY;
+  y = (value) => this.top + (this.view[3] - value) * this.scaleY;
   place = ([x, y]) => `${this.x(x).toFixed(1)} ${this.y(y).toFixed(1)}`;
 
   /** Put an element there, in a colour of the palette or in ink. */
@@ -126,14 +131,15 @@ class Pen {
     this.line([at(-half, 0), at(half, 0)]);
   }
 
-  /** Draw axes at the left and at the bottom, with numbers and names; one without a name has no numbers. */
-  axes(nameX, nameY) {
+  /** Draw axes at the left and at the bottom, with numbers and names; one without a name has no numbers.
+   *  An axis in `powers` ("x", "y" or "xy") runs over powers of ten. */
+  axes(nameX, nameY, powers = "") {
     const [west, east, south, north] = this.view;
     this.line([[west, north], [west, south], [east, south]], { thick: 1, color: "grey" });
-    for (const value of nameX ? ticks(west, east) : [])
-      this.text([value, south], written(value, tickStep(west, east)), { shift: [0, 17], size: 12 });
-    for (const value of ticks(south, north))
-      this.text([west, value], written(value, tickStep(south, north)), { shift: [-6, 4], anchor: "end", size: 12 });
+    for (const [value, words] of nameX ? marks(west, east, powers.includes("x")) : [])
+      this.text([value, south], words, { shift: [0, 17], size: 12 });
+    for (const [value, words] of marks(south, north, powers.includes("y")))
+      this.text([west, value], words, { shift: [-6, 4], anchor: "end", size: 12 });
     this.text([(west + east) / 2, south], nameX, { shift: [0, 36], size: 13 });
     this.text([west, north], nameY, { shift: [0, -10], anchor: "start", size: 13 });
   }
@@ -145,11 +151,21 @@ function tickStep(low, high) {
   return near(power * [1, 2, 5, 10].find((nice) => nice * power >= rough), power);
 }
 
-function ticks(low, high) {
-  const step = tickStep(low, high);
+/** Return the numbers that an axis shows, and how they are written; or exponents, as powers of ten. */
+function marks(low, high, arePowers) {
+  const step = Math.max(tickStep(low, high), arePowers ? 1 : 0);
   const found = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) found.push(near(k * step, step));
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) {
+    const value = near(k * step, step);
+    found.push([value, arePowers ? power(value) : written(value, step)]);
+  }
   return found;
+}
+
+/** Write a power of ten, as a number where that is short. */
+export function power(exponent) {
+  if (Math.abs(exponent) < 4) return written(10 ** exponent, 10 ** Math.min(exponent, 0));
+  return "10" + [...String(exponent)].map((sign) => (sign === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[sign])).join("");
 }
 
 const STYLE = `
@@ -167,34 +183,41 @@ const STYLE = `
   [data-live] .handle:focus-visible circle { stroke-width: 4; stroke-dasharray: none; }
   [data-live] label { display: grid; grid-template-columns: minmax(8em, 16em) minmax(7em, 16em) 5.5em; gap: 4px 12px;
     align-items: center; margin: 4px 0; }
-  [data-live] input { font: inherit; width: 100%; box-sizing: border-box; margin: 0; }
+  [data-live] :is(input, select) { font: inherit; width: 100%; box-sizing: border-box; margin: 0; }
   [data-live] p { margin: 6px 0; }
   [data-live] button { font: inherit; padding: 3px 10px; }
   [data-live] .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
   @media (max-width: 36em) {
     [data-live] label { grid-template-columns: 1fr 5.5em; }
-    [data-live] label span { grid-column: 1 / -1; }
+    [data-live] label :is(span, select) { grid-column: 1 / -1; }
   }
   @media print { [data-live] label, [data-live] button { display: none; } }
 `;
 
 /** Return the drawing of a figure at some values, and what can be seen in it. */
-export function drawn(figure, lesson, values) {
+export function drawn(figure, lesson, values, isNarrow = false) {
+  const { left = 0, gap = MARGIN, top = 0, bottom = 0 } = figure;
   const pens = [];
-  let left = figure.left ?? 0;
+  let [right, down] = [isNarrow ? narrowLeft(figure) : left, 0];
   for (const panel of figure.panels) {
-    pens.push(new Pen(panel, left));
-    left += panel.width + (figure.gap ?? MARGIN);
+    pens.push(new Pen(panel, right, down));
+    if (isNarrow) down += heightOf(panel) + top + bottom + MARGIN;
+    else right += panel.width + gap;
   }
   const words = figure.draw(lesson, values, ...pens);
   return { words, pens, drawing: pens.flatMap((pen) => pen.parts).join("") };
 }
 
-/** Return the size of a figure's drawing, with the room that its axes need. */
-export function sizeOf(figure) {
+const narrowLeft = ({ left = 0, gap = MARGIN, panels }) => (panels.length > 1 ? Math.max(left, gap - MARGIN) : left);
+const heightOf = ({ height, width, view: [west, east, south, north] }) => height ?? (width * (north - south)) / (east - west);
+
+/** Return the view box of a figure's drawing, with the room that its axes need. */
+export function sizeOf(figure, isNarrow = false) {
   const { left = 0, gap = MARGIN, top = 0, bottom = 0, panels } = figure;
-  const height = Math.max(...panels.map((p) => p.height ?? (p.width * (p.view[3] - p.view[2])) / (p.view[1] - p.view[0])));
-  const width = left + panels.reduce((sum, panel) => sum + panel.width, 0) + gap * (panels.length - 1);
+  const sum = (numbers) => numbers.reduce((all, number) => all + number, 0);
+  const [widths, heights] = [panels.map(({ width }) => width), panels.map(heightOf)];
+  const width = isNarrow ? narrowLeft(figure) + Math.max(...widths) : left + sum(widths) + gap * (panels.length - 1);
+  const height = isNarrow ? sum(heights) + (top + bottom + MARGIN) * (panels.length - 1) : Math.max(...heights);
   return [0, -top, Math.ceil(width + 8), Math.ceil(height + top + bottom)];
 }
 
@@ -211,9 +234,8 @@ class Live {
     this.values = this.first();
     this.still = place.querySelector("img");
     place.append(this.made("style", {}, STYLE));
-    this.svg = this.drawn("svg", {
-      viewBox: sizeOf(figure).join(" "), width: sizeOf(figure)[2], role: "group", "aria-label": this.still.alt,
-    });
+    this.svg = this.drawn("svg", { role: "group", "aria-label": this.still.alt });
+    this.fit();
     this.picture = this.drawn("g", { "aria-hidden": "true" }, this.svg);
     this.still.replaceWith(this.svg);
     this.handles = (figure.handles ?? []).map((handle) => this.handle(handle));
@@ -225,10 +247,22 @@ class Live {
     again.addEventListener("click", () => this.set(this.first()));
     place.append(this.words, this.told, controls, again);
     this.show();
+    new ResizeObserver(() => this.fit() && this.show()).observe(place);
   }
 
   first() {
     return Object.fromEntries(Object.entries(this.figure.numbers).map(([key, { start }]) => [key, start]));
+  }
+
+  /** Put the panels beside or below each other, as there is room; return whether that is new. */
+  fit() {
+    const isNarrow = this.place.clientWidth < NARROW * sizeOf(this.figure)[2];
+    if (isNarrow === this.isNarrow) return false;
+    this.isNarrow = isNarrow;
+    const size = sizeOf(this.figure, isNarrow);
+    this.svg.setAttribute("viewBox", size.join(" "));
+    this.svg.setAttribute("width", size[2]);
+    return true;
   }
 
   made(kind, attributes = {}, words = "") {
@@ -245,10 +279,19 @@ class Live {
     return element;
   }
 
-  /** A number: a slider, and a box for those who know what they want. */
+  /** A number: a slider, and a box for those who know what they want; or a list to choose from. */
   control(parent, key, number) {
-    const { label, low, high, step } = number;
+    const { label, low, high, step, names } = number;
     const row = this.made("label");
+    row.append(this.made("span", {}, label));
+    parent.append(row);
+    if (names) {
+      const list = this.made("select", OURS);
+      names.forEach((name, value) => list.append(this.made("option", { value }, name)));
+      list.addEventListener("change", () => this.set({ [key]: Number(list.value) }));
+      row.append(list);
+      return { key, list };
+    }
     const given = { ...OURS, min: low, max: high, step };
     const slider = this.made("input", { ...given, type: "range", "aria-label": label });
     const box = this.made("input", { ...given, step: "any", type: "number", "aria-label": `${label}, as a number` });
@@ -258,9 +301,8 @@ class Live {
       if (value >= low && value <= high) this.set({ [key]: value }, box);
     });
     box.addEventListener("change", () => this.set({})); // what is out of range is put right
-    row.append(this.made("span", {}, label), slider, box);
-    parent.append(row);
-    return { key, slider, box, step };
+    row.append(slider, box);
+    return { key, slider, box, step, says: number.says };
   }
 
   /** A place in the drawing that can be dragged, or moved with the arrow keys. */
@@ -302,29 +344,33 @@ class Live {
   pointed(event, { panel = 0 }) {
     const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
     const pen = this.pens[panel];
-    return [(x - pen.left) / pen.scale + pen.view[0], pen.view[3] - y / pen.scaleY];
+    return [(x - pen.left) / pen.scale + pen.view[0], pen.view[3] - (y - pen.top) / pen.scaleY];
   }
 
   /** Take other values, each within its range, and show what comes of them. */
   set(changed, typing = null) {
     for (const [key, value] of Object.entries(changed)) {
-      const { low, high } = this.figure.numbers[key];
-      this.values[key] = clamped(value, low, high);
+      const { low = 0, high, names } = this.figure.numbers[key];
+      this.values[key] = clamped(value, low, high ?? names.length - 1);
     }
     this.show(typing);
   }
 
   show(typing = null) {
-    const { words, pens, drawing } = drawn(this.figure, this.lesson, this.values);
+    const { words, pens, drawing } = drawn(this.figure, this.lesson, this.values, this.isNarrow);
     this.pens = pens;
     this.picture.innerHTML = drawing;
     this.words.textContent = words;
     this.svg.setAttribute("aria-label", words);
     clearTimeout(this.waits);
     this.waits = setTimeout(() => (this.told.textContent = words), QUIET);
-    for (const { key, slider, box, step } of this.controls) {
+    for (const { key, list, slider, box, step, says } of this.controls) {
+      if (list) {
+        list.value = this.values[key];
+        continue;
+      }
       slider.value = this.values[key];
-      slider.setAttribute("aria-valuetext", written(this.values[key], step));
+      slider.setAttribute("aria-valuetext", says?.(this.values[key]) ?? written(this.values[key], step));
       if (box !== typing) box.value = String(Number(this.values[key].toFixed(6)));
     }
     for (const { group, at, says, panel = 0, step } of this.handles) {

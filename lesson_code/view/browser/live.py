@@ -28,8 +28,11 @@ EXPORT = re.compile(r"^export (default )?", re.MULTILINE)
 NOTHING = re.compile(r"^\s*(//.*|/\*\*.*\*/)?\n", re.MULTILINE)
 """A line that holds no code."""
 
-PROGRAM = re.compile(r'^  program: "(\w+)",$', re.MULTILINE)
-"""Names the program whose functions a figure calls."""
+PROGRAMS = re.compile(r"^  programs?: (.+),$", re.MULTILINE)
+"""Names the program whose functions a figure calls, or several."""
+
+OURS = re.compile(r'^import .* from "\.\./\.\./view/browser/(\w+\.js)";$', re.MULTILINE)
+"""Names a module of this folder that a figure uses."""
 
 
 def live(figure: str, alt: str) -> None:
@@ -91,12 +94,14 @@ def script_of(figure: str) -> str:
     A page that is opened from a folder may not fetch others.
     """
     described = file_of(figure).read_text("utf-8")
-    named = PROGRAM.search(described)
+    named = PROGRAMS.search(described)
     if not named:
         raise ValueError(
             f"{file_of(figure)} must name its program, such as 'program: \"formulas\"'"
         )
-    return plain(programs.script_with(named[1], f"{_framework()}\n{described}"))
+    modules = {"figure.js", *OURS.findall(described)}
+    lines = [_module(name) for name in (programs.LOADER.name, *sorted(modules))]
+    return plain("\n".join([*lines, described, _opening(named[1])]))
 
 
 def plain(modules: str) -> str:
@@ -107,9 +112,18 @@ def plain(modules: str) -> str:
 
 
 @cache
-def _framework() -> str:
-    """Return what brings a figure to life."""
-    return files("lesson_code.view.browser").joinpath("figure.js").read_text("utf-8")
+def _module(name: str) -> str:
+    """Return a module of this folder."""
+    return files("lesson_code.view.browser").joinpath(name).read_text("utf-8")
+
+
+def _opening(named: str) -> str:
+    """Return a function that opens a figure's program, or all of several by their names."""
+    names = re.findall(r"\w+", named)
+    if named.startswith('"'):
+        return f"const open_program = () => {programs.opened(names[0])};\n"
+    each = ", ".join(f"{name}: await {programs.opened(name)}" for name in names)
+    return f"const open_program = async () => ({{ {each} }});\n"
 
 
 def colors() -> str:

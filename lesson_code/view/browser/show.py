@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import io
 
-import matplotlib
 from IPython.display import display
 from matplotlib.figure import Figure
 
@@ -14,14 +13,6 @@ def png_of(figure: Figure) -> bytes:
     """Return a figure as the bytes of a PNG."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", metadata={"Software": None})
-    return buffer.getvalue()
-
-
-def svg_of(figure: Figure) -> str:
-    """Return a figure as the text of an SVG, its letters drawn as outlines."""
-    buffer = io.StringIO()
-    with matplotlib.rc_context({"svg.hashsalt": "workbook", "svg.fonttype": "path"}):
-        figure.savefig(buffer, format="svg", metadata={"Creator": None, "Date": None})
     return buffer.getvalue()
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lesson_code.view.browser.chromium import chromium
-from lesson_code.view.browser.live import CHAPTERS, PROGRAM, colors, file_of, html_of, script_of
+from lesson_code.view.browser.live import CHAPTERS, PROGRAMS, colors, file_of, html_of, script_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -34,7 +34,7 @@ DRAWN = """() => ["style", "svg > g", "svg"].map((found) => {
 
 def names() -> list[str]:
     """Return all live figures, each as its chapter's folder and its own name."""
-    found = (file for file in CHAPTERS.glob("*/*.js") if PROGRAM.search(file.read_text("utf-8")))
+    found = (file for file in CHAPTERS.glob("*/*.js") if PROGRAMS.search(file.read_text("utf-8")))
     return sorted(file.relative_to(CHAPTERS).with_suffix("").as_posix() for file in found)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, Rectangle
+from matplotlib.patches import Rectangle
 
 from lesson_code.chapters.ch07_time_of_impact import figures as impact_plots
 from lesson_code.reference.closed_forms import ball_in_box
@@ -22,8 +22,6 @@ READABLE: Any = Callable[[Figure], None]
 ROUNDING = 1e-12
 """m: a few roundings of places of size 1 to 20."""
 
-BALL: dict[str, float] = {"dt": 0.1, "radius": 0.1, "thickness": 0.1}
-
 
 @pytest.fixture
 def ax() -> Axes:
@@ -31,57 +29,10 @@ def ax() -> Axes:
     return style.figure(width=9, height=2.6)[1]  # type: ignore[no-any-return]
 
 
-def discs(ax: Axes, *, filled: bool) -> list[tuple[float, float]]:
-    """Return the centres of all discs, or of all outlines."""
-    return [
-        (float(patch.center[0]), float(patch.center[1]))
-        for patch in ax.patches
-        if isinstance(patch, Circle) and patch.get_fill() is filled
-    ]
-
-
 def points(ax: Axes, marker: str) -> list[tuple[float, float]]:
     """Return what is drawn with a marker."""
     drawn = [np.array(line.get_data()).T for line in ax.lines if line.get_marker() == marker]
     return [(float(x), float(y)) for places in drawn for x, y in places]
-
-
-# steps_over_a_wall
-
-
-def test_steps_stand_a_step_apart_and_go_through(ax: Axes) -> None:
-    """At 5 m/s and 0.1 s a step is 0.5 m long; none of these ends in the last 0.15 m."""
-    assert impact_plots.steps_over_a_wall(ax, 5.0, phase=0.6, **BALL) is ax
-    places = [x for x, _ in discs(ax, filled=True)]
-    assert places == pytest.approx(np.arange(-1.7, 2.0, 0.5), abs=ROUNDING)
-    assert ax.get_title() == "through the wall"
-
-
-def test_steps_end_where_the_ball_is_seen_in_time(ax: Axes) -> None:
-    """The last disc is the first that overlaps with its centre before the middle, hatched."""
-    impact_plots.steps_over_a_wall(ax, 5.0, phase=0.8, **BALL)
-    assert discs(ax, filled=True)[-1][0] == pytest.approx(-0.1, abs=ROUNDING)
-    hatches = [p.get_hatch() for p in ax.patches if isinstance(p, Circle) and p.get_fill()]
-    assert [bool(hatch) for hatch in hatches] == [False, False, False, True]
-    assert ax.get_title() == "stopped"
-
-
-def test_steps_show_the_exact_impact_and_the_wall(ax: Axes) -> None:
-    """The outline touches the wall's face; the wall is as thick as it was said to be."""
-    impact_plots.steps_over_a_wall(ax, 5.0, phase=0.6, **BALL)
-    assert discs(ax, filled=False) == [pytest.approx((-0.15, 0.0))]
-    (wall,) = [p for p in ax.patches if isinstance(p, Rectangle) and p.get_hatch()]
-    assert (wall.get_x(), wall.get_width()) == (-0.05, 0.1)
-
-
-@pytest.mark.parametrize(("speed", "thickness"), [(2.0, 1.0), (60.0, 0.02), (30.0, 0.1)])
-def test_steps_can_be_read(
-    ax: Axes, speed: float, thickness: float, assert_texts_are_clear: READABLE
-) -> None:
-    """No text is cut off or runs into another one, at the ends of the sliders."""
-    ball = {"dt": 1 / 60, "radius": 0.1, "thickness": thickness}
-    impact_plots.steps_over_a_wall(ax, speed, phase=0.3, **ball)
-    assert_texts_are_clear(ax.figure)
 
 
 # Two circles

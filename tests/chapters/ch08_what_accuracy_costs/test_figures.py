@@ -90,21 +90,6 @@ def test_rounding_stands_at_the_lower_edge_with_its_figure(ax: Axes) -> None:
     assert ax.get_ylim()[0] > 1e-6
 
 
-@pytest.mark.parametrize(("error", "words"), [(0.3, "pymunk in C"), (1e-9, "nothing")])
-def test_answer_is_ringed_and_named(ax: Axes, error: float, words: str) -> None:
-    """The cheapest that is good enough, or that nothing is."""
-    precision_plots.how_wrong(ax, result_of(*line()), BALL, error)
-    assert words in ax.get_title()
-    assert len(drawn(ax, "o")) == (1 if error > 0.1 else 0)
-
-
-def test_answer_of_rounding_is_ringed_at_the_lower_edge(ax: Axes) -> None:
-    """The ring goes where the point is drawn."""
-    exact = Point(BALL, "exact", "Python", 0.0, 1, 1, 5e-15, 1e-3, 10)
-    precision_plots.how_wrong(ax, result_of(*line(), exact), BALL, 1e-9)
-    assert (1.0, precision_plots.ROUNDING_AT) in drawn(ax, "o")
-
-
 def test_split_of_sweeps_keeps_who_fell(ax: Axes) -> None:
     """Points over their sub-steps, and a cross for the one without an answer."""
     points = [

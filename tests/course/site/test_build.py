@@ -96,17 +96,3 @@ def test_site_holds_pages_exercises_and_nothing_of_the_solutions(tiny: Path) -> 
     assert "<msup><mi>e</mi><mn>2</mn></msup>" in chapter
     assert '<a href="../exercises/00_tiny.ipynb" download>exercise</a>' in chapter
     assert "count." in (site / "index.html").read_text(encoding="utf-8")
-
-
-@NEEDS_TOOLS
-def test_figures_are_drawn_ahead_for_the_notebooks_asked_for(
-    monkeypatch: pytest.MonkeyPatch, tiny: Path
-) -> None:
-    """All by default, none for an empty list; a notebook that fails stops the build."""
-    broken = new_notebook(
-        cells=[new_markdown_cell("# 01 Broken"), new_code_cell("1 / 0")], metadata=PYTHON
-    )
-    nbformat.write(broken, tiny / "notebooks" / "01_broken.ipynb")
-    assert build(tiny, tiny / "site", moving=()) == build(tiny, tiny / "site", moving=["00_tiny"])
-    with pytest.raises(SiteError, match="01_broken: a cell failed: ZeroDivisionError"):
-        build(tiny, tiny / "site")

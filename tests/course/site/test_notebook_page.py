@@ -9,19 +9,12 @@ from typing import Any
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
-from lesson_code.course.site.moving import Control, MovingFigure
-from lesson_code.course.site.notebook_page import (
-    BEGIN_ANSWER,
-    END_ANSWER,
-    STANDS_STILL,
-    NotebookPage,
-)
+from lesson_code.course.site.notebook_page import BEGIN_ANSWER, END_ANSWER, NotebookPage
 from lesson_code.view.browser.show import png_of
 from lesson_code.view.matplotlib import style
 
 PNG = png_of(style.figure(width=3, height=2)[0])
 ALT = 'Two "carts" & a wall.'
-MOVING = MovingFigure(ALT, (Control("e <1", (-0.5, 0.0), 1),), ("<svg>a</svg>", "<svg>b</svg>"), ())
 
 
 def picture(words: str) -> Any:
@@ -35,10 +28,10 @@ def html(text: str, words: str = "") -> Any:
     return new_output("display_data", data={"text/html": text, "text/plain": words})
 
 
-def page_of(folder: Path, *outputs: Any, moving: Any = ()) -> list[Any]:
+def page_of(folder: Path, *outputs: Any) -> list[Any]:
     """Return the outputs of a page whose notebook has one cell with these."""
     notebook = new_notebook(cells=[new_code_cell("", outputs=list(outputs))])
-    [cell] = NotebookPage("01_carts", folder, moving).page_of(notebook).cells
+    [cell] = NotebookPage("01_carts", folder).page_of(notebook).cells
     return list(cell.outputs)
 
 
@@ -59,27 +52,6 @@ def test_text_of_a_figure_is_not_said_twice(tmp_path: Path) -> None:
         tmp_path, picture("Figure: carts"), html("<p>Figure: carts</p>", "Figure: carts")
     )
     assert len(shown) == 1
-
-
-def test_figure_with_sliders_comes_with_sliders(tmp_path: Path) -> None:
-    """Label, values and start are in the page, and the pictures in a file beside it."""
-    [shown] = page_of(tmp_path, picture("Figure (Run the cell to move.)"), moving=[MOVING])
-    text = shown.data["text/html"]
-    assert "e &lt;1</span>" in text
-    assert 'min="0" max="1" value="1"' in text
-    assert 'aria-valuetext="0"' in text
-    assert "\N{MINUS SIGN}0.5" in text.encode().decode("unicode_escape") or "\\u22120.5" in text
-    folder = tmp_path / "_static" / "figures"
-    assert (folder / "01_carts-1.svg").read_text(encoding="utf-8") == "<svg>b</svg>"
-    assert (folder / "01_carts-1.js").read_text().startswith('drawnAhead("01_carts-1", "')
-    assert STANDS_STILL not in text
-
-
-def test_figure_that_was_not_drawn_ahead_says_where_it_moves(tmp_path: Path) -> None:
-    """A reader is told why there is no slider."""
-    [moves, still] = page_of(tmp_path, picture("(Run the cell to move.)"), picture("Figure: carts"))
-    assert STANDS_STILL in moves.data["text/html"]
-    assert STANDS_STILL not in still.data["text/html"]
 
 
 def test_answers_are_folded_together_and_plumbing_each_for_itself(tmp_path: Path) -> None:

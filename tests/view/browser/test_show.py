@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from lesson_code.view.browser import show as module
-from lesson_code.view.browser.show import png_of, show, svg_of
+from lesson_code.view.browser.show import png_of, show
 from lesson_code.view.matplotlib import style
 
 
@@ -71,11 +71,3 @@ def test_png_has_the_size_of_the_figure() -> None:
     """A figure 4 inches wide and 2 high is 400 by 200 pixels."""
     header = png_of(a_line(width=4))[16:24]
     assert (int.from_bytes(header[:4]), int.from_bytes(header[4:])) == (400, 200)
-
-
-def test_svg_is_the_same_each_time_and_needs_no_font() -> None:
-    """No date, no random names, and letters as outlines: every machine shows the same."""
-    first, second = svg_of(a_line()), svg_of(a_line())
-    assert first == second
-    assert "<text" not in first
-    assert "<dc:date>" not in first

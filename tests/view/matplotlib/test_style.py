@@ -80,7 +80,7 @@ def test_plain_axes_keep_two_frame_lines_and_have_the_grid_behind() -> None:
 def test_figures_do_not_collect_in_pyplot() -> None:
     """A figure is freed when nobody holds it: pyplot, which keeps them all, is never loaded."""
     code = (
-        "import sys; from lesson_code.view.browser import interactive, show; "
+        "import sys; from lesson_code.view.browser import show; "
         "from lesson_code.view.matplotlib import diagrams, plots, style; "
         "style.figure(); print('matplotlib.pyplot' in sys.modules)"
     )
