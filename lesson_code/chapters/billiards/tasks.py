@@ -141,8 +141,8 @@ def _velocity(stream: Random, x: float, y: float) -> draws.Vector:
 
 
 def whole_seconds(stream: Random) -> Iterator[Arguments]:
-    """Draw frames of one second, and of a tenth: 60 steps and 6."""
-    for elapsed in (1.0, 0.1):
+    """Draw frames of one second, and of a half as the sum of 30 steps, which lacks 1e-16 s."""
+    for elapsed in (1.0, sum(30 * [TIME_STEP], 0.0)):
         yield LAUNCH[0], _velocity(stream, 1, -1), elapsed
 
 

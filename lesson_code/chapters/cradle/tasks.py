@@ -16,7 +16,7 @@ BALLS, PULL = 5, 0.5
 OUT = 0.6
 """Of the pull: a ball that is farther out counts as out."""
 
-DT, ACROSS = 1 / 400, 360
+DT, ACROSS = 1 / 100, 90
 """s; steps in which balls pulled out on a string of 0.8 m reach the other side: 0.9 s."""
 
 

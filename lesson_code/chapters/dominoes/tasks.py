@@ -10,7 +10,7 @@ from typing import Any
 from lesson_code.chapters.dominoes import rules as dominoes_rules
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 
-COUNT, HEIGHT, SPACING, DT = 8, 0.6, 0.3, 1 / 240
+COUNT, HEIGHT, SPACING, DT = 8, 0.6, 0.3, 1 / 60
 """Dominoes in a row; m, m and s."""
 
 FALLEN = math.asin(SPACING / HEIGHT)
@@ -50,13 +50,13 @@ def short_runs(stream: Random) -> Iterator[Arguments]:
 def while_it_falls(stream: Random) -> Iterator[Arguments]:
     """Draw a row that is pushed, at some moments of its fall."""
     rate = round(stream.uniform(0.9, 1.2), 2)
-    for steps in (80, 140, 200, 260):
+    for steps in (20, 35, 50, 65):
         yield _pushed(rate, steps)
 
 
 def when_all_is_over(stream: Random) -> Iterator[Arguments]:
     """Draw a row that is pushed, long after."""
-    yield _pushed(round(stream.uniform(0.9, 1.2), 2), 700)
+    yield _pushed(round(stream.uniform(0.9, 1.2), 2), 175)
 
 
 def _pushed(rate: float, steps: int) -> Arguments:

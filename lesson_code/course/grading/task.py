@@ -118,7 +118,7 @@ def _defined(source: str, named: Function, names: dict[str, Any]) -> Function:
     return made[named.__name__]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Criterion:
     """One thing that an answer must get right, with points of its own.
 
@@ -133,9 +133,12 @@ class Criterion:
     part: Part | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Task:
     """A function to write, its criteria, and the expected answer, which students never see.
+
+    A task is made once and equal to itself alone, as is a criterion: what is kept by task is looked
+    up a hundred times a submission.
 
     `section` is that of the chapter's notebook in which the formula stands; a program has none.
     `has_one_form` says that honest answers are the same line by line, so that two that are alike

@@ -21,6 +21,7 @@ import sys
 import tokenize
 import warnings
 from collections.abc import Callable, Collection, Iterable, Iterator
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -161,6 +162,7 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
         if "unreadable" not in unit:
             unit |= _kept_of(body, missing, is_cell=unit.pop("is_cell"))
             unit["codes"] = _codes(unit, body, compiler)
+    _names.cache_clear()
     return units
 
 
@@ -241,18 +243,20 @@ def kept_part(statement: ast.stmt, missing: Collection[str]) -> ast.stmt | None:
         is_listed = statement.level > 0 or may_be_imported(statement.module or "")
         return statement if is_listed else None
     if isinstance(statement, DEFINITIONS):
-        return _without(statement, set(missing)) if missing else statement
-    return None if _is_left_out(statement) or _names(statement) & set(missing) else statement
+        asks = not _names(statement).isdisjoint(missing)
+        return _without(statement, set(missing)) if asks else statement
+    asks = not _names(statement).isdisjoint(missing)
+    return None if asks or _is_left_out(statement) else statement
 
 
 def _without(definition: Any, missing: set[str]) -> ast.stmt:
     """Return a definition without the decorators and annotations that ask for what is missing."""
     decorators = definition.decorator_list
     definition.decorator_list = [each for each in decorators if not _names(each) & missing]
-    for part in ast.walk(definition):
+    for part in _nodes(definition, ast.arg | ast.FunctionDef):
         for field in ("annotation", "returns"):
             said = getattr(part, field, None)
-            if isinstance(part, ast.arg | ast.FunctionDef) and said and _names(said) & missing:
+            if said and _names(said) & missing:
                 setattr(part, field, None)
     statement: ast.stmt = definition
     return statement
@@ -296,13 +300,24 @@ def _left_out(body: Iterable[ast.stmt]) -> Iterator[tuple[str, str]]:
 
 
 def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
-    """Yield the nodes of a kind."""
-    return (node for node in ast.walk(tree) if isinstance(node, kind))
+    """Yield the nodes of a kind, in any order."""
+    left = [tree]
+    while left:
+        node = left.pop()
+        if isinstance(node, kind):
+            yield node
+        for name in node._fields:
+            value = getattr(node, name, None)
+            if isinstance(value, ast.AST):
+                left.append(value)
+            elif isinstance(value, list):
+                left += [part for part in value if isinstance(part, ast.AST)]
 
 
+@lru_cache(maxsize=2 * MOST_CELLS)  # a statement is asked several times; `read` forgets them
 def _names(tree: ast.AST) -> set[str]:
     """Return the names whose values some code asks for."""
-    return {node.id for node in _nodes(tree, ast.Name) if isinstance(node.ctx, ast.Load)}
+    return {node.id for node in _nodes(tree, ast.Name) if type(node.ctx) is ast.Load}
 
 
 def _cell(source: str) -> tuple[str, list[ast.stmt]]:

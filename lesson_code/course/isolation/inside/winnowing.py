@@ -15,7 +15,7 @@ from __future__ import annotations
 import ast
 import hashlib
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 LEFT_OUT = ("annotation", "returns", "ctx", "type_comment", "decorator_list")
@@ -55,13 +55,21 @@ def _nodes(tree: ast.AST) -> Iterator[str]:
     left = [tree]
     while left:
         node = left.pop()
-        yield f"{type(node).__name__}{_of_others(node)}"
-        parts: list[ast.AST] = []
-        for name in node._fields:
-            value = None if name in LEFT_OUT else getattr(node, name, None)
-            found = value if isinstance(value, list) else (value,)
-            parts += [p for p in found if isinstance(p, ast.AST) and not _is_text_alone(p)]
-        left.extend(reversed(parts))
+        kind = type(node).__name__
+        yield f"{kind}{_of_others(node)}"
+        for name in _fields(kind):
+            value = getattr(node, name, None)
+            if isinstance(value, ast.AST):
+                left.append(value)
+            elif isinstance(value, list):
+                left += [p for p in reversed(value) if isinstance(p, ast.AST) and _counts(p)]
+
+
+@cache
+def _fields(kind: str) -> tuple[str, ...]:
+    """Return the fields of a kind of node that say how its code computes, the last one first."""
+    fields: tuple[str, ...] = getattr(ast, kind)._fields
+    return tuple(name for name in reversed(fields) if name not in LEFT_OUT)
 
 
 def _of_others(tree: ast.AST) -> str:
@@ -71,6 +79,6 @@ def _of_others(tree: ast.AST) -> str:
     return tree.attr if isinstance(tree, ast.Attribute) else ""
 
 
-def _is_text_alone(tree: ast.AST) -> bool:
-    """Return whether a statement is a docstring, or another text that does nothing."""
-    return isinstance(tree, ast.Expr) and isinstance(tree.value, ast.Constant)
+def _counts(tree: ast.AST) -> bool:
+    """Return whether a statement is no docstring, nor another text that does nothing."""
+    return not (isinstance(tree, ast.Expr) and isinstance(tree.value, ast.Constant))
