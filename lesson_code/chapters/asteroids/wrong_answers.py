@@ -18,9 +18,13 @@ def _apart(masses: Vector, speed: float, heading: float) -> Any:
     return speed * np.column_stack([np.cos(turns), np.sin(turns)])
 
 
-@wrong_model("A.1", "A heavy piece and a light one fly apart at one speed. What is their momentum?")
+@wrong_model(
+    "A.1",
+    "You take nothing back, or the plain mean, which is 0. Which of two pieces of one speed, a "
+    "heavy and a light one, has more momentum?",
+)
 def nothing_taken_back(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
-    """Directions that are spread evenly keep the momentum by themselves."""
+    """Directions that are spread evenly keep the momentum, whatever the masses."""
     return velocity + _apart(masses, speed, heading)
 
 
@@ -63,6 +67,15 @@ def forgets_the_ship(
     """The shot leaves at the muzzle speed, however the ship moves."""
     shot = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
     return velocity - shot_mass / ship_mass * shot, shot
+
+
+@wrong_model("A.2", "The ship flies on at 100 m/s. Is a shot of 50 m/s behind it or before it?")
+def seen_from_the_ground(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The muzzle speed is that over the ground; the ship has the rest of the momentum."""
+    shot = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+    return velocity + shot_mass / ship_mass * (velocity - shot), shot
 
 
 @wrong_model("A.2", "After the shot, how fast is it as seen from the ship that has recoiled?")

@@ -41,6 +41,13 @@ def both_turn_round(m1: float, v1: float, m2: float, v2: float) -> tuple[float, 
     return -v1, -v2
 
 
+@wrong_model("1.1", "Is v1 - v2 how fast body 2 leaves, or how fast the two leave each other?")
+def separation_as_velocity(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Body 2 leaves at the speed of the approach; body 1 has the rest of the momentum."""
+    v2_after = v1 - v2
+    return (m1 * v1 + m2 * v2 - m2 * v2_after) / m1, v2_after
+
+
 @wrong_model("1.2", "A truck meets a fly head on. Does the truck lose half its speed?")
 def plain_average(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
     """Bodies that stick together go on at the average of their velocities."""

@@ -17,6 +17,18 @@ def as_energy_ratio(v1: float, v2: float, v1_after: float, v2_after: float) -> f
     return ((v2_after - v1_after) / (v1 - v2)) ** 2
 
 
+@wrong_model("2.1", "Is restitution a ratio of energies, and does an energy not need a mass?")
+def energies_without_masses(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution compares the squares of all velocities after with those before."""
+    return (v1_after**2 + v2_after**2) / (v1**2 + v2**2)
+
+
+@wrong_model("2.1", "Both fly on to the right after it. Does the larger speed tell how they part?")
+def fastest_over_fastest(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution compares the largest speed after with the largest before."""
+    return max(abs(v1_after), abs(v2_after)) / max(abs(v1), abs(v2))
+
+
 @wrong_model("2.1", "A light ball and a heavy one: does either speed alone tell how they parted?")
 def first_body_only(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
     """Restitution compares one body's own speed after with its speed before."""
@@ -75,6 +87,15 @@ def equal_mass_formula(
     return v - restitution * half_approach, v + restitution * half_approach
 
 
+@wrong_model("2.2", "Does a truck change its velocity as much as the fly that it meets?")
+def half_the_separation_each(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """Each body leaves the common velocity with half of the separation."""
+    v, half = (m1 * v1 + m2 * v2) / (m1 + m2), restitution * (v1 - v2) / 2
+    return v - half, v + half
+
+
 @wrong_model("2.3", "Speed comes back by the factor e. How does height depend on speed?")
 def speed_factor_for_height(height: float, restitution: float, count: int) -> list[float]:
     """Each bounce multiplies the height by e."""
@@ -126,3 +147,11 @@ def ten_bounces(height: float, restitution: float, gravity: float) -> float:
     """After ten bounces the ball is as good as at rest."""
     fall = (2 * height / gravity) ** 0.5
     return float(fall + sum(2 * fall * restitution**n for n in range(1, 11)))
+
+
+@wrong_model(
+    "2.4", "How much time do two bounces take that reach 1 m and 0.25 m: 4 to 1, or 2 to 1?"
+)
+def falls_shrink_like_heights(height: float, restitution: float, gravity: float) -> float:
+    """Each fall takes e^2 of the time of the one before, and nothing else takes time."""
+    return float((2 * height / gravity) ** 0.5 / (1 - restitution**2))

@@ -100,6 +100,16 @@ def pushes_deeper(
     return position - depth * normal, velocity - (1 + restitution) * v_n * normal
 
 
+@wrong_model("3.3", "After going back along its path, does a ball that came in at a slant touch?")
+def back_along_the_path(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """The ball goes back the way it has come, by the depth."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    way = velocity / np.hypot(*velocity)
+    return position - depth * way, velocity - (1 + restitution) * v_n * normal
+
+
 @wrong_model("3.3", "A ball inside the wall, but leaving it: does it not have to be moved out?")
 def gate_before_position(
     position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
@@ -118,6 +128,17 @@ def moves_half_the_depth(
     """Ball and wall share the way apart."""
     v_n = min(0.0, np.dot(velocity, normal))
     return position + depth / 2 * normal, velocity - (1 + restitution) * v_n * normal
+
+
+@wrong_model(
+    "3.3", "The normal points to the ball. What is the sign of v . N for a ball coming in?"
+)
+def bounces_only_when_leaving(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """A ball comes in when v . N is positive."""
+    v_n = max(0.0, np.dot(velocity, normal))
+    return position + depth * normal, velocity - (1 + restitution) * v_n * normal
 
 
 @wrong_model("3.3", "The ball is already leaving. What does your wall do to its velocity?")

@@ -131,6 +131,19 @@ def exchanges_normal_parts(
     return v1 + vn * normal, v2 - vn * normal
 
 
+@wrong_model(
+    "4.2", "Two circles graze each other, very fast. How fast does the gap between them close?"
+)
+def speed_for_approach(
+    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
+) -> Any:
+    """The approach is the speed of one as seen from the other."""
+    if np.dot(v2 - v1, normal) >= 0:
+        return v1, v2
+    impulse = (1 + restitution) * np.hypot(*(v2 - v1)) * m1 * m2 / (m1 + m2)
+    return v1 - impulse / m1 * normal, v2 + impulse / m2 * normal
+
+
 @wrong_model("4.2", "Both circles change by the same amount. Should a truck change like a fly?")
 def masses_ignored(
     v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
@@ -184,6 +197,16 @@ def only_the_first_moves(
 ) -> Any:
     """The first circle has run into the second, and has to go back all the way."""
     return p1 - depth * normal, p2
+
+
+@wrong_model("4.3", "One circle is a little lighter than the other. Should it go all of the way?")
+def only_the_lighter_moves(
+    p1: Vector, m1: float, p2: Vector, m2: float, normal: Vector, depth: float
+) -> Any:
+    """The lighter circle makes room, and the heavier stays."""
+    if m1 < m2:
+        return p1 - depth * normal, p2
+    return p1, p2 + depth * normal
 
 
 @wrong_model("4.3", "In yours the heavier circle moves further. Which is easier to push aside?")

@@ -153,6 +153,16 @@ def the_mass_itself(
     return 1 / (1 / m_a + 1 / m_b + arm_a**2 / i_a + arm_b**2 / i_b)
 
 
+@wrong_model("5.3", "The ground never turns. Does a ball on it stop turning for that?")
+def turn_as_one(
+    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
+) -> Number:
+    """Both bodies resist turning together, so their moments of inertia add."""
+    arm_a = r_a[0] * direction[1] - r_a[1] * direction[0]
+    arm_b = r_b[0] * direction[1] - r_b[1] * direction[0]
+    return 1 / m_a + 1 / m_b + (arm_a - arm_b) ** 2 / (i_a + i_b)
+
+
 @wrong_model("5.3", "Both bodies can turn. Where is the lever arm of body B?")
 def first_body_only(
     m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector

@@ -85,6 +85,18 @@ def nearest_approach(
     return float(t) if t <= dt and np.hypot(*(d + v * t)) < r1 + r2 else None
 
 
+@wrong_model("7.1", "Must a circle that passes beside the other fly the whole gap to touch it?")
+def as_if_head_on(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """The time is the gap over the speed, whichever way it is crossed."""
+    d, v, reach = p2 - p1, v2 - v1, r1 + r2
+    if d @ v >= 0 or abs(d[0] * v[1] - d[1] * v[0]) > reach * np.hypot(*v):
+        return None
+    t = max(0.0, float((np.hypot(*d) - reach) / np.hypot(*v)))
+    return t if t <= dt else None
+
+
 @wrong_model("7.1", "Two circles fly side by side, a metre apart. When do they meet?")
 @edited(with_the_quadratic_formula, {"return None": "return None if a else 0.0"})
 def side_by_side_is_now() -> None:
@@ -121,6 +133,15 @@ def the_root_in_the_past(height: float, velocity: float, gravity: float) -> Time
 def without_gravity(height: float, velocity: float, gravity: float) -> Time:
     """The time is the way over the velocity."""
     return height / -velocity if velocity < 0 else None
+
+
+@wrong_model("7.2", "From which height does your ball fall: from where it was thrown, or higher?")
+def falls_from_the_start(height: float, velocity: float, gravity: float) -> Time:
+    """A ball that is thrown up takes v/g to its top, and then falls from its first height."""
+    if velocity < 0:
+        speed = math.sqrt(velocity**2 + 2 * gravity * height)
+        return 2 * height / (speed - velocity)
+    return velocity / gravity + math.sqrt(2 * height / gravity) if gravity > 0 else None
 
 
 @wrong_model("7.2", "Throw one ball down and let another one go. Do they land together?")

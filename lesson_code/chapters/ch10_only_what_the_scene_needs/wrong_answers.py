@@ -92,6 +92,12 @@ def bounces_alone() -> None:
     """One body that bounces is enough for restitution."""
 
 
+@wrong_model("10.2", "A smooth box falls on its corner. What does it do then?")
+@edited(asks_effect_by_effect, {"corners[m > 0].any()": "False"})
+def corners_never_turn() -> None:
+    """Without friction nothing begins to turn."""
+
+
 @wrong_model("10.2", "A rough ball on smooth ice: what does the pair do?")
 @edited(asks_effect_by_effect, {"any(mu[a] * mu[b] > 0 for a, b in pairs)": "mu.any()"})
 def rubs_alone() -> None:

@@ -52,6 +52,26 @@ def many_boxes(stream: Random) -> Iterator[Arguments]:
     yield (tuple(boxes),)
 
 
+def many_and_touching_boxes(stream: Random) -> Iterator[Arguments]:
+    """Draw boxes of all sizes all over the place, and some that share a side or a corner."""
+    yield from many_boxes(stream)
+    yield from boxes_that_touch(stream)
+
+
+def boxes_that_touch(stream: Random) -> Iterator[Arguments]:
+    """Draw boxes that share a side or a corner alone, and one that does not quite reach."""
+    left, low = stream.randint(-4, 4) / 2, stream.randint(-4, 4) / 2
+    wide, high = stream.randint(2, 6) / 2, stream.randint(2, 6) / 2
+    box = left, left + wide, low, low + high
+    beside = left + wide, left + wide + 1.5, low + 0.25, low + high
+    above = left + 0.25, left + wide - 0.25, low + high, low + high + 2.5
+    corner = left - 2.0, left, low - 1.5, low
+    near = left - 3.0, left - 0.125, low + 0.5, low + high
+    boxes = [box, beside, above, corner, near]
+    stream.shuffle(boxes)
+    yield (tuple(boxes),)
+
+
 def _box(stream: Random, width: float, height: float) -> Box:
     """Return a box of about that size near the origin."""
     left, low = stream.uniform(-1, 1), stream.uniform(-1, 1)
@@ -426,7 +446,7 @@ TASKS = (
         criteria=(
             Criterion("apart in one direction", apart_in_one_direction, part=_in_order),
             Criterion("crossed, and one inside another", crossed_and_nested, part=_in_order),
-            Criterion("many boxes", many_boxes, part=_in_order),
+            Criterion("many boxes, and touching ones", many_and_touching_boxes, part=_in_order),
         ),
     ),
     Task(

@@ -60,6 +60,22 @@ def both_orders(boxes: Table) -> Any:
     ]
 
 
+@wrong_model("11.1", "The right side of one is the left side of the other. Do they share a point?")
+def touching_is_apart(boxes: Table) -> Any:
+    """Boxes that only touch share nothing."""
+    count = range(len(boxes))
+    return [
+        (i, j)
+        for i in count
+        for j in count
+        if i < j
+        and boxes[i][0] < boxes[j][1]
+        and boxes[j][0] < boxes[i][1]
+        and boxes[i][2] < boxes[j][3]
+        and boxes[j][2] < boxes[i][3]
+    ]
+
+
 @wrong_model("11.1", "A small box lies inside a long one, off its middle. What does your rule say?")
 def neighbours_in_a_row(boxes: Table) -> Any:
     """Sorted by their left sides, only neighbours can overlap."""
@@ -151,6 +167,15 @@ def walls_without_a_gate() -> None:
 @edited(pair_by_pair_and_wall_by_wall, {"p[:, axis] = np.clip(p[:, axis], low, high)": "pass"})
 def nobody_is_put_back() -> None:
     """The velocity is turned round, and the disc comes out by itself."""
+
+
+@wrong_model("11.3", "A disc has a size. Which part of it touches the wall first?")
+@edited(
+    pair_by_pair_and_wall_by_wall,
+    {"low, high = radii, room[axis] - radii": "low, high = 0, room[axis]"},
+)
+def centres_at_the_walls() -> None:
+    """A disc is beyond a wall where its centre is."""
 
 
 @wrong_model("11.3", "Two discs overlap and part already. Why do you hit them?")

@@ -106,6 +106,17 @@ def one_swap_a_step(angles: Vector, rates: Vector, length: float, dt: float, ste
     return angles, rates
 
 
+@wrong_model("C.3", "You go from left to right once. What of a ball that comes from the right?")
+def one_pass_a_step(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+    """In each step the pairs are looked at once, from left to right."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        for k in range(len(angles) - 1):
+            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+                rates[k], rates[k + 1] = rates[k + 1], rates[k]
+    return angles, rates
+
+
 @wrong_model("C.3", "Two balls swing to the right, side by side. Do they collide?")
 def swaps_without_gate(
     angles: Vector, rates: Vector, length: float, dt: float, steps: float

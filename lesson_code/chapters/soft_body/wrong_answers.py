@@ -91,6 +91,16 @@ def damps_all_motion(
     return undamped - damping * velocities
 
 
+@wrong_model("S.2", "The ring turns as a whole. Does any of its springs get longer by that?")
+def damps_across_the_springs(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """Damping acts on the whole of the velocity between two masses."""
+    undamped = np.asarray(ring_forces(positions, velocities, length, stiffness, 0.0))
+    braked = damping * (_next(velocities) - velocities)
+    return undamped + braked - np.roll(braked, 1, axis=0)
+
+
 @wrong_model("S.2", "Two masses come nearer to each other. Does damping help them or hinder them?")
 def damping_that_drives(
     positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
@@ -141,10 +151,28 @@ def away_from_the_middle(positions: Vector, area: float, stiffness: float) -> An
     return (pressure * (length + np.roll(length, 1)) / 2 / distance)[:, None] * away
 
 
+@wrong_model("S.4", "Which velocity moves a mass in the task's second step: v, or v'?")
+@edited(
+    force_by_force,
+    {
+        "        p = p + v * BLOB.dt\n": "",
+        "        v = v + (forces": "        p = p + v * BLOB.dt\n        v = v + (forces",
+    },
+)
+def moves_by_the_old_velocity() -> None:
+    """A mass moves by the velocity that it had at the beginning of the step."""
+
+
 @wrong_model("S.4", "Where is the lowest mass at the end? And where is the floor?")
 @edited(force_by_force, {"p[:, 1] < 0": "p[:, 1] < -np.inf"})
 def falls_through() -> None:
     """The floor is only a picture."""
+
+
+@wrong_model("S.4", "Why does a real ball lie still after a while?")
+@edited(force_by_force, {"BLOB.air * v": "0.0 * v"})
+def without_air() -> None:
+    """The air does not matter."""
 
 
 @wrong_model("S.4", "A mass is below the floor and stands still. How does it come out again?")

@@ -1029,7 +1029,7 @@ def box_of_flight(position, velocity, radius, gravity, duration):
     Wrong(
         "11.2",
         "rotation left out of the relative velocity",
-        ("term", "spin", "rotation"),
+        ("term", "spin", "rotation", "ignored"),
         """
 import numpy as np
 def hit(a, arm_a, b, arm_b, normal, restitution, friction):

@@ -10,6 +10,7 @@ from random import Random
 from typing import Any
 
 import pytest
+from course.recognition.newcomers import FIRST, FOURTH, SECOND, THIRD
 from course.recognition.students import WRONG, Wrong
 from course.recognition.test_right_answers import FORMS, TASKS, WAYS
 from course.recognition.textual_slips import textual_slips
@@ -28,6 +29,7 @@ from lesson_code.course.grading.recognition.candidates import (
 from lesson_code.course.grading.task import Task
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
+from lesson_code.course.notebooks.root import home
 
 SEED = 11
 """Draws the inputs of the wrong answers by hand; they were measured with others, too."""
@@ -61,10 +63,19 @@ def judged(task: Task, function: Callable[..., Any], seed: int = SEED) -> Verdic
 
 def verdict_of(wrong: Wrong, seed: int = SEED) -> Verdict:
     """Return what a student's wrong answer earns."""
-    names: dict[str, Any] = {}
-    exec(wrong.source, names)  # noqa: S102 - written here
     task = task_by_id(wrong.task)
+    names = names_given(task)
+    exec(wrong.source, names)  # noqa: S102 - written here
     return judged(task, names[task.function], seed)
+
+
+def names_given(task: Task) -> dict[str, Any]:
+    """Return what a file gives a student beside the functions to write: constants."""
+    names: dict[str, Any] = {"__name__": "student"}
+    exercise = next(each for each in exercises() if task in each.tasks)
+    if exercise.suffix == ".py":
+        exec(exercise.student_copy(home()).read_text(), names)  # noqa: S102 - the course's own
+    return names
 
 
 def is_right(wrong: Wrong, verdict: Verdict) -> bool:
@@ -72,13 +83,18 @@ def is_right(wrong: Wrong, verdict: Verdict) -> bool:
     return all(any(word in found.name for word in wrong.found) for found in verdict.diagnoses)
 
 
-def test_wrong_answers_of_students_are_recognised_nine_times_in_ten() -> None:
+@pytest.mark.parametrize(
+    "answers",
+    [WRONG, FIRST, SECOND, THIRD, FOURTH],
+    ids=["students", "first", "second", "third", "fourth"],
+)
+def test_wrong_answers_by_hand_are_recognised_nine_times_in_ten(answers: tuple[Wrong, ...]) -> None:
     """Of wrong answers written by hand at least nine in ten are explained, and none wrongly."""
-    verdicts = [(wrong, verdict_of(wrong)) for wrong in WRONG]
+    verdicts = [(wrong, verdict_of(wrong)) for wrong in answers]
     assert not [wrong.cause for wrong, verdict in verdicts if verdict.is_full]
     assert not [wrong.cause for wrong, verdict in verdicts if not is_right(wrong, verdict)]
     explained = [wrong for wrong, verdict in verdicts if verdict.diagnoses]
-    assert len(explained) >= FEWEST_RECOGNISED * len(WRONG)
+    assert len(explained) >= FEWEST_RECOGNISED * len(answers)
 
 
 @pytest.mark.one_in(4)

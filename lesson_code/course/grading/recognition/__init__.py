@@ -3,7 +3,7 @@
 A mistake is recognised where the answer differs from the right one. Of all wrong models that give
 the student's own numbers there, and are right wherever the student is, those count that explain
 the most criteria. Calls of a degenerate kind stand apart: there an answer often is right, or fails,
-for a reason of its own. Where more than two mistakes explain the same, nothing is said.
+for a reason of its own. Where more than two kinds of mistakes explain the same, nothing is said.
 """
 
 from __future__ import annotations
@@ -32,6 +32,9 @@ ENOUGH_PLAIN_CALLS = 3
 
 MOST_SAID = 2
 """Mistakes that explain the same and are both said; of more, none is."""
+
+VAGUEST = ("ignored", "term", "factor_missing")
+"""Kinds of slips that are not said where others, made in the same place, explain the same."""
 
 NEAR = 1e-6
 """Relative difference up to which two signatures may belong to answers that agree: far above the
@@ -193,6 +196,9 @@ def _said(found: list[WrongModel]) -> tuple[WrongModel, ...]:
     kinds: dict[str, dict[str, WrongModel]] = {}
     for model in found:
         kinds.setdefault(model.name, {})[model.hint] = model
+    for kind in VAGUEST:
+        if len(kinds) > MOST_SAID:
+            kinds.pop(kind, None)
     return tuple(_of_one_kind(list(models.values())) for models in kinds.values())
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import combinations, permutations
+from itertools import combinations, permutations, product
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -64,11 +64,73 @@ def slips_around(right: Function, task: str, parameters: Sequence[str]) -> Itera
         one, other = parameters[i], parameters[k]
         if len(parameters) > MOST_OF_ANY_KIND and other not in others_of(one, {*parameters}):
             continue
+        if other in others_of(one, {*parameters}):
+            yield model(task, "alike", _with_both_one(right, i, k), {"first": one, "second": other})
         exchanged = _with_places(right, {i: k, k: i})
         yield model(task, "exchanged", exchanged, {"first": one, "second": other})
         for a, b in ((i, k), (k, i)):
             names = {"wrong": parameters[b], "right": parameters[a]}
             yield model(task, "other", _with_places(right, {a: b}), names)
+
+    for place, name in enumerate(parameters):
+        for count in range(2, LARGEST_ORDER + 1):
+            for part in range(count):
+                unchanged = _with_argument_returned(right, count, part, place)
+                yield model(task, "unchanged", unchanged, {"name": name})
+
+    yield from slips_by_parts(right, task, parameters)
+
+
+ALONG: tuple[tuple[str, Callable[[Any, float], Any]], ...] = (
+    ("is kept", lambda part, _: part),
+    ("is turned round", lambda part, _: -part),
+    ("is lost", lambda part, _: 0 * part),
+    ("is multiplied by e", lambda part, e: e * part),
+    ("is turned round and multiplied by e", lambda part, e: -e * part),
+)
+"""What may become of the part of a velocity along the normal, or along the wall."""
+
+
+def slips_by_parts(right: Function, task: str, parameters: Sequence[str]) -> Iterator[WrongModel]:
+    """Yield answers in which the parts of one velocity are treated each in a way of its own.
+
+    A velocity of the answer stands alone or is one of its parts; where the right answer moves
+    none, as for bodies that part, none is moved.
+    """
+    names = list(parameters)
+    if "normal" not in names:
+        return
+    places = [None, *((count, k) for count in range(2, LARGEST_ORDER + 1) for k in range(count))]
+    for name in {"velocity", "incident", "v1", "v2"} & {*names}:
+        for place, across, along in product(places, ALONG, ALONG):
+            changed = _by_parts(right, names, name, place, across[1], along[1])
+            said = {"normal": across[0], "along": along[0]}
+            yield model(task, "parts", changed, said)
+
+
+def _by_parts(
+    right: Function,
+    names: list[str],
+    velocity: str,
+    place: tuple[int, int] | None,
+    across: Callable[[Any, float], Any],
+    along: Callable[[Any, float], Any],
+) -> Function:
+    """Return a function that changes both parts of one velocity of an answer."""
+
+    def answer(*given: Any) -> Any:
+        value = plain(right(*given))
+        before, n = (np.asarray(given[names.index(name)], float) for name in (velocity, "normal"))
+        e = given[names.index("restitution")] if "restitution" in names else 1.0
+        after = value if place is None else value[place[1]]
+        if (place is not None and len(value) != place[0]) or np.shape(after) != np.shape(before):
+            raise ValueError("value must hold a velocity in that place")
+        if not np.allclose(after, before, rtol=0, atol=1e-12):
+            part = before @ n * n
+            after = plain(across(part, e) + along(before - part, e))
+        return after if place is None else [*value[: place[1]], after, *value[place[1] + 1 :]]
+
+    return answer
 
 
 def of_the_answer(right: Function, task: str) -> Iterator[WrongModel]:
@@ -128,6 +190,29 @@ def _in_part(count: int, place: int, change: Change) -> Change:
 def _with_argument(right: Function, place: int, change: Change) -> Function:
     """Return a function that uses one of its arguments changed."""
     return lambda *given: right(*given[:place], change(given[place]), *given[place + 1 :])
+
+
+def _with_both_one(right: Function, i: int, k: int) -> Function:
+    """Return a function that takes 1 for two of its arguments, where they are numbers."""
+
+    def answer(*given: Any) -> Any:
+        if np.ndim(given[i]) or np.ndim(given[k]):
+            raise ValueError("given must be a number for each of the two")
+        return right(*(1.0 if place in (i, k) else value for place, value in enumerate(given)))
+
+    return answer
+
+
+def _with_argument_returned(right: Function, count: int, part: int, place: int) -> Function:
+    """Return a function that gives back an argument as one of the parts of its answer."""
+
+    def answer(*given: Any) -> Any:
+        value = plain(right(*given))
+        if len(value) != count or np.shape(value[part]) != np.shape(given[place]):
+            raise ValueError(f"value must have {count} parts like the argument, got {value}")
+        return [*value[:part], given[place], *value[part + 1 :]]
+
+    return answer
 
 
 def _with_places(right: Function, places: dict[int, int]) -> Function:

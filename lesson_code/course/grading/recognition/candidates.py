@@ -7,7 +7,7 @@ import contextlib
 import sys
 from collections.abc import Iterator
 from functools import cache
-from itertools import islice
+from itertools import chain, islice, zip_longest
 from random import Random
 from typing import Any
 
@@ -33,8 +33,8 @@ SECOND_SLIPS = ("gate", "sign", "factor", "other", "exchanged", "divisor", "prec
 MOST_PAIRS = 600
 """Pairs of mistakes that are tried for one task."""
 
-MOST_LINES = 400_000
-"""Lines of Python that all slips of a task may take for one call: about .3 s."""
+MOST_LINES = 1_200_000
+"""Lines of Python that all slips of a task may take for one call: about 1 s, once for a class."""
 
 
 def listed(task: Task) -> tuple[WrongModel, ...]:
@@ -51,11 +51,14 @@ def slips(task: Task) -> tuple[WrongModel, ...]:
 def _slips(task: Task) -> Iterator[WrongModel]:
     """Yield slips around the first right answer, and in the source of all."""
     found = right_answers(task.id, task.function)
+    for answer in found:
+        answer.most_rounds = max(answer.most_rounds, 2 * _work_of(task)[1])
+    inside = chain.from_iterable(slips_in(answer, task.id) for answer in found)
     for answer in found[:1]:
         whole = answer.function(answer.compiled())
-        yield from slips_around(whole, task.id, answer.parameters)
-    for answer in found:
-        yield from slips_in(answer, task.id)
+        around = slips_around(whole, task.id, answer.parameters)
+        for both_kinds in zip_longest(inside, around):  # where few are tried, some of either
+            yield from filter(None, both_kinds)
 
 
 @cache
@@ -73,13 +76,22 @@ def _pairs(task: Task) -> Iterator[WrongModel]:
             yield both(gate, slip)
 
 
-@cache
 def most_models(task: Task) -> int:
     """Return how many slips may be tried: fewer where a right answer takes much work.
 
     Work is counted in lines of Python, so that it is the same on every machine.
     """
-    lines = 0
+    lines, _ = _work_of(task)
+    return len(task.criteria) * MOST_LINES // lines
+
+
+@cache
+def _work_of(task: Task) -> tuple[int, int]:
+    """Return how many lines a right answer runs, for a call of each criterion, and rounds at most.
+
+    Counting stops at more than all slips may take.
+    """
+    lines = rounds = 0
 
     def count(_frame: Any, event: str, _argument: Any) -> Any:
         nonlocal lines
@@ -88,7 +100,9 @@ def most_models(task: Task) -> int:
             raise TooMuchWorkError
         return count
 
-    found = right_answers(task.id, task.function)
+    found = right_answers(task.id, task.function)[:1]
+    for answer in found:
+        answer.most_rounds = MOST_LINES
     right = found[0].function(found[0].compiled()) if found else task.expected
     before = sys.gettrace()
     for criterion in task.criteria:
@@ -96,11 +110,12 @@ def most_models(task: Task) -> int:
         sys.settrace(count)
         try:
             right(*arguments)
-        except (TooMuchWorkError, ArithmeticError):
-            return 0
+        except TooMuchWorkError:
+            return lines * len(task.criteria), 0
         finally:
             sys.settrace(before)
-    return len(task.criteria) * MOST_LINES // max(lines, 1)
+        rounds = max([rounds, *(answer.rounds for answer in found)])
+    return max(lines, 1), rounds
 
 
 class TooMuchWorkError(Exception):

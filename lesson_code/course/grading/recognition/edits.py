@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import copy
 import math
 import re
 from collections.abc import Iterator
@@ -43,6 +44,9 @@ Edit: TypeAlias = tuple[str, dict[str, str], ast.AST]
 def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
     """Yield what may stand in the place of a node by a slip."""
     match node:
+        case ast.Assign() | ast.AugAssign() | ast.Return(value=ast.expr()):
+            yield from _ignoring(node, known)
+    match node:
         case ast.BinOp():
             yield from _arithmetic(node, parent)
         case ast.UnaryOp(op=ast.USub()):
@@ -74,6 +78,13 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         case ast.BoolOp(op=op, values=values):
             other_op = ast.Or() if isinstance(op, ast.And) else ast.And()
             yield "and_or", {}, ast.BoolOp(other_op, values)
+            for index in range(len(values)):
+                kept = [*values[:index], *values[index + 1 :]]
+                yield "condition", {}, kept[0] if len(kept) == 1 else ast.BoolOp(op, kept)
+        case ast.While():
+            stops = ast.If(ast.UnaryOp(ast.Not(), node.test), [ast.Break()], [])
+            once = ast.Tuple([ast.Constant(0)], ast.Load())
+            yield "once", {}, ast.For(ast.Name("_", ast.Store()), once, [stops, *node.body], [])
         case ast.Tuple(ctx=ast.Load(), elts=elements) if isinstance(parent, ast.Return):
             for i, k in combinations(range(len(elements)), 2):
                 moved = list(elements)
@@ -100,6 +111,27 @@ def _is_a_value(node: ast.expr, parent: ast.AST) -> bool:
     return isinstance(parent, ast.Assign | ast.Return) and not isinstance(node, ast.Name)
 
 
+def _ignoring(node: ast.Assign | ast.AugAssign | ast.Return, known: set[str]) -> Iterator[Edit]:
+    """Yield a statement in whose value one of the names does not count."""
+    value = node.value or ast.Constant(None)
+    for name in sorted({part.id for part in ast.walk(value) if isinstance(part, ast.Name)} & known):
+        without = copy.copy(node)
+        without.value = _Without(name).visit(copy.deepcopy(value))
+        yield "ignored", {"name": name}, without
+
+
+class _Without(ast.NodeTransformer):
+    """Puts 0 times a name in its place."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        if node.id != self._name or not isinstance(node.ctx, ast.Load):
+            return node
+        return ast.BinOp(ast.Constant(0), ast.Mult(), node)
+
+
 def _uses(node: ast.AST, name: str) -> bool:
     """Return whether a name stands in an expression."""
     return any(isinstance(part, ast.Name) and part.id == name for part in ast.walk(node))
@@ -117,20 +149,58 @@ def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
             yield "term", {}, right
             if isinstance(node.op, ast.Sub):
                 yield "sign", {}, ast.BinOp(right, ast.Sub(), left)
+            elif not in_range:
+                yield "product", {}, ast.BinOp(left, ast.Mult(), right)
+                if _is_one(left):
+                    yield "one_plus", {}, ast.BinOp(ast.Constant(2), ast.Mult(), right)
         case ast.Mult():
+            yield "product", {}, ast.BinOp(left, ast.Add(), right)
             yield "quotient", {}, ast.BinOp(left, ast.Div(), right)
             yield _factor(right), {"of": _name(right)}, left
             yield _factor(left), {"of": _name(left)}, right
             yield from _without_brackets(left, node.op, right)
+            yield from _not_projected(left, right)
         case ast.Div():
             yield "quotient", {}, ast.BinOp(left, ast.Mult(), right)
             yield "upside_down", {}, ast.BinOp(right, ast.Div(), left)
             yield "factor" if _is_two(right) else "divisor", {"by": _name(right)}, left
+            yield from _halves(left, right)
             yield from _without_brackets(left, node.op, right)
         case ast.Pow():
             yield "power", {}, left
-            if _is_two(right):
-                yield "power", {}, ast.BinOp(left, ast.Mult(), right)
+            yield "power", {}, ast.BinOp(left, ast.Mult(), right)
+            if isinstance(right, ast.BinOp) and isinstance(right.op, ast.Mult):
+                for one, other in ((right.left, right.right), (right.right, right.left)):
+                    power = ast.BinOp(left, ast.Pow(), one)
+                    yield "power", {}, ast.BinOp(power, ast.Mult(), other)
+
+
+def _not_projected(left: ast.expr, right: ast.expr) -> Iterator[Edit]:
+    """Yield (v . n) n as v."""
+    for number, direction in ((left, right), (right, left)):
+        match number:
+            case ast.Call(args=[one, other]) if _called(number) == "dot":
+                pass
+            case ast.BinOp(left=one, op=ast.MatMult(), right=other):
+                pass
+            case _:
+                continue
+        for vector, axis in ((one, other), (other, one)):
+            if ast.dump(axis) == ast.dump(direction):
+                yield "projection", {}, vector
+
+
+def _halves(left: ast.expr, right: ast.expr) -> Iterator[Edit]:
+    """Yield c a / (a + b) as c / 2."""
+    match right:
+        case ast.BinOp(left=a, op=ast.Add(), right=b):
+            parts = [ast.dump(a), ast.dump(b)]
+            if ast.dump(left) in parts:
+                yield "share", {}, ast.Constant(0.5)
+            elif isinstance(left, ast.BinOp) and isinstance(left.op, ast.Mult):
+                for one, other in ((left.left, left.right), (left.right, left.left)):
+                    if ast.dump(one) in parts:
+                        yield "share", {}, ast.BinOp(other, ast.Div(), ast.Constant(2))
 
 
 def _without_brackets(left: ast.expr, op: ast.operator, right: ast.expr) -> Iterator[Edit]:

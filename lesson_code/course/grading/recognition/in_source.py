@@ -30,6 +30,10 @@ HINTS = {
     "factor_missing": "one factor{of} is left out. Do the units on both sides still fit?",
     "divisor": "a division{by} is left out. Do the units on both sides still fit?",
     "quotient": "a product and a quotient are exchanged. Do the units on both sides still fit?",
+    "product": "a sum and a product are exchanged. Do the units on both sides still fit?",
+    "one_plus": "1 + something is taken for twice that. What comes of it at 0?",
+    "projection": "a whole vector stands where its part along a direction counts. Which one is it?",
+    "share": "both get one half, whatever the masses. Which of the two should get more?",
     "upside_down": "a quotient is upside down. What should happen as its parts grow?",
     "term": "one term of a sum is left out. Which parts make up the whole?",
     "precedence": "brackets are missing. What does the division or the product take in?",
@@ -39,12 +43,18 @@ HINTS = {
     "other": "{wrong} stands where {right} belongs. Whose quantity is wanted there?",
     "exchanged": "{first} and {second} are exchanged. Which belongs where?",
     "ignored": "{name} does not count. What should change with it?",
+    "alike": "{first} and {second} count as equal. What should change where they differ?",
+    "unchanged": "{name} comes back as it came in. What should have become of it?",
     "index": "a component is taken for another. Which of x and y belongs there?",
     "order": "what is returned stands in another order. What was asked for first?",
     "gate": "a condition is turned round or not asked. When should something happen at all?",
     "minmax": "a largest and a smallest are exchanged. Which of the two is wanted?",
     "sine": "a sine and a cosine are exchanged. What should come at angle 0?",
     "cross": "a cross product is a dot product, or its order is turned. What does each measure?",
+    "condition": "one of several conditions is left out. When does each of them decide?",
+    "once": "what should go on until nothing is left happens once. When is it done?",
+    "sequence": "two steps stand in the other order. Which one needs what the other has changed?",
+    "parts": "the part along the normal {normal}, that across it {along}. What should each do?",
     "and_or": "an `and` and an `or` are exchanged. Must all hold, or is one enough?",
     "count": "a count is off by one. What is the first, and what the last?",
     "step": "one step is left out. Is each name brought up to date where it should be?",
@@ -56,14 +66,16 @@ HINTS = {
 
 UNNAMED = {
     "of": "", "by": "", "wrong": "one quantity", "right": "another", "first": "one quantity",
-    "second": "another", "name": "an argument",
+    "second": "another", "name": "one quantity", "normal": "becomes another",
+    "along": "as well",
 }  # fmt: skip
 """What stands in a hint for names that a reader does not know."""
 
 SAYS = "Your numbers are just those of a right answer in which "
 
 MOST_ROUNDS = 200
-"""Rounds of loops in one call of a slip: a slip may make a loop that never ends."""
+"""Rounds of loops in one call of a slip, where a right answer makes few: a slip may make a loop
+that never ends."""
 
 
 class TooManyRoundsError(ArithmeticError):
@@ -76,7 +88,8 @@ class RightAnswer:
 
     definition: ast.FunctionDef
     names: dict[str, Any]
-    _rounds: int = field(default=0, init=False)
+    most_rounds: int = field(default=MOST_ROUNDS, init=False)
+    rounds: int = field(default=0, init=False)
 
     def __post_init__(self) -> None:
         self.definition.decorator_list, self.definition.returns = [], None
@@ -94,8 +107,8 @@ class RightAnswer:
         return [argument.arg for argument in self.definition.args.args]
 
     def _count_round(self) -> None:
-        self._rounds += 1
-        if self._rounds > MOST_ROUNDS:
+        self.rounds += 1
+        if self.rounds > self.most_rounds:
             raise TooManyRoundsError("its loops do not end")
 
     def compiled(self) -> CodeType:
@@ -109,7 +122,7 @@ class RightAnswer:
         exec(code, self.names, made)  # noqa: S102 - the course's own source
 
         def slip(*arguments: Any) -> Any:
-            self._rounds = 0
+            self.rounds = 0
             with np.errstate(invalid="raise", divide="raise"):  # LAPACK prints what it cannot use
                 return made["slip"](*arguments)
 
@@ -186,6 +199,22 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
     for places in alike.values():
         if len(places) > 1:
             yield _all_of(places)
+    if "sequence" in kinds:
+        yield from _exchanged_steps(answer)
+
+
+def _exchanged_steps(answer: RightAnswer) -> Iterator[Place]:
+    """Yield each two statements after each other that give names to values, the other way round."""
+    for node in ast.walk(answer.definition):
+        body: Any = getattr(node, "body", ())
+        for first in range(len(body) - 1) if isinstance(body, list) else ():
+            if all(isinstance(x, ast.Assign | ast.AugAssign) for x in body[first : first + 2]):
+                exchange = partial(_exchange, body, first)
+                yield "sequence", {}, exchange, exchange
+
+
+def _exchange(body: list[ast.stmt], first: int) -> None:
+    body[first], body[first + 1] = body[first + 1], body[first]
 
 
 def _all_of(places: list[Place]) -> Place:
