@@ -11,7 +11,7 @@ from typing import Any
 from lesson_code.course.class_run.changes import exact
 from lesson_code.course.class_run.student import Student
 from lesson_code.course.grading.exercises import Exercise
-from lesson_code.course.grading.feedback import NOT_WRITTEN
+from lesson_code.course.grading.feedback import NOT_WRITTEN, not_there
 from lesson_code.course.grading.task import Task
 
 MOST_ANSWERS = 3
@@ -123,7 +123,7 @@ def summary_of(
         for student in students
         if (entry := student.of_task(exercise, task)) and entry["criteria"]
     ]
-    wrong = [(student, entry) for student, entry in found if _is_wrong(entry)]
+    wrong = [(student, entry) for student, entry in found if _is_wrong(entry, task)]
     failed = _failed(entry for _, entry in wrong)
     by_model: dict[str, list[tuple[Student, dict[str, Any]]]] = {}
     said: dict[str, dict[str, str]] = {}
@@ -139,7 +139,7 @@ def summary_of(
         full_points,
         handed_in=len(found),
         full=sum(entry["is_full"] for _, entry in found),
-        not_written=sum(_is_not_written(entry) for _, entry in found),
+        not_written=sum(_is_not_written(entry, task) for _, entry in found),
         points=float(sum((exact(entry["points"]) for _, entry in found), exact(0))),
         failed=failed,
         misconceptions=tuple(
@@ -184,12 +184,13 @@ def _shown(
     return tuple(min(answers[text]) for text in ranked[:MOST_ANSWERS])
 
 
-def _is_wrong(entry: Mapping[str, Any]) -> bool:
+def _is_wrong(entry: Mapping[str, Any], task: Task) -> bool:
     """Return whether an answer was written and the grader took points from it."""
     took = any(c["points"] < c["full_points"] for c in entry["criteria"])
-    return took and not _is_not_written(entry)
+    return took and not _is_not_written(entry, task)
 
 
-def _is_not_written(entry: Mapping[str, Any]) -> bool:
-    """Return whether an answer is still the stub."""
-    return all(criterion["message"] == NOT_WRITTEN for criterion in entry["criteria"])
+def _is_not_written(entry: Mapping[str, Any], task: Task) -> bool:
+    """Return whether an answer is still the stub, or its function is not there at all."""
+    nothing = NOT_WRITTEN, not_there(task.function)
+    return all(criterion["message"] in nothing for criterion in entry["criteria"])

@@ -148,5 +148,10 @@ def missing_function(function: str, others: Iterable[str], lost: dict[str, str])
         return f"{function} could not be read ({lost[function]})"
     near = difflib.get_close_matches(function, list(others), n=1)
     if near:
-        return f"there is no function named {function}; did you mean {near[0]}?"
+        return f"{not_there(function)}; did you mean {near[0]}?"
+    return not_there(function)
+
+
+def not_there(function: str) -> str:
+    """Return what is said of a function that nothing in a submission looks like."""
     return f"there is no function named {function}"
