@@ -171,7 +171,10 @@ def pairs_in(
 def model(task: str, kind: str, function: Function, names: dict[str, str]) -> WrongModel:
     """Return a slip as a wrong model."""
     says = HINTS[kind].format_map({**UNNAMED, **names})
-    function.__name__, function.__doc__ = kind, f"{says.partition('. ')[0]}.".capitalize()
+    first = f"{says.partition('. ')[0]}."
+    is_name = any(name and first.startswith(name) for name in names.values())
+    function.__doc__ = first if is_name else first[0].upper() + first[1:]
+    function.__name__ = kind
     return WrongModel(task, function, SAYS + says)
 
 
