@@ -135,9 +135,10 @@ def _at_contacts(island: Island, v: Floats) -> Floats:
 
 def changes_of(island: Island, x: Floats) -> list[list[float]]:
     """Return W G^T x: the changes of vx, vy, w of every body."""
-    received = np.zeros_like(island.inverse_masses)
-    np.add.at(received, island.of_a, island.on_a * x[:, np.newaxis])
-    np.add.at(received, island.of_b, island.on_b * x[:, np.newaxis])
+    count, impulses = len(island.bodies), x[:, np.newaxis]
+    of = np.concatenate((island.of_a, island.of_b))
+    parts = np.concatenate((island.on_a * impulses, island.on_b * impulses)).T
+    received = np.array([np.bincount(of, part, count) for part in parts]).T
     changes: list[list[float]] = (island.inverse_masses * received).tolist()
     return changes
 
@@ -147,26 +148,29 @@ def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> tu
 
     The normal of a disc goes through its centre: it has no lever arm, not even a rounding error.
     """
+    m = len(contacts)
     nx, ny, ax, ay, bx, by = np.array(
         [(c.nx, c.ny, c.ax, c.ay, c.bx, c.by) for c in contacts], dtype=float
     ).T
-    dx, dy = np.concatenate((nx, -ny)), np.concatenate((ny, nx))
-    ax, ay, bx, by = np.tile((ax, ay, bx, by), 2)
-    ra_x_d, rb_x_d = cross((ax, ay), (dx, dy)), cross((bx, by), (dx, dy))
+    on_a, on_b = np.empty((2 * m, 3)), np.empty((2 * m, 3))
+    for rows, d in ((slice(m), (nx, ny)), (slice(m, 2 * m), (-ny, nx))):
+        on_b[rows, 0], on_b[rows, 1], on_b[rows, 2] = *d, cross((bx, by), d)
+        on_a[rows, 2] = -cross((ax, ay), d)
+    on_a[:, :2] = -on_b[:, :2]
     for k, c in enumerate(contacts):
         if bodies[c.a].corner_count == 0:
-            ra_x_d[k] = 0.0
+            on_a[k, 2] = -0.0
         if bodies[c.b].corner_count == 0:
-            rb_x_d[k] = 0.0
-    return np.column_stack((-dx, -dy, -ra_x_d)), np.column_stack((dx, dy, rb_x_d))
+            on_b[k, 2] = 0.0
+    return on_a, on_b
 
 
 def _delassus(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Floats) -> Floats:
     """Return K: each body that can be pushed couples all the rows that it has a part in."""
-    k = np.zeros((len(of_a), len(of_a)))
-    rows, of, on = np.tile(np.arange(len(of_a)), 2), np.append(of_a, of_b), np.vstack((on_a, on_b))
-    for body in np.flatnonzero(w.any(axis=1)):
-        parts = np.flatnonzero(of == body)
-        own = on[parts]
-        k[np.ix_(rows[parts], rows[parts])] += (own * w[body]) @ own.T
+    size = len(of_a)
+    k, of, on = np.zeros((size, size)), np.concatenate((of_a, of_b)), np.concatenate((on_a, on_b))
+    for body in w.any(axis=1).nonzero()[0]:
+        parts = (of == body).nonzero()[0]
+        own, rows = on[parts], parts % size
+        k[rows[:, np.newaxis], rows] += (own * w[body]) @ own.T
     return k

@@ -65,7 +65,7 @@ class Problem(NamedTuple):
         """Return the problem of some of the contacts, given by their places, shape (p,)."""
         both = np.concatenate((points, len(self.friction) + points))
         scale = None if self.scale is None else self.scale[points]
-        k = self.delassus[np.ix_(both, both)]
+        k = self.delassus[both[:, np.newaxis], both]
         return Problem(k, self.velocity[both], self.friction[points], scale)
 
     def scaled(self) -> tuple[Problem, Floats]:
@@ -104,11 +104,11 @@ def complementarity_error(problem: Problem, x: Floats) -> float:
     0.5
     """
     m = len(problem.friction)
-    own = np.diag(problem.delassus)
+    own = problem.delassus.diagonal()
     wanted = x - (problem.velocity + problem.delassus @ x) / own
     limit = problem.friction * np.maximum(x[:m], 0.0)
     normal = x[:m] - np.maximum(wanted[:m], 0.0)
-    tangent = x[m:] - np.clip(wanted[m:], -limit, limit)
+    tangent = x[m:] - np.minimum(np.maximum(wanted[m:], -limit), limit)
     return float(np.abs(np.concatenate((normal, tangent)) * own).max(initial=0.0))
 
 
@@ -128,7 +128,7 @@ def legal(problem: Problem, x: Floats) -> Floats:
     m = len(problem.friction)
     jn = np.maximum(x[:m], 0.0)
     limit = problem.friction * jn
-    return np.concatenate((jn, np.clip(x[m:], -limit, limit)))
+    return np.concatenate((jn, np.minimum(np.maximum(x[m:], -limit), limit)))
 
 
 def cases_of(friction: Floats, x: Floats) -> Cases:

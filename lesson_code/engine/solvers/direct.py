@@ -237,7 +237,7 @@ def rounding_of(island: Island, speed: float) -> float:
     for it, but for their last digits.
     """
     load = speed * sum(1.0 / body.inv_m for body in island.bodies if body.inv_m > 0.0)
-    return ROUNDING * float(np.diag(island.delassus).max()) * load
+    return ROUNDING * float(island.delassus.diagonal().max()) * load
 
 
 def _pairs(contacts: list[ContactRow]) -> list[list[int]]:

@@ -181,7 +181,7 @@ def _fitting_cases(problem: Problem, cases: Cases, x: Floats, centre: Floats) ->
     k, b, mu = problem[:3]
     m = len(mu)
     w = b + k @ x + spring_of(problem) * (x - centre)
-    own = np.diag(k)
+    own = k.diagonal()
     rounding = ROUNDING * (np.abs(k) @ np.abs(x) + np.abs(b))
     jn, jt = x[:m], x[m:]
     wn = np.where(np.abs(w[:m]) <= rounding[:m], 0.0, w[:m])
