@@ -259,6 +259,8 @@ def _record(row: Any, kind: Any) -> Any:
 
 def _zeros(rows: int, dtype: np.dtype[Any]) -> NDArray[Any]:
     """Return a table of zeros that begins at a multiple of LINE bytes."""
+    if rows == 0:
+        return np.zeros(0, dtype)
     room = np.zeros(rows * dtype.itemsize + LINE, np.uint8)
     start = -room.ctypes.data % LINE
     return room[start : start + rows * dtype.itemsize].view(dtype)

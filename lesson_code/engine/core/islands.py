@@ -169,8 +169,8 @@ def _delassus(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Flo
     """Return K: each body that can be pushed couples all the rows that it has a part in."""
     size = len(of_a)
     k, of, on = np.zeros((size, size)), np.concatenate((of_a, of_b)), np.concatenate((on_a, on_b))
-    for body in w.any(axis=1).nonzero()[0]:
-        parts = (of == body).nonzero()[0]
+    for body in np.nonzero(w.any(axis=1))[0]:
+        parts = np.nonzero(of == body)[0]
         own, rows = on[parts], parts % size
         k[rows[:, np.newaxis], rows] += (own * w[body]) @ own.T
     return k

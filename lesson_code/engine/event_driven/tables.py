@@ -52,10 +52,13 @@ def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -
     free, fixed = np.flatnonzero(is_free), np.flatnonzero(~is_free)
     state = _state(scene, combine, has_grid)
     discs, obstacles = bodies[free], bodies[fixed]
-    boxes = sides_of(bodies, corners)[:, fixed]
-    _bound_grid(state, np.hstack([boxes, [discs["x"], discs["y"]] * 2]))
     slots = new_table(SlotRow, state.slot_count)
-    near, everywhere = _obstacles_near(state, boxes, scene.columns.is_moving[fixed], slots)
+    near: list[NearRow] = []
+    everywhere = [IndexRow(k) for k in range(len(fixed))]
+    if has_grid:
+        boxes = sides_of(bodies, corners)[:, fixed]
+        _bound_grid(state, np.hstack([boxes, [discs["x"], discs["y"]] * 2]))
+        near, everywhere = _obstacles_near(state, boxes, scene.columns.is_moving[fixed], slots)
     return Tables(
         state=state,
         discs=_discs(state, discs, free, slots),
@@ -131,7 +134,7 @@ def _state(scene: Scene, combine: MixingRule, has_grid: bool) -> ExactState:
 
 def _bound_grid(state: ExactState, sides: Floats) -> None:
     """Let the grid end one cell beyond all that is there at the start, shape (4, N), m."""
-    if math.isinf(state.cell_size) or sides.size == 0:
+    if sides.size == 0:
         return
     state.first_x = _cell(state, float(sides[LEFT].min())) - 1
     state.last_x = _cell(state, float(sides[RIGHT].max())) + 1
@@ -155,7 +158,7 @@ def _obstacles_near(
     everywhere: list[IndexRow] = []
     first: dict[int, int] = {}
     for k, (left, low, right, high) in enumerate(sides.T.tolist()):
-        if math.isinf(state.cell_size) or is_moving[k]:
+        if is_moving[k]:
             everywhere.append(IndexRow(k))
             continue
         columns = range(_cell(state, left) - 1, _cell(state, right) + 2)
