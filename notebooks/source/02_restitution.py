@@ -9,8 +9,8 @@
 # %% [markdown]
 # # 02 Restitution
 #
-# A superball dropped on stone comes back almost to your hand. A lump of clay stays where it
-# falls. One number tells them apart.
+# Drop a superball on stone, and it comes back almost to your hand. Drop a lump of clay, and it
+# stays where it falls. One number tells them apart, and you can measure it with a ruler.
 #
 # **After this notebook you will be able to**
 #
@@ -19,43 +19,51 @@
 # 2. predict how high a ball bounces, and how long it goes on bouncing;
 # 3. say what a time-stepping engine makes of a bouncing ball, and how wrong it is.
 #
-# **You need** notebook 01. **Time:** about 40 minutes to read, a few seconds to run.
+# **You need** notebook 01. **Time:** about 40 minutes with the questions; it runs in a few
+# seconds.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
+from lesson_code.chapters.ch02_restitution import figures
 from lesson_code.chapters.ch02_restitution import wrong_answers as wrong
 from lesson_code.chapters.ch02_restitution.stepped_ball import drop_in_steps
 from lesson_code.chapters.ch03_reflection import wrong_answers as wrong_bounce
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check
-from lesson_code.formulas import bounce, collide_1d, energy_lost_1d, restitution_1d
-from lesson_code.reference.closed_forms import bounce_heights, bouncing_ball, rest_time
+from lesson_code.formulas import bounce, collide_1d, energy_lost_1d
+from lesson_code.reference.closed_forms import bounce_heights, bouncing_ball
 from lesson_code.reference.pymunk_reference import drop_onto_floor
 from lesson_code.view.browser.live import live
-from lesson_code.view.browser.show import show
-from lesson_code.view.matplotlib import plots, style
 
 # %% [markdown]
 # ## 1 Restitution is a ratio of speeds
 #
-# Before they meet, two bodies approach each other with speed $v_1 - v_2$. Afterwards they part
-# with speed $v_2' - v_1'$. Newton found that for two given bodies the ratio hardly depends on how
-# fast they meet:
+# Before they meet, two bodies approach each other with the speed $v_1 - v_2$. Afterwards they
+# part with the speed $v_2' - v_1'$. Newton found that for two given bodies the ratio hardly
+# depends on how fast they meet:
 #
 # $$e = \frac{v_2' - v_1'}{v_1 - v_2}$$
 #
 # Note the order: *separation* is second minus first, *approach* is first minus second. Both are
-# positive numbers in a real collision. e is 1 when nothing is lost and 0 when the bodies stick.
+# positive in a real collision. e is 1 when nothing is lost and 0 when the bodies stick. Write it:
+
 
 # %%
-check("approach 4 m/s, separation 2 m/s", restitution_1d(3, -1, -1, 1), 0.5)
+@gap("02-restitution")
+def restitution(v1, v2, v1_after, v2_after):
+    return ...
+
+
+# %%
+check("approach 4 m/s, separation 2 m/s", restitution(3, -1, -1, 1), 0.5)
 v1_after, v2_after = collide_1d(1.0, 3.0, 2.0, -1.0, restitution=0.7)
-check("the restitution put in comes out", restitution_1d(3, -1, v1_after, v2_after), 0.7, 1e-12)
+check("the restitution put in comes out", restitution(3, -1, v1_after, v2_after), 0.7, 1e-12)
 
 # %% [markdown]
-# The velocities of one body alone do not tell e. Below, the same e = 0.5 gives the first body
-# quite different velocities, depending on the masses.
+# The velocity of one body alone does not tell you e. In each line below e is 0.5, and the first
+# body does something else in each, because the second has another mass:
 
 # %%
 for mass_2 in (0.5, 1.0, 2.0, 8.0):
@@ -66,55 +74,61 @@ for mass_2 in (0.5, 1.0, 2.0, 8.0):
 # %% [markdown]
 # ## 2 Only the energy of the approach can be lost
 #
-# The centre of mass moves on unchanged and keeps its kinetic energy. What can be turned into heat
-# is the energy of the *relative* motion, $\frac12 m_r (v_1 - v_2)^2$, with the reduced mass $m_r
-# = m_1 m_2/(m_1 + m_2)$. Speeds shrink by e, energies by e²:
-#
-# $$\text{energy lost} = \tfrac12\, m_r\,(1 - e^2)\,(v_1 - v_2)^2$$
-#
-# **Predict:** a collision has e = 0.7. Is the part of the relative energy that survives nearer to
-# 0.7 or to 0.5?
+# The centre of mass moves on as before and keeps its kinetic energy. What can turn into heat is
+# the energy of the *relative* motion, $\frac12 m_r (v_1 - v_2)^2$, with the reduced mass $m_r =
+# m_1 m_2/(m_1 + m_2)$.
 
 # %%
+predict("02-energy-kept")
+
+# %% tags=["answer"]
+# what is kept of speed and energy
 lost = energy_lost_1d(m1=1, v1=2, m2=3, v2=-1, restitution=0.7)
+relative = 1 / 2 * 3 / 4 * (2 - -1) ** 2
+check("the part of the relative energy kept", 1 - lost / relative, 0.49, tolerance=1e-12)
+figures.speed_and_energy_kept()
+
+# %% [markdown]
+# Speeds shrink by e, and energies by e²:
+#
+# $$\text{energy lost} = \tfrac12\, m_r\,(1 - e^2)\,(v_1 - v_2)^2$$
+
+# %%
 before = (1 * 2**2 + 3 * 1**2) / 2
 v1_after, v2_after = collide_1d(1, 2, 3, -1, restitution=0.7)
 after = (1 * v1_after**2 + 3 * v2_after**2) / 2
 check("energy before minus energy after", before - after, lost, tolerance=1e-12)
 check("worked by hand: 1/2 · 3/4 · 0.51 · 9 J", lost, 1.72125, tolerance=1e-12)
 
-# %%
-e = np.linspace(0, 1, 101)
-fig, ax = style.figure(width=6, height=3.4)
-named = {"part of the relative energy kept: e²": (e, e**2), "part of the speed kept: e": (e, e)}
-plots.curves(ax, named, "restitution e", "part kept")
-show(
-    fig,
-    "Two curves over restitution from 0 to 1: the speed kept is e, a straight line; the energy "
-    "kept is e squared, below it.",
-)
-
 # %% [markdown]
 # ## 3 A dropped ball rises to e² of its height, every time
 #
-# A ball that falls from height h reaches the floor with speed $\sqrt{2gh}$. It leaves with e
-# times that speed, so it rises to e²h. The next bounce starts from there. After n bounces the
-# height is
-#
-# $$h_n = e^{2n} h.$$
+# A ball that falls from the height h reaches the floor with the speed $\sqrt{2gh}$. It leaves
+# with e times that speed, so it rises to e²h. The next bounce starts from there. Write the height
+# after any number of bounces:
+
 
 # %%
-heights = bounce_heights(height=1.0, restitution=0.8, count=5)
-print("heights after each bounce, m:", np.round(heights, 4))
-check("the first bounce", heights[0], 0.64, tolerance=1e-12)
-check("the fifth bounce", heights[4], 0.8**10, tolerance=1e-12)
+@gap("02-height")
+def height_after(height, e, bounces):
+    return ...
+
+
+# %%
+print("after each bounce, m:", [round(height_after(1.0, 0.8, n), 4) for n in (1, 2, 3, 4, 5)])
+check("the first bounce", height_after(1.0, 0.8, 1), 0.64, tolerance=1e-12)
+check(
+    "the fifth, bounce by bounce", height_after(1.0, 0.8, 5), bounce_heights(1.0, 0.8, 5)[4], 1e-12
+)
 
 # %% [markdown]
-# Read the other way, two heights tell e: it is the root of their ratio. So a ruler is enough to
-# measure restitution. **Predict:** a ball is dropped from 1 m and comes back to 0.25 m. What is
-# e? How high must it come back for e = 0.9? Then drag the two balls, or type the heights.
+# Read it the other way round, and two heights tell you e.
 
 # %%
+predict("02-ruler")
+
+# %% tags=["answer"]
+# two heights, and the restitution they show
 live(
     "ch02_restitution/read_e",
     "A ball is dropped from 1 m and comes back to 0.64 m. Beside it, two arrows: it hits the floor "
@@ -129,9 +143,16 @@ live(
 #
 # $$T = t_0 + 2 t_0 (e + e^2 + e^3 + \dots) = \sqrt{\frac{2h}{g}}\;\frac{1 + e}{1 - e}$$
 #
-# At time T the ball has made infinitely many bounces, and lies still. This is called the *Zeno*
-# ball, after the philosopher of the paradox of Achilles and the tortoise. A program that waits
-# for "the last bounce" waits for ever.
+# At the time T the ball has made infinitely many bounces, and lies still. It is called the *Zeno*
+# ball, after the philosopher whose Achilles never catches the tortoise. A program that waits for
+# the last bounce waits for ever. Write T:
+
+
+# %%
+@gap("02-rest")
+def rest_time(height, restitution, gravity):
+    return ...
+
 
 # %%
 t0 = np.sqrt(2 * 1.0 / 9.81)
@@ -139,11 +160,12 @@ flights = 2 * t0 * 0.8 ** np.arange(1, 200)
 check("the sum of 199 flights", t0 + flights.sum(), rest_time(1.0, 0.8, 9.81), tolerance=1e-12)
 check("the same with g = 10 m/s²", rest_time(1.0, 0.8, 10.0), np.sqrt(0.2) * 9, tolerance=1e-12)
 
-# %% [markdown]
-# Change e and watch the time of rest. **Predict:** by how much does T grow from e = 0.8 to e = 0.9?
-# And what becomes of T when the ball is dropped from a quarter of the height?
-
 # %%
+predict("02-longer")
+
+# %% tags=["answer"]
+# the time of rest, with e = 0.8 and e = 0.9
+print(f"T = {rest_time(1.0, 0.8, 9.81):.2f} s and {rest_time(1.0, 0.9, 9.81):.2f} s")
 live(
     "ch02_restitution/bounce_heights",
     "Height of a ball over time, dropped from 1 m with e = 0.8: ever lower arcs, at rest from "
@@ -154,27 +176,28 @@ live(
 # ## 5 An engine that steps through time gets it nearly right
 #
 # Engines do not know the formula above. They move everything by a small step `dt`, look who
-# overlaps, and apply an impulse. A ball is then always found a little *after* it has touched the
-# floor. pymunk, at its usual 1/60 s, gives this:
+# overlaps, and apply an impulse. So they always find the ball a little *after* it has touched the
+# floor. This is pymunk, at its usual 1/60 s:
 
 # %%
 times, stepped = drop_onto_floor(height=1.0, restitution=0.8, duration=4.5, dt=1 / 60, gravity=9.81)
-fig, ax = style.figure(width=8, height=3.4)
 closed_form = bouncing_ball(times, 1.0, 0.8, 9.81)
-named = {"closed form": (times, closed_form), "pymunk, dt = 1/60 s": (times, stepped)}
-plots.curves(ax, named, "time, s", "height, m")
-show(
-    fig,
+
+# %% tags=["plumbing"]
+figures.heights(
+    {"closed form": (times, closed_form), "pymunk, dt = 1/60 s": (times, stepped)},
     "The closed form and pymunk at 1/60 s: the same arcs at first, pymunk's drift away from "
     "bounce to bounce.",
 )
 
 # %% [markdown]
-# What is wrong is above all the moment of each bounce: it comes late, by up to one step. So the
-# error shrinks in proportion to `dt`: ten times smaller steps, about ten times smaller error, for
-# ten times the work.
+# What is wrong is above all the moment of each bounce: it comes late, by up to one step.
 
 # %%
+predict("02-steps")
+
+# %% tags=["answer"]
+# the error at three time steps
 errors = {}
 for dt in (1 / 60, 1 / 600, 1 / 6000):
     times, stepped = drop_onto_floor(height=1.0, restitution=0.8, duration=1.5, dt=dt, gravity=9.81)
@@ -186,36 +209,39 @@ check("the error shrinks like dt to the power", order, 1.0, tolerance=0.2)
 # %% [markdown]
 # ## 6 Break it on purpose: a ball that climbs
 #
-# This is the doubled impulse of chapter 01, now at a floor, in a small stepping loop of our own.
-# `drop_in_steps` takes the bounce rule as an argument, so we can give it the right one or a wrong
-# one. **Predict** with e = 0.8: does the ball still come to rest?
+# Take the doubled impulse of chapter 01 and put it into a small stepping loop of our own.
+# `drop_in_steps` takes the bounce rule as an argument, so you can give it the right one or a
+# wrong one.
 
 # %%
+predict("02-climbs")
+
+# %% tags=["answer"]
+# the right rule and the doubled impulse, dropped from 1 m
 drop = {"height": 1.0, "restitution": 0.8, "duration": 2.0, "dt": 1 / 600}
 paths = {
     "right": drop_in_steps(bounce, **drop),
     "impulse doubled": drop_in_steps(wrong_bounce.doubled_impulse, **drop),
 }
-fig, ax = style.figure(width=8, height=3.4)
-plots.curves(ax, paths, "time, s", "height, m")
-show(
-    fig,
+figures.heights(
+    paths,
     "Dropped from 1 m with e = 0.8: with the right rule the ball bounces lower and lower, with "
     "the doubled impulse it shoots up to over 6 m.",
 )
 
-# %%
+# %% tags=["answer"]
+# the factor of the energy at each bounce
 speed_after = wrong_bounce.doubled_impulse(np.array([0.0, -1.0]), np.array([0.0, 1.0]), 0.8)[1]
 check("each bounce multiplies the energy by", speed_after**2, 6.76, tolerance=1e-12)
 check("the right factor is", bounce((0, -1), (0, 1), 0.8)[1] ** 2, 0.64, tolerance=1e-12)
 
 # %% [markdown]
-# A quieter fault: e taken for an *energy* ratio. The ball still comes to rest, nothing explodes,
-# and a careless eye sees nothing. A measurement does:
+# A quieter fault is to take e for an *energy* ratio. The ball still comes to rest, nothing
+# explodes, and your eye sees nothing. Your own `restitution` does:
 
 # %%
 v1_after, v2_after = wrong.energy_restitution(1.0, 2.0, 3.0, -1.0, 0.25)
-measured = restitution_1d(2, -1, v1_after, v2_after)
+measured = restitution(2, -1, v1_after, v2_after)
 print(f"asked for e = 0.25, measured e = {measured:.3f}")
 check("it is the square root of what was asked for", measured, 0.25**0.5, tolerance=1e-12)
 
@@ -236,17 +262,29 @@ check("a slow ball bounces too", bounce((0, -0.9), (0, 1), restitution=1)[1], 0.
 show_quiz("02")
 
 # %% [markdown]
+# ## 9 Key takeaways
+#
+# - e is the speed of separation over the speed of approach. It belongs to the pair.
+# - Speeds shrink by e, and energies and heights by e².
+# - A bouncing ball makes infinitely many bounces and rests after a finite time.
+# - An engine that steps in time bounces late, by up to a step: its error shrinks in proportion to
+#   the step.
+
+# %% [markdown]
 # ## What was checked, and what comes next
 #
 # **Checked here:** restitution and energy against numbers worked by hand; heights and time of
 # rest against their series; pymunk's error against the closed form, which shrinks in proportion
 # to the step.
 #
-# **Limits.** In reality e falls a little as the impact gets faster, and a ball that spins or
-# slides needs friction too (chapter 05).
+# **Limits.** Real balls lose a little more the faster they hit, so e falls as the impact gets
+# faster. A ball that spins or slides needs friction too (chapter 05).
 #
 # **Do now:** the exercise [02 Restitution](../exercises/02_restitution.ipynb): four tasks,
-# thirteen points. **Next:** [03 Reflection](03_reflection.ipynb).
+# thirteen points. In a terminal, `workbook watch 02` runs it again whenever you save. In
+# `workbook play demo` the arrow keys change the restitution of everything on the screen; the
+# challenge that lives on it is [exercises/breakout.py](../exercises/breakout.py). **Next:** [03
+# Reflection](03_reflection.ipynb).
 #
 # **Sources.** Newton, *Principia* (1687), scholium to the laws of motion (the ratio of speeds).
 # Goldsmith, *Impact* (1960), on measured restitution.

@@ -9,8 +9,9 @@
 # %% [markdown]
 # # 03 Reflection
 #
-# A ball meets a wall at an angle. Now velocities are vectors, and the wall has a direction. One
-# formula serves every wall, however it is tilted. This chapter ends at a billiard table.
+# A ball meets a cushion at an angle, and you want to know where it goes. One short formula
+# answers that for every wall, however it is tilted, and at the end of this chapter it runs a
+# billiard table.
 #
 # **After this notebook you will be able to**
 #
@@ -19,20 +20,25 @@
 # 3. explain the two rules that keep a ball from sticking in a wall: the gate, and "separate
 #    first".
 #
-# **You need** notebooks 00 to 02. **Time:** about 45 minutes to read, a few seconds to run.
+# **You need** notebooks 00 to 02. **Time:** about 50 minutes with the questions; it runs in a few
+# seconds.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
+from lesson_code import simulate
 from lesson_code.chapters.ch02_restitution.stepped_ball import drop_in_steps
+from lesson_code.chapters.ch03_reflection import figures
 from lesson_code.chapters.ch03_reflection import wrong_answers as wrong
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.chapters.ch03_reflection.scenes import CUSHIONS, billiard_table
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check
 from lesson_code.formulas import bounce, reflect, scaled_reflection
 from lesson_code.formulas.arithmetic import dot, perpendicular
+from lesson_code.geometry import circle_against_segment
+from lesson_code.reference.pymunk_reference import bounce_off_segment
 from lesson_code.view.browser.live import live
-from lesson_code.view.browser.show import show
-from lesson_code.view.matplotlib import plots, style
 
 # %% [markdown]
 # ## 1 The mirror removes the normal part twice
@@ -42,11 +48,6 @@ from lesson_code.view.matplotlib import plots, style
 #
 # The dot product I · N says how far I reaches along N. So **(I · N) N** is a vector: the *normal
 # part* of I. What is left, T = I - (I · N) N, runs along the wall: the *tangent part*.
-#
-# Take the normal part away once, and the ball slides along the wall. Take it away twice, and it
-# leaves as steeply as it came:
-#
-# $$R = I - 2\,(I \cdot N)\,N$$
 
 # %%
 incident, normal = np.array([3.0, -4.0]), np.array([0.0, 1.0])
@@ -54,14 +55,14 @@ normal_part = dot(incident, normal) * normal
 tangent_part = incident - normal_part
 check("normal part", normal_part, (0, -4))
 check("tangent part", tangent_part, (3, 0))
-check("taken away once: along the wall", incident - normal_part, (3, 0))
-check("taken away twice: the mirror image", reflect(incident, normal), (3, 4))
-
-# %% [markdown]
-# Drag the ring where I begins. **Predict** where R ends when you take (I · N) N away only once.
-# Then break the formula: give N another length than 1. What does the mirror do to the speed?
 
 # %%
+predict("03-once")
+
+# %% tags=["answer"]
+# the normal part, taken away once and twice
+check("taken away once", incident - normal_part, (3, 0))
+check("taken away twice", incident - 2 * normal_part, (3, 4))
 live(
     "ch03_reflection/mirror",
     "A tilted wall with its normal N. The incoming velocity I goes on below the wall; twice the "
@@ -70,34 +71,60 @@ live(
 )
 
 # %% [markdown]
+# Take the normal part away twice, and the ball leaves as steeply as it came:
+#
+# $$R = I - 2\,(I \cdot N)\,N$$
+#
+# Write it. Both arguments are arrays, and `dot` is there for you:
+
+
+# %%
+@gap("03-mirror")
+def mirror(incident, normal):
+    return ...
+
+
+# %%
+check("on a level floor", mirror(incident, normal), (3, 4))
+check("the course's own function", mirror(incident, normal), reflect(incident, normal))
+
+# %% [markdown]
+# Go back to the figure and give N another length than 1. The mirror then changes the speed: this
+# is why every function of this course refuses a normal that is not unit.
+
+# %%
+try:
+    reflect((3, -4), (0, 2))
+except ValueError as error:
+    print(error)
+
+# %% [markdown]
 # ## 2 A level wall just flips a sign
 #
-# In many small games a ball bounces off the floor with `vy *= -1`. That is R for N = (0, 1), and
-# nothing else. A box has four walls with four inward normals (y up): floor (0, 1), ceiling (0,
+# Many small games bounce a ball off the floor with `vy *= -1`. That is R for N = (0, 1), and for
+# no other wall. A box has four walls with four inward normals (y up): floor (0, 1), ceiling (0,
 # -1), left (1, 0), right (-1, 0).
 
 # %%
 velocity = np.array([3.0, 4.0])
 for name, n in (("floor", (0, 1)), ("ceiling", (0, -1)), ("left", (1, 0)), ("right", (-1, 0))):
-    print(f"{name:8} {reflect(velocity, n)}")
+    print(f"{name:8} {mirror(velocity, np.array(n))}")
 check("floor and ceiling flip y", reflect(velocity, (0, 1)), reflect(velocity, (0, -1)))
 
 # %% [markdown]
 # Floor and ceiling give the *same* R. Turn N round, and both factors N in the formula change
 # sign, so nothing changes. "Inward" will matter all the same: for the gate in section 5, and for
-# the push in section 6.
-#
-# A tilted wall needs the whole formula. **Predict** what a bumper at 45 degrees does to a ball
-# that falls straight down on it.
+# the push in section 6. A tilted wall needs the whole formula.
 
 # %%
+predict("03-bumper")
+
+# %% tags=["answer"]
+# a ball falls on the bumper
 half = np.sqrt(0.5)
-check("a 45 degree bumper turns down into right", reflect((0, -2), (half, half)), (2, 0), 1e-15)
-check(
-    "flipping one sign cannot do that",
-    wrong.flips_an_axis(np.array([0.0, -2.0]), np.array([half, half])),
-    (0, -2),
-)
+falling, n = np.array([0.0, -2.0]), np.array([half, half])
+check("the bumper turns down into right", mirror(falling, n), (2, 0), 1e-15)
+check("flipping one sign cannot do that", wrong.flips_an_axis(falling, n), (0, -2))
 
 # %% [markdown]
 # Four facts about every mirror, on 10,000 random walls: the speed is kept, the tangent part is
@@ -117,8 +144,8 @@ check("twice is not at all", reflect(r, n) - v, 0, tolerance=1e-12)
 # %% [markdown]
 # ## 3 Restitution acts on the normal part alone
 #
-# A smooth wall can only push along its normal. It cannot touch the tangent part. So of the two
-# parts only one gets the factor e:
+# A smooth wall can only push along its normal. It cannot touch the tangent part. So the factor e
+# goes to the normal part and to nothing else:
 #
 # $$v' = v - (1 + e)\,(v \cdot N)\,N$$
 #
@@ -132,27 +159,23 @@ check("e = 1 is the mirror", bounce((3, -4), (0, 1), 1), reflect((3, -4), (0, 1)
 check("e = 0 slides along the wall", bounce((3, -4), (0, 1), 0), (3, 0))
 
 # %% [markdown]
-# ## 4 The popular variant e R brakes where no one brakes
+# ## 4 The popular variant e R brakes where nothing rubs
 #
-# Many programs write v' = e R and scale the *whole* mirror image. It looks alike when the ball
-# comes in steeply. At a flat angle it is quite different: the ball loses speed along a wall that
-# is perfectly smooth.
-#
-# **Predict** for a pool ball with velocity (280, 180) px/s, e = 0.95, at the bottom cushion: how
-# much of its energy is left with each rule?
+# Many programs write v' = e R and scale the *whole* mirror image. When the ball comes in steeply,
+# you hardly see the difference. At a flat angle you do: the ball loses speed along a wall that is
+# perfectly smooth.
 
 # %%
+predict("03-popular")
+
+# %% tags=["answer"]
+# two rules at the bottom cushion
 v = np.array([280.0, 180.0])  # pixels and y down, as on the billiard table
 n = np.array([0.0, -1.0])
 right, popular = bounce(v, n, 0.95), scaled_reflection(v, n, 0.95)
-print("bounce:  ", right)
-print("e R:     ", popular)
-check(
-    "energy left after a bounce",
-    dot(right, right) / dot(v, v),
-    (280**2 + 171**2) / (280**2 + 180**2),
-    1e-12,
-)
+print("bounce:", right, " e R:", popular)
+by_hand = (280**2 + 171**2) / (280**2 + 180**2)
+check("energy left after a bounce", dot(right, right) / dot(v, v), by_hand, 1e-12)
 check("energy left after e R", dot(popular, popular) / dot(v, v), 0.95**2, 1e-12)
 
 # %%
@@ -163,27 +186,15 @@ for count in bounces[1:]:
     v_bounce.append(bounce(v_bounce[-1], n, 0.95))
     v_scaled.append(scaled_reflection(v_scaled[-1], n, 0.95))
 
-# %%
-speeds = {
-    "bounce": (bounces, np.hypot(*np.transpose(v_bounce))),
-    "e R": (bounces, np.hypot(*np.transpose(v_scaled))),
-    "tangent part, 280 px/s": (bounces, np.full(31, 280.0)),
-}
-fig, ax = style.figure(width=7, height=3.4)
-plots.curves(ax, speeds, "bounces between two parallel cushions", "speed, px/s")
-ax.set_ylim(0, None)
-show(
-    fig,
-    "Speed over the number of bounces between parallel cushions. With bounce it falls towards the"
-    " tangent part, 280 px/s. With e R it falls towards zero.",
-)
+# %% tags=["plumbing"]
+figures.speeds(v_bounce, v_scaled, tangent=280.0)
 
 # %% [markdown]
 # `lesson_code` keeps the variant under its own name, `scaled_reflection`, because programs use
 # it. Now you know what it costs.
 #
-# Drag I, move the sliders and compare both rules. Where do they agree?
-
+# Drag I, move the sliders and compare both rules. They agree at e = 1 and for a ball that comes
+# straight down; at which angle are they farthest apart?
 
 # %%
 live(
@@ -196,76 +207,89 @@ live(
 # ## 5 Break it on purpose: a wall without a gate
 #
 # A program looks at the ball once per time step. When it finds the ball inside the wall, the ball
-# may already be on its way *out*, bounced a step ago. If it is bounced again, it is sent back in.
+# may already be on its way *out*, bounced a step ago. Bounce it again, and you send it back in.
 # So every bounce needs a gate:
 #
 # $$v \cdot N < 0 \quad\text{(with N inward: the ball moves against the normal, into the wall)}$$
 #
-# Here is a ball with and without the gate. Nothing pushes it out of the floor. **Predict** what
-# the ball without a gate does.
+# Write the bounce with its gate. One line will do, with `min(vn, 0)`: a ball that leaves then
+# gets no impulse.
+
 
 # %%
-fig, axes = style.figure(2, width=9.5, height=3.4)
-for ax, rule, title in zip(
-    axes, (bounce, wrong.without_gate), ("with the gate", "without"), strict=True
-):
-    times, heights = drop_in_steps(rule, height=1.0, restitution=0.8, duration=3, push_out=False)
-    ax.plot(times, heights, color=style.BLUE, marker="o", markersize=3)
-    ax.axhline(0, color=style.INK)
-    ax.set(xlabel="time, s", ylabel="height, m", title=title, ylim=(-0.2, 1.05))
-show(
-    fig,
-    "Two plots of height over time. With the gate the ball goes on bouncing. Without the gate it "
-    "is caught in the floor at its third bounce and never comes up again.",
-)
+@gap("03-gate")
+def my_bounce(velocity, normal, restitution):
+    vn = dot(velocity, normal)  # below 0: into the wall
+    return ...
+
+
+# %% [markdown]
+# `drop_in_steps`, the loop of chapter 02, takes your function as its rule. For now nothing pushes
+# the ball out of the floor.
 
 # %%
+predict("03-no-gate")
+
+# %% tags=["answer"]
+# your bounce, and the same without its gate
+loop = {"height": 1.0, "restitution": 0.8, "duration": 3, "push_out": False}
+times, heights = drop_in_steps(wrong.without_gate, **loop)
+gated = drop_in_steps(my_bounce, **loop)[1]
+figures.gate({"with the gate": (times, gated), "without": (times, heights)})
+
+# %% tags=["answer"]
+# how high both balls come
 late = times > 1.8  # after the third bounce
-gated = drop_in_steps(bounce, height=1.0, restitution=0.8, duration=3, push_out=False)[1]
 print(f"highest point after 1.8 s: {gated[late].max():.2f} m with the gate, ", end="")
 print(f"{heights[late].max():.2f} m without")
 check("without the gate it stays below the floor", bool(heights[late].max() < 0), True)
 check("a leaving ball is left alone", bounce((3, 4), (0, 1), 0.5), (3, 4))
 
+# %% [markdown] tags=["answer"]
+# **The answer.**
+# At its third bounce the ball was so deep in the floor that, slowed down to 0.8 of its speed, one
+# step did not bring it out. The next step bounced it back in, and so on for ever.
+
 # %% [markdown]
-# At its third bounce the ball was deep enough in the floor that, slowed down to 0.8 of its speed,
-# one step did not bring it out. The next step bounced it back in, and so on for ever. The gate is
-# inside `bounce`, so nobody can forget it: it is the clamp in `normal_impulse`, which never lets
-# the impulse of a wall be negative. A wall can push, but not pull.
+# The gate is inside `bounce`, so that you cannot forget it: it is the clamp in `normal_impulse`,
+# which never lets the impulse of a wall be negative. A wall can push, but not pull.
 #
 # ## 6 Separate first, or sink
 #
-# The gate is not enough. When the ball has come to rest, nobody moves it out of the floor, and in
-# each step gravity moves it a little further in. So the position needs a rule of its own: if the
-# ball is inside the wall by a depth d, it is moved out by **d N**. This happens whether the ball
-# comes in or leaves.
+# The gate takes care of the velocity. The position needs a rule of its own. Write it: a ball is
+# inside a wall by some depth. Where do you put it?
+
 
 # %%
+@gap("03-out")
+def moved_out(position, normal, depth):
+    return ...
+
+
+# %%
+position, velocity, n, depth = np.array([2.0, 0.2]), np.array([1.0, 5.0]), np.array([0.0, 1.0]), 0.3
+check("moved out by depth times normal", moved_out(position, n, depth), (2.0, 0.5), 1e-15)
+check("the velocity of a leaving ball stays", my_bounce(velocity, n, 0.5), (1, 5))
+
+# %%
+predict("03-sinks")
+
+# %% tags=["answer"]
+# the same ball, separated first and never separated
 drop = {"height": 1.0, "restitution": 0.5, "duration": 3}
 paths = {
-    "separated first": drop_in_steps(bounce, **drop),
-    "never separated": drop_in_steps(bounce, **drop, push_out=False),
+    "separated first": drop_in_steps(my_bounce, **drop),
+    "never separated": drop_in_steps(my_bounce, **drop, push_out=False),
 }
 for name, (times, heights) in paths.items():
     print(f"{name}: after {times[-1]:.0f} s the ball is at {heights[-1]:+.3f} m")
 
-# %%
-fig, ax = style.figure(width=8, height=3.2)
-plots.curves(ax, paths, "time, s", "height, m")
-show(
-    fig,
-    "Height of a ball over 3 s. Separated first it comes to rest on the floor; never separated it"
-    " sinks through the floor.",
-)
+# %% tags=["answer"]
+# both heights over time
+figures.separation(paths)
 
 # %% [markdown]
-# A check of positions, worked by hand: a ball is 0.3 m deep in a floor, and moves out. Its
-# position changes, its velocity does not.
-
-# %%
-position, velocity, n, depth = np.array([2.0, 0.2]), np.array([1.0, 5.0]), np.array([0.0, 1.0]), 0.3
-check("moved out by depth times normal", position + depth * n, (2.0, 0.5), 1e-15)
-check("the velocity of a leaving ball stays", bounce(velocity, n, 0.5), (1, 5))
+# Separate first, and whether the ball comes in or leaves: the push belongs to the position alone.
 
 # %% [markdown]
 # ## 7 The judge: pymunk, on both sides and at the ends
@@ -275,9 +299,6 @@ check("the velocity of a leaving ball stays", bounce(velocity, n, 0.5), (1, 5))
 # one step, and compare its velocities with ours.
 
 # %%
-from lesson_code.geometry import circle_against_segment
-from lesson_code.reference.pymunk_reference import bounce_off_segment
-
 ours, theirs = [], []
 for _ in range(2000):
     start, end = rng.uniform(-2, 2, (2, 2))
@@ -302,37 +323,33 @@ check("velocities after, ours and pymunk's", np.subtract(ours, theirs), 0, toler
 # the first shot, from one collision to the next.
 
 # %%
-from lesson_code import simulate
-from lesson_code.chapters.billiards.rules import TABLE
-from lesson_code.chapters.ch03_reflection.scenes import CUSHIONS, billiard_table
-
 run = simulate(billiard_table(), duration=8.0)
 track = run.positions[:, -1]
 hits = [CUSHIONS[body] for body in run.contacts.body_a]
 print("in 8 s:", {name: hits.count(name) for name in sorted(set(hits))})
 check("all four cushions and the bumper", len(set(hits)), 5)
 
-# %%
-bumper = zip(TABLE.bumper_start, TABLE.bumper_end, strict=True)
-fig, ax = style.figure(width=7, height=4.8)
-plots.path(ax, track, "the ball's centre", style.BLUE)
-ax.plot(*bumper, color=style.VERMILION, linewidth=8, solid_capstyle="round")
-ax.set(xlim=(0, TABLE.width), ylim=(TABLE.height, 0), xlabel="x, px", ylabel="y, px (down)")
-ax.grid(False)
-show(
-    fig,
-    "Path of the ball over 8 s on a table of 600 by 400 pixels: it hits all four cushions and the"
-    " 45 degree bumper.",
-)
+# %% tags=["plumbing"]
+figures.table(track)
 
 # %% [markdown]
-# Write it: [exercises/billiards.py](../exercises/billiards.py) has five functions for you to fill
-# in. Play it: `workbook play billiards` opens the window, with your functions in it.
+# The table is yours to write: [exercises/billiards.py](../exercises/billiards.py) has five
+# functions for you to fill in, and `workbook play billiards` opens the window with them in it.
 #
 # ## 9 Quiz
 
 # %%
 show_quiz("03")
+
+# %% [markdown]
+# ## 10 Key takeaways
+#
+# - (I · N) N is the part of a velocity along the normal. Take it away once to slide, twice to
+#   mirror.
+# - Restitution acts on the normal part alone. e R brakes along a smooth wall.
+# - The gate, v · N < 0: bounce only what moves into the wall.
+# - Separate first: the position has a rule of its own, and it comes before the bounce.
+# - Normals are unit vectors. Anything else changes the speed.
 
 # %% [markdown]
 # ## What was checked, and what comes next
@@ -344,7 +361,9 @@ show_quiz("03")
 # thin wall between two steps: chapter 07 is about that.
 #
 # **Do now:** the exercise [03 Reflection](../exercises/03_reflection.ipynb): three tasks, twelve
-# points; and the [billiards](../exercises/billiards.py). **Next:** [04 Circles](04_circles.ipynb).
+# points; then the challenge of this chapter, the [billiards](../exercises/billiards.py). In a
+# terminal, `workbook watch billiards` checks it whenever you save, and `workbook play billiards`
+# opens the table. **Next:** [04 Circles](04_circles.ipynb).
 #
 # **Sources.** Householder, *Unitary Triangularization of a Nonsymmetric Matrix* (1958): the
 # mirror as a matrix. Brach, *Mechanical Impact Dynamics* (1991), chapter 1: a particle against a

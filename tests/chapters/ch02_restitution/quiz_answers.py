@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction as F  # noqa: N817 - written many times below
+from math import sqrt
 
 
 def squared(*components: F) -> F:
@@ -24,6 +25,12 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             squared(F(-2), F(4)) / squared(F(5), F(-3)),
         ],
     ),
+    "02-energy-kept": (
+        100 * F(7, 10) ** 2,
+        [F(70), 100 * (1 - F(7, 10) ** 2), 100 * (1 - F(7, 10))],
+    ),
+    "02-ruler": (F(1, 2), [F(1, 4), F(1, 4) ** 2, 1 - F(1, 4)]),
+    "02-longer": (sqrt(2 / 9.81) * 19, [sqrt(2 / 9.81) * 9 * k for k in (9 / 8, 81 / 64)]),
     "02-heights": (2 * E ** (2 * 3), [2 * E**3, 2 * E ** (2 * 2), 2 * E ** (2 * 4), E ** (2 * 3)]),
     "02-energy-lost": (
         100 * (1 - F(9, 10) ** 2),

@@ -20,6 +20,14 @@ def mirrored_y(normal_part_times: int) -> F:
 E = F(4, 5)
 
 ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
+    "03-popular": (
+        100 * F(95, 100) ** 2,
+        [
+            F(95),
+            100 * (F(280) ** 2 + (F(95, 100) * 180) ** 2) / (F(280) ** 2 + F(180) ** 2),
+            100 * (1 - F(95, 100) ** 2),
+        ],
+    ),
     "03-reflect": (
         mirrored_y(2),
         [
