@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,13 +30,25 @@ from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.picture import Camera, Picture
 from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Matter, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
-from lesson_code.view.pygame.window import INK, ORANGE, PURPLE, SKY, Colour
+from lesson_code.view.pygame.window import (
+    GREEN,
+    INK,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    YELLOW,
+    Colour,
+)
 
 Advance: TypeAlias = Callable[[Any, Any, float], tuple[Vector, Vector, list[str], float]]
 """advance(position, velocity, elapsed) -> (position, velocity, hits, left_over)."""
 
 ARROW_SECONDS = 0.25
 """s: an arrow ends where the ball would be after this time; a drag of 100 px gives 400 px/s."""
+
+BOUNCE_SECONDS, NAME_ASIDE = 0.16, 14.0
+"""s: an arrow of a bounce is as long as the way in this time; px: how far its name stands aside."""
 
 TRAIL_STEPS = 120
 """How many past positions are kept to be drawn: two seconds."""
@@ -59,6 +71,15 @@ RAIL, CUSHION = 28.0, 12.0
 CLOTH: Colour = (18, 70, 78)
 CUSHION_CLOTH: Colour = (10, 42, 48)
 WOOD: Colour = (88, 62, 44)
+
+
+class Bounce(NamedTuple):
+    """A bounce off one cushion: where, px, and I, (I.N)N and R, px/s."""
+
+    place: XY
+    incident: XY
+    normal_part: XY
+    reflected: XY
 
 
 class Billiards(Game):
@@ -110,6 +131,7 @@ class Billiards(Game):
         self.bounces = dict.fromkeys(CUSHIONS, 0)
         self.time = self.left_over = 0.0
         self.all_hit_at: float | None = None
+        self.last_bounce: Bounce | None = None
         self.trail = deque([as_place(position)], maxlen=TRAIL_STEPS)
         self.aim: XY | None = None
 
@@ -163,12 +185,23 @@ class Billiards(Game):
         """Count the hits, and tell of them who listens: they share the change of velocity."""
         change = self.velocity - before
         size = math.hypot(*change)
+        if len(hits) == 1 and size > 0:
+            self.last_bounce = self._bounce(before, change / size)
         for name in hits:
             self.bounces[name] += 1
             if size > 0:
                 self._hear(self._touch(name, change / size, MASS * size / len(hits)))
         if self.all_hit_at is None and all(self.bounces.values()):
             self.all_hit_at = self.time
+
+    def _bounce(self, incident: Any, normal: Any) -> Bounce:
+        """Return the bounce that has just happened; N is along what the velocity changed by."""
+        return Bounce(
+            as_place(self.position - TABLE.radius * normal),
+            as_place(incident),
+            as_place(np.dot(incident, normal) * normal),
+            as_place(self.velocity),
+        )
 
     def _touch(self, name: str, normal: Any, impulse: float) -> Touch:
         """Return what effects and sound hear of a hit."""
@@ -234,10 +267,29 @@ def draw(game: Billiards, picture: Picture, effects: ImpactEffects) -> None:
     picture.trail(list(game.trail), INK, CLOTH)
     if game.shows_normals:
         _draw_normals(picture)
+    if game.last_bounce is not None:
+        _draw_bounce(game.last_bounce, picture)
     ball = as_place(game.position)
     picture.disc(ball, TABLE.radius, INK)
     if game.aim is not None:
         picture.arrow(ball, as_place(velocity_shown(game) * ARROW_SECONDS), ORANGE)
+
+
+def _draw_bounce(bounce: Bounce, picture: Picture) -> None:
+    """Draw I into the point where the ball has touched, (I.N)N and R out of it, with their names.
+
+    The names stand aside, I's to the left of it and R's to the right, so that they are apart in a
+    bounce straight back, too.
+    """
+    (x, y), k = bounce.place, BOUNCE_SECONDS
+    (ix, iy), (rx, ry) = bounce.incident, bounce.reflected
+    picture.arrow((x - k * ix, y - k * iy), (k * ix, k * iy), YELLOW)
+    picture.arrow((x, y), (k * bounce.normal_part[0], k * bounce.normal_part[1]), VERMILION)
+    picture.arrow((x, y), (k * rx, k * ry), GREEN)
+    for name, (vx, vy), end, colour in (("I", (ix, iy), -k, YELLOW), ("R", (rx, ry), k, GREEN)):
+        size = math.hypot(vx, vy) or 1.0
+        aside = NAME_ASIDE / size
+        picture.text(name, (x + end * vx - aside * vy, y + end * vy + aside * vx), colour=colour)
 
 
 def _draw_table(picture: Picture, effects: ImpactEffects) -> None:
@@ -289,11 +341,18 @@ def velocity_shown(game: Billiards) -> Any:
 def readings(game: Billiards) -> Readings:
     """Return the bounces in total and by cushion, speed, restitution and time."""
     speed = math.hypot(*velocity_shown(game))
+    bounce = game.last_bounce
+    vectors = bounce[1:] if bounce is not None else (None, None, None)
+    names = ("I, yellow", "(I.N)N, red", "R, green")
     return [
         ("bounces", f"{sum(game.bounces.values())}"),
         *[(f"   {name}", f"{count}") for name, count in game.bounces.items()],
         ("speed" if game.aim is None else "launch", f"{speed:.0f} px/s"),
         ("restitution", f"{TABLE.restitution:g}"),
+        *[
+            (name, "" if v is None else f"({round(v[0]) + 0}, {round(v[1]) + 0}) px/s")
+            for name, v in zip(names, vectors, strict=True)
+        ],
         ("time", f"{game.time:.1f} s"),
         ("all five hit", "not yet" if game.all_hit_at is None else f"in {game.all_hit_at:.2f} s"),
     ]

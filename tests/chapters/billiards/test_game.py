@@ -390,3 +390,20 @@ def _same_contacts(mine: list[Any], theirs: list[Any]) -> None:
     for a, b in zip(mine, theirs, strict=True):
         np.testing.assert_allclose(a[1], b[1], rtol=0, atol=AGREEMENT)
         assert a[2] == pytest.approx(b[2], abs=AGREEMENT)
+
+
+def test_billiards_draws_the_vectors_of_each_bounce() -> None:
+    """R = I - (1 + e) (I.N)N, and N is that of a wall, or of the bumper, whose ends have any."""
+    game, seen = Billiards(), []
+    for _ in range(240):
+        game.step()
+        if game.last_bounce is not None and game.last_bounce not in seen:
+            seen.append(game.last_bounce)
+    assert len(seen) >= 4
+    for bounce in seen:
+        i, part, r = (np.array(vector) for vector in bounce[1:])
+        assert r == pytest.approx(i - (1 + TABLE.restitution) * part, abs=1e-9)
+        n = part / -np.hypot(*part)
+        walls = [np.hypot(*(n - normal)) for _, normal, _ in TABLE.walls]
+        is_bumper = 100 < bounce.place[0] < 500 and 100 < bounce.place[1] < 300
+        assert is_bumper or min(walls) < 1e-9
