@@ -11,7 +11,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from lesson_code.chapters.pool.eight_ball import EIGHT, Match, Shot, judge
+from lesson_code.chapters.pool.pilot import stroke
 from lesson_code.chapters.pool.rules import rack, roll, strike
+from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.formulas import disc_inertia
@@ -42,9 +45,12 @@ MOUTH, CAPTURE = 0.075, 0.062
 NOSE = 0.02
 """m: half thickness of the cushions' line."""
 
-SWEEPS = 40
-"""Over the contacts: after 10 a break is off its mirror image by 2 mm after half a second, after
-40 by nothing that can be seen."""
+PLACES = (1, 9, 2, 10, 8, 3, 11, 4, 12, 5, 6, 13, 14, 7, 15)
+"""The balls in the rack, row by row: the 8 in the middle, and two kinds in the far corners."""
+
+PLAYERS = ("first player", "second player")
+PAUSE_STEPS = 40
+"""Steps at rest before the pilot strikes."""
 
 HEAD, FOOT = (0.25 * LENGTH, WIDTH / 2), (0.72 * LENGTH, WIDTH / 2)
 """m: where the cue ball and the apex of the rack lie."""
@@ -85,13 +91,36 @@ class Pool(Game):
         self.aim: XY | None = None
         self.potted: list[int] = []
         self.strokes = self.fouls = 0
+        self.match, self.plays_itself, self.is_in_hand = Match(), False, False
+        self._moves_cue, self._rested = False, 0
+        self._labels = dict(enumerate(PLACES, start=1))
         places = [HEAD, *self.ask(self._rack, FOOT, RADIUS, GAP, otherwise=())]
         self.world = LiveWorld(
             [self._ball(place) for place in places] + cushions(),
-            iterations=SWEEPS,
             callbacks=self.callbacks,
         )
         self.cue = 0
+        self._begin_stroke()
+        self.in_play = False
+
+    def _begin_stroke(self) -> None:
+        """Forget the last stroke."""
+        self.in_play = True
+        self._first: int | None = None
+        self._cushion = self._scratch = False
+        self._fallen: list[int] = []
+        self._left = [self.label(ball) for ball in self.balls if self.label(ball)]
+
+    def label(self, ball: int) -> int:
+        """Return the number that is on a ball: 0 for the cue ball."""
+        return self._labels.get(ball, 0)
+
+    @property
+    def notice(self) -> str:
+        """What is not written yet, and who has won."""
+        if self.match.winner is None:
+            return super().notice
+        return f"The {PLAYERS[self.match.winner]} has won: R sets up a new rack"
 
     def _ball(self, place: XY) -> Body:
         """Return a ball at rest: a solid sphere, which is easier to turn than a disc."""
@@ -111,23 +140,42 @@ class Pool(Game):
     def press(self, key: str) -> None:
         """Move the cue's tip to one side, or set up the rack."""
         super().press(key)
+        if key == "a":
+            self.plays_itself = not self.plays_itself
         if key in ("left", "right"):
             side = OFFSET_STEP if key == "left" else -OFFSET_STEP
             wanted = round(self.offset + side, 2)
             self.offset = min(max(wanted, -LARGEST_OFFSET), LARGEST_OFFSET)
 
     def down(self, place: XY) -> None:
-        """Begin to aim, once all balls lie still."""
-        if self.is_at_rest:
+        """Begin to aim, once all balls lie still; after a foul a press on the cue ball takes it."""
+        if not self.is_at_rest or self.match.winner is not None:
+            return
+        cue = self.world.position(self.cue)
+        if self.is_in_hand and math.dist(place, cue) < 1.5 * RADIUS:
+            self._moves_cue = True
+        else:
             self.aim = place
 
     def drag(self, place: XY) -> None:
         """Aim: the cue lies where the mouse is, and points at the ball."""
-        if self.aim is not None:
+        if self._moves_cue:
+            self._put_cue(place)
+        elif self.aim is not None:
             self.aim = place
+
+    def _put_cue(self, place: XY) -> None:
+        """Put the cue ball where there is room."""
+        x = min(max(place[0], RADIUS), LENGTH - RADIUS)
+        y = min(max(place[1], RADIUS), WIDTH - RADIUS)
+        others = [self.world.position(ball) for ball in self.balls if ball != self.cue]
+        is_free = all(math.dist((x, y), other) > 2 * RADIUS + GAP for other in others)
+        if is_free and not is_in_pocket((x, y)):
+            self.world.move(self.cue, (x, y))
 
     def let_go(self, place: XY) -> None:
         """Strike."""
+        self._moves_cue = False
         if self.aim is None:
             return
         self.aim = place
@@ -150,11 +198,13 @@ class Pool(Game):
 
     def strike(self, impulse: XY) -> None:
         """Strike the cue ball."""
-        stroke = impulse, self.offset * RADIUS, MASS, RADIUS
-        after = self.ask(self._strike, *stroke, otherwise=None)
+        cue = impulse, self.offset * RADIUS, MASS, RADIUS
+        after = self.ask(self._strike, *cue, otherwise=None)
         if after is not None:
+            self._begin_stroke()
             self.world.throw(self.cue, *after)
             self.strokes += 1
+            self.is_in_hand = False
 
     def step(self) -> None:
         """Make one step: impacts, cloth, pockets."""
@@ -165,19 +215,64 @@ class Pool(Game):
         for ball in self.balls:
             if is_in_pocket(self.world.position(ball)):
                 self._pot(ball)
+        if self.in_play and self.is_at_rest:
+            self._judge()
+        self._rested = self._rested + 1 if self.is_at_rest else 0
+        if self.plays_itself and self._rested > PAUSE_STEPS and self.match.winner is None:
+            self._rested = 0
+            self.offset = 0.0
+            self.strike(self._pilot())
+
+    def _judge(self) -> None:
+        """Apply the rules of eight-ball to the stroke that is over."""
+        self.in_play = False
+        was_break = self.match.is_break
+        shot = Shot(self._first, tuple(self._fallen), self._scratch, self._cushion)
+        self.match = judge(self.match, shot, self._left)
+        if was_break and EIGHT in self._fallen:
+            self.potted = [ball for ball in self.potted if self.label(ball) != EIGHT]
+            self._labels[self.world.add(self._ball(self._free_place(FOOT)))] = EIGHT
+        if self.match.foul:
+            self.fouls += 1
+            self.is_in_hand = self.match.winner is None
+
+    def touched(self, touch: Touch) -> None:
+        """Note what the cue ball meets first, and cushions after that."""
+        pair = {touch.body_a, touch.body_b}
+        balls = pair & set(self.balls)
+        if self.cue in pair and len(balls) == 2 and self._first is None:
+            self._first = self.label((pair - {self.cue}).pop())
+        elif len(balls) == 1 and self._first is not None:
+            self._cushion = True
+
+    def _pilot(self) -> XY:
+        """Return the impulse of the next stroke when nobody plays, N s."""
+        if self.match.is_break:
+            return LARGEST_IMPULSE, 0.0
+        places = {self.label(b): self.world.position(b) for b in self.balls if b != self.cue}
+        wanted = [places[label] for label in self.match.wanted(self.on_table()) if label in places]
+        cue = self.world.position(self.cue)
+        return stroke(cue, wanted, list(places.values()), POCKETS, RADIUS)
+
+    def on_table(self) -> list[int]:
+        """Return the numbers on the balls that lie on the table."""
+        return [self.label(ball) for ball in self.balls if ball != self.cue]
+
+    def _free_place(self, place: XY) -> XY:
+        """Return a place, or the next one beside it that is free."""
+        while any(math.dist(place, self.world.position(b)) < 2 * RADIUS for b in self.balls):
+            place = (place[0], place[1] + RADIUS)
+        return place
 
     def _pot(self, ball: int) -> None:
         """Take a ball off the table; the cue ball comes back, and that is a foul."""
         self.world.remove(ball)
         if ball != self.cue:
             self.potted.append(ball)
+            self._fallen.append(self.label(ball))
             return
-        self.fouls += 1
-        self.aim = None
-        place = HEAD
-        while any(math.dist(place, self.world.position(b)) < 2 * RADIUS for b in self.balls):
-            place = (place[0], place[1] + RADIUS)  # the next place that is free
-        self.cue = self.world.add(self._ball(place))
+        self.aim, self._scratch = None, True
+        self.cue = self.world.add(self._ball(self._free_place(HEAD)))
 
     def trailed(self) -> dict[int, XY]:
         """Return where the balls are that move: each leaves a trail."""
@@ -242,7 +337,8 @@ def draw(game: Pool, picture: Picture, effects: ImpactEffects) -> None:
         effects.trails.draw(picture, INK, CLOTH)
     for ball in game.balls:
         place = game.world.position(ball)
-        _draw_ball(picture, place, ball, effects.colour(ball, ball_colour(ball)))
+        label = game.label(ball)
+        _draw_ball(picture, place, label, effects.colour(ball, ball_colour(label)))
     _draw_potted(game, picture)
     if game.aim is not None:
         _draw_cue(game, picture)
@@ -271,7 +367,8 @@ def _draw_table(picture: Picture) -> None:
 def _draw_potted(game: Pool, picture: Picture) -> None:
     """Draw the potted balls in a row below the table."""
     for k, ball in enumerate(game.potted):
-        _draw_ball(picture, (0.1 + 0.08 * k, -0.22), ball, ball_colour(ball))
+        label = game.label(ball)
+        _draw_ball(picture, (0.1 + 0.08 * k, -0.22), label, ball_colour(label))
 
 
 def _draw_cue(game: Pool, picture: Picture) -> None:
@@ -292,17 +389,39 @@ def _draw_cue(game: Pool, picture: Picture) -> None:
     if target is not None:
         away = (target[0] - ghost[0]) / (2 * RADIUS), (target[1] - ghost[1]) / (2 * RADIUS)
         picture.arrow(target, (0.2 * away[0], 0.2 * away[1]), SKY, 2.0)
+        along = ux * away[0] + uy * away[1]  # equal masses: the rest goes at a right angle to it
+        rest = ux - along * away[0], uy - along * away[1]
+        picture.arrow(ghost, (0.2 * rest[0], 0.2 * rest[1]), INK, 2.0)
+    _draw_strength(size, picture)
+
+
+def _draw_strength(impulse: float, picture: Picture) -> None:
+    """Draw a bar as long as the stroke is strong, and its value."""
+    start, full = (1.45, -0.22), 0.45
+    end = (start[0] + full * impulse / LARGEST_IMPULSE, start[1])
+    picture.capsule(start, (start[0] + full, start[1]), 0.012, blend(ORANGE, HOLE, 0.7))
+    picture.capsule(start, end, 0.012, ORANGE)
+    words = f"{impulse:.2f} N s: {impulse / MASS:.1f} m/s"
+    picture.text(words, (start[0] + full + 0.06, start[1]), anchor="midleft")
 
 
 def readings(game: Pool) -> Readings:
     """Return strokes, fouls, spin and speed."""
     side = "left" if game.offset > 0 else "right"
     offset = f"{abs(game.offset):.1f} r {side}" if game.offset else "centre"
+    match = game.match
+    group = "any but the 8" if match.owner is None else "solids, 1 to 7"
+    if match.owner is not None and match.turn != match.owner:
+        group = "stripes, 9 to 15"
     return [
+        ("to play", PLAYERS[match.turn]),
+        ("has to meet", "the 8" if match.wanted(game.on_table()) == {EIGHT} else group),
         ("potted", f"{len(game.potted)} of 15"),
         ("strokes   fouls", f"{game.strokes}   {game.fouls}"),
+        ("last foul", match.foul or "none"),
+        ("cue ball", "in hand: drag it" if game.is_in_hand else "as it lies"),
         ("cue hits", offset),
-        ("cue ball", f"{math.hypot(*game.world.velocity(game.cue)):.2f} m/s"),
+        ("its speed", f"{math.hypot(*game.world.velocity(game.cue)):.2f} m/s"),
         ("its spin", f"{game.world.spin(game.cue) + 0.0:.1f} rad/s"),
         ("kinetic energy", f"{game.world.kinetic_energy():.2f} J"),
     ]
@@ -319,6 +438,7 @@ PROGRAM = Program(
     keys=(
         ("drag", "aim and strike: pull back"),
         ("left right", "hit off centre: spin"),
+        ("A", "it plays itself"),
     ),
     forbids={
         "grab": "the cue alone moves a ball",
@@ -329,6 +449,7 @@ PROGRAM = Program(
     tour=(
         (0, Input("down", place=(0.0, HEAD[1]))),
         (40, Input("up", place=(0.0, HEAD[1]))),
+        (41, Input("press", "a")),
     ),
     effects=lambda: ImpactEffects(
         Flashes(least_impulse=0.02), trails=Trails(), sounds=Sounds("ivory", 0.06, 0.6)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from lesson_code.chapters.pool.game import HEAD, MASS, Pool
+from lesson_code.chapters.pool.game import HEAD, MASS, PROGRAM, Pool
 from lesson_code.chapters.pool.game import Rules as PoolRules
 from lesson_code.view.pygame.program import Input
 
-from ..conftest import run
+from ..conftest import deepest_overlap, run
 
 ROUNDING = 1e-9
 """Relative: thousands of impacts, each with its rounding."""
@@ -90,3 +90,47 @@ def test_pool_leaves_out_what_a_player_has_not_written() -> None:
     assert game.notice == "not written yet: Task P.1: rack"
     game.strike((1.0, 0.0))
     assert game.world.velocity(game.cue) == (0.1, 0.0)
+
+
+def test_pool_rack_is_that_of_eight_ball() -> None:
+    """The 8 in the middle of the third row; one solid and one striped ball in the far corners."""
+    game = Pool(0)
+    assert sorted(game.on_table()) == list(range(1, 16))
+    assert game.label(5) == 8
+    assert (game.label(11) < 8) != (game.label(15) < 8)
+
+
+def test_pool_tour_plays_by_the_rules() -> None:
+    """A minute: several strokes, balls fall, every foul is named, and no ball is lost."""
+    game, tour = Pool(0), dict(PROGRAM.tour)
+    for k in range(3_600):
+        if k in tour:
+            game.take(tour[k])
+        game.step()
+        assert deepest_overlap(game.world) < 0.01
+    assert game.strokes >= 4
+    assert game.potted
+    assert len(game.balls) + len(game.potted) == 16
+
+
+def test_pool_ball_in_hand_goes_where_there_is_room() -> None:
+    """After a foul the cue ball is dragged; onto another ball, or off the table, it is not."""
+    game = Pool(0)
+    game.is_in_hand = True
+    apex = game.world.position(1)
+    game.take(Input("down", place=HEAD))
+    game.take(Input("move", place=(0.4, 0.3)))
+    game.take(Input("move", place=(apex[0] + 0.01, apex[1])))
+    assert game.world.position(game.cue) == (0.4, 0.3)
+    game.take(Input("up", place=apex))
+    assert game.strokes == 0
+    assert game.aim is None
+
+
+def test_pool_stroke_that_meets_nobody_is_a_foul() -> None:
+    """The turn changes, and the cue ball is in the other player's hand."""
+    game = Pool(0)
+    game.strike((-0.02, 0.0))
+    run(game, 600)
+    assert (game.match.foul, game.match.turn) == ("no ball was met", 1)
+    assert game.is_in_hand
