@@ -9,9 +9,10 @@
 # %% [markdown]
 # # 04 Circles
 #
-# Two pool balls meet somewhere on the table, and hardly ever head on. This chapter finds the
-# balls that touch, hands the impulse over in the right direction, and moves overlapping balls
-# apart. At the end there is an engine that does this for all pairs, in every time step.
+# Two pool balls hardly ever meet head on, and everything that makes pool a game of skill lies in
+# that. In this chapter you find the balls that touch, hand the impulse over in the right
+# direction, and move overlapping balls apart. At the end an engine does this for all pairs, in
+# every time step.
 #
 # **After this notebook you will be able to**
 #
@@ -21,26 +22,38 @@
 # 3. move overlapping discs apart by their masses, and explain why rows of discs need more than
 #    one look at each contact.
 #
-# **You need** notebooks 01 to 03. **Time:** about 60 minutes to read, ten seconds to run.
+# **You need** notebooks 01 to 03. **Time:** about 70 minutes with the questions; it runs in
+# about ten seconds.
 
-# %%
+# %% tags=["plumbing"]
 import inspect
 from math import inf
 
 import numpy as np
 
+from lesson_code import Body, Material, Scene, simulate
 from lesson_code.chapters.ch04_circles import figures
+from lesson_code.chapters.ch04_circles import scenes as table
 from lesson_code.chapters.ch04_circles import wrong_answers as wrong
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check
+from lesson_code.evidence.scenes import discs as disc_scenes
 from lesson_code.formulas import angular_momentum, collide_1d, kinetic_energy, momentum
 from lesson_code.formulas.arithmetic import dot, perpendicular
 from lesson_code.formulas.smooth_pair import separating_push, smooth_impulse
 from lesson_code.formulas.validation import equation
 from lesson_code.geometry import Circle, collide
+from lesson_code.reference.contact_closed_forms import Struck, disc_impact
+from lesson_code.reference.impact_closed_forms import (
+    break_shot,
+    cradle_all_at_once,
+    cradle_one_by_one,
+)
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, scene_plots, style
+from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 Two discs overlap when their centres are nearer than r1 + r2
@@ -50,22 +63,31 @@ from lesson_code.view.matplotlib import plots, scene_plots, style
 #
 # $$d \cdot d < (r_1 + r_2)^2.$$
 #
-# Both sides are squares. Most pairs on a table are far apart, and this test needs no square root
-# to throw them out. For a pair that overlaps, two more things are wanted: the **normal** n, a
-# unit vector from disc 1 to disc 2, and the **depth**.
+# Both sides are squares: most pairs on a table are far apart, and this test throws them out
+# without a square root. Write it. `d` is an array, and `dot` is there for you:
+
+
+# %%
+@gap("04-overlap")
+def overlap(d, r1, r2):
+    return ...
+
+
+# %% [markdown]
+# For a pair that overlaps you want two more things: the **normal** n, a unit vector from disc 1
+# to disc 2, and the **depth**.
 #
 # $$n = \frac{d}{|d|} \qquad \text{depth} = r_1 + r_2 - |d|$$
 
 # %%
 p1, r1, p2, r2 = np.array([0.0, 0.0]), 2.5, np.array([3.0, 4.0]), 3.5
 d = p2 - p1
-check("d . d", dot(d, d), 25)
-check("is less than (r1 + r2)^2", (r1 + r2) ** 2, 36)
+check("25 is less than 36", overlap(d, r1, r2), True)
 contact = collide(Circle(r1), (*p1, 0), Circle(r2), (*p2, 0))  # the third number is an angle
 check("normal", contact.normal, (0.6, 0.8), tolerance=1e-15)
 check("depth", contact.penetrations[0], 1)
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=5.4, height=5)
 figures.overlap(ax, p1, r1, p2, r2, contact.normal, contact.penetrations[0])
 show(
@@ -77,7 +99,7 @@ show(
 # %% [markdown]
 # Two special cases need a rule, and the rule has to be the same everywhere.
 #
-# - **Touching is not overlapping.** With depth 0 there is nothing to mend. `collide` returns
+# - **Touching is not overlapping.** With depth 0 there is nothing to push apart. `collide` returns
 #   `None`.
 # - **The same centre.** Then |d| = 0, and d/|d| is nan: there is no direction. Any unit vector
 #   will do, if it is always the same one. This course takes (1, 0).
@@ -126,23 +148,37 @@ for name, v1, v2 in (
 #
 # $$v_1' = v_1 - J/m_1 \qquad v_2' = v_2 + J/m_2$$
 #
-# This is chapter 01 along n. Across n nothing changes. These are the lines that run:
+# This is chapter 01 along n. Write j for discs that approach; `vn` is then negative:
+
+
+# %%
+@gap("04-impulse")
+def impulse_along(vn, m1, m2, e):
+    return ...
+
+
+# %% [markdown]
+# These are the lines that run in the engine. The gate is inside `normal_impulse`:
 
 # %%
 print(inspect.getsource(equation(smooth_impulse)).split('"""')[-1].strip("\n"))
 
 # %% [markdown]
 # An example to work by hand. Along n, a disc of 1 kg comes at 2 m/s and one of 3 kg at -1 m/s,
-# with e = 0.7. Across n they move at 5 and -7 m/s. **Predict** which of these four numbers
-# change.
+# with e = 0.7. Across n they move at 5 and -7 m/s.
 
 # %%
+predict("04-which-change")
+
+# %% tags=["answer"]
+# the four numbers, before and after
 n, t = np.array([0.6, 0.8]), np.array([-0.8, 0.6])
 m1, m2, e = 1.0, 3.0, 0.7
 v1, v2 = 2 * n + 5 * t, -1 * n - 7 * t
 impulse = smooth_impulse(v1, m1, v2, m2, n, e)
 v1_after, v2_after = v1 - impulse / m1, v2 + impulse / m2
 check("j = 1.7 * 3 * 0.75", np.hypot(*impulse), 3.825, tolerance=1e-12)
+check("and by your line", impulse_along(-3, m1, m2, e), 3.825, tolerance=1e-12)
 check("along n, after", (dot(v1_after, n), dot(v2_after, n)), (-1.825, 0.275), 1e-12)
 check("chapter 01 says so too", collide_1d(1, 2, 3, -1, 0.7), (-1.825, 0.275), 1e-12)
 check("across n, after", (dot(v1_after, t), dot(v2_after, t)), (5, -7), 1e-12)
@@ -155,19 +191,19 @@ check("across n, after", (dot(v1_after, t), dot(v2_after, t)), (5, -7), 1e-12)
 
 # %%
 change_1, change_2 = v1_after - v1, v2_after - v2
-check(
-    "m1 times its change is the opposite of m2 times its", m1 * change_1 + m2 * change_2, 0, 1e-12
-)
+check("momentum gained by both together", m1 * change_1 + m2 * change_2, 0, 1e-12)
 impulse = smooth_impulse((3, -4), 2, (0, 0), inf, (0, -1), 0.5)
 check("against a fixed disc: chapter 03", np.array([3, -4]) - impulse / 2, (3, 2))
 
 # %% [markdown]
 # Disc 2 is at rest, and disc 1 comes from the left at 3 m/s. Its path misses the centre of disc 2
-# by the offset, a part of $r_1 + r_2$. Drag disc 2 to where it is to be hit. In which direction
-# does it always leave? **Predict** the angle between the two ways for equal masses and e = 1, and
-# whether it grows or shrinks when disc 2 becomes heavier, or e smaller.
+# by the offset, a part of $r_1 + r_2$. Both discs leave in directions that you can foresee.
 
 # %%
+predict("04-angle")
+
+# %% tags=["answer"]
+# an oblique hit: drag disc 2 to where it is to be hit
 live(
     "ch04_circles/oblique_hit",
     "Disc 1 comes from the left and hits disc 2, which is at rest, half a radius sum off its "
@@ -176,12 +212,14 @@ live(
     "restitution.",
 )
 
-# %% [markdown]
-# A player's rule: with equal masses and e = 1, the two balls part at a **right angle**, wherever
-# ball 1 hits. It loses all of its part along n to ball 2 and keeps its part across n. Whoever
-# plays pool uses this to guess where the cue ball goes.
+# %% [markdown] tags=["answer"]
+# **The answer.**
+# Every pool player uses this to guess where the cue ball goes. Set the mass of disc 2 higher: the
+# angle grows, because disc 1 is thrown back. Set e lower: the angle shrinks, because disc 1 keeps
+# something of its part along n.
 
-# %%
+# %% tags=["answer"]
+# three offsets, equal masses, e = 1
 v1, v2 = np.array([3.0, 0.0]), np.zeros(2)
 for offset in (0.1, 0.5, 0.9):
     n = np.array([np.sqrt(1 - offset**2), offset])
@@ -194,10 +232,13 @@ for offset in (0.1, 0.5, 0.9):
 # ## 4 What goes wrong: one dimension on x, one dimension on y
 #
 # It is tempting to take `elastic_1d` from chapter 01 and to use it twice, on the x components and
-# on the y components. **Predict:** a ball rolls past another and barely grazes it. Where does it
-# go then?
+# on the y components.
 
 # %%
+predict("04-graze")
+
+# %% tags=["answer"]
+# a ball grazes another
 n, v1, v2 = np.array([0.28, -0.96]), np.array([3.0, 0.0]), np.zeros(2)
 impulse = smooth_impulse(v1, 1.0, v2, 1.0, n, 1.0)
 answers = {
@@ -205,23 +246,15 @@ answers = {
     "x and y apart": wrong.one_dimension_on_each_axis(v1, 1.0, v2, 1.0, n, 1.0),
 }
 
-# %%
-fig, axes = style.figure(2, width=10, height=4)
-for ax, (title, after) in zip(axes, answers.items(), strict=True):
-    figures.hit(ax, n, (0.5, 0.5), (v1, v2), after)
-    ax.set(xlim=(-2.2, 2.2), ylim=(-1.5, 1.5))
-    ax.set_title(title, y=1.1)
-show(
-    fig,
-    "A grazing hit. Along the normal, ball 1 goes on nearly as before and ball 2 moves off "
-    "slowly, downward. With x and y apart, ball 1 stops dead and ball 2 takes over all of it.",
-)
+# %% tags=["answer"]
+# both answers, drawn
+figures.grazing_hits(n, (v1, v2), answers)
 
 # %% [markdown]
-# A ball that is barely touched stops dead. Which law notices? Not momentum, and not energy: both
-# are kept along x and along y, so they are kept. The impulse has the wrong **direction**. It does
-# not point from centre to centre, so it would have to turn the discs, and nothing turns. The
-# **angular momentum** sees that, here about the point where the discs touch.
+# Which law notices that? Not momentum, and not energy: both are kept along x and along y, so both
+# are kept. The impulse has the wrong **direction**. It does not point from centre to centre, so
+# it would have to turn the discs, and nothing turns. The **angular momentum** sees that, here
+# about the point where the discs touch.
 
 # %%
 masses, places = [1, 1], [-0.5 * n, 0.5 * n]
@@ -241,40 +274,43 @@ for name, after in answers.items():
 # $$P = \text{depth} \cdot m_{\text{eff}}\,n \qquad p_1' = p_1 - P/m_1 \qquad p_2' = p_2 + P/m_2$$
 #
 # The ways are in inverse proportion to the masses. A fixed disc stays, and the centre of mass
-# stays where it is.
+# stays where it is. Write the two lengths, |P|/m₁ and |P|/m₂, for two discs that can both move:
+
+
+# %%
+@gap("04-ways")
+def ways(depth, m1, m2):
+    return ...
+
 
 # %%
 n, depth = np.array([1.0, 0.0]), 0.4
 push = separating_push(1, 3, n, depth)
 check("1 kg and 3 kg: the ways", (-push[0] / 1, push[0] / 3), (-0.3, 0.1), 1e-15)
+check("their lengths by yours", ways(depth, 1, 3), (0.3, 0.1), 1e-15)
 check("together: the depth", push[0] / 1 + push[0] / 3, depth, 1e-15)
 check("the centre of mass moves by", 1 * (-push / 1) + 3 * (push / 3), 0)
 push = separating_push(1, inf, n, depth)
 check("1 kg and a fixed disc: the ways", (-push[0] / 1, push[0] / inf), (-0.4, 0))
 
 # %% [markdown]
-# Many programs give each disc half. **Predict** what a marble does to a bowling ball then, and
-# what any ball does to a fixed post.
+# Many programs give each disc half.
 
 # %%
+predict("04-half-each")
+
+# %% tags=["answer"]
+# 1 kg overlaps 9 kg: by mass, and half each
 p1, p2, r1, r2, m1, m2 = np.zeros(2), np.array([1.0, 0.0]), 0.5, 0.9, 1.0, 9.0
 push = separating_push(m1, m2, n, r1 + r2 - 1.0)
-ways = {
+both_ways = {
     "by mass": (p1 - push / m1, p2 + push / m2),
     "half each": wrong.half_each(p1, m1, p2, m2, n, r1 + r2 - 1.0),
 }
 
-# %%
-fig, axes = style.figure(2, width=10, height=3.8)
-for ax, (title, (q1, q2)) in zip(axes, ways.items(), strict=True):
-    figures.two_discs(ax, p1, r1, p2, r2, outline=True)
-    figures.two_discs(ax, q1, r1, q2, r2)
-    ax.set(title=title, xlim=(-1.1, 2.3), ylim=(-1.1, 1.1))
-show(
-    fig,
-    "A disc of 1 kg overlaps one of 9 kg; dotted outlines show where they were. By mass, the "
-    "light disc moves nearly all of the way. Half each, the heavy disc is pushed as far as it.",
-)
+# %% tags=["answer"]
+# where both discs end up
+figures.moved_apart((p1, r1, p2, r2), both_ways)
 
 # %% [markdown]
 # **"Separate first"** means: no gate before the positions. A pair that overlaps and already
@@ -298,8 +334,6 @@ check("and no impulse", smooth_impulse((0, 0), 1, (0.1, 0), 1, n, 0.5), (0, 0))
 # are called A and B, and n points from A to B.
 
 # %%
-from lesson_code import Body, Material, Scene, simulate
-
 material = Material(restitution=0.8)
 scene = Scene(
     [
@@ -312,8 +346,6 @@ other = simulate(scene, duration=1.5, solver="pymunk")
 check("velocities at the end, as pymunk's", run.velocities[-1] - other.velocities[-1], 0, 1e-12)
 
 # %%
-from lesson_code.reference.contact_closed_forms import Struck, disc_impact
-
 time = run.contacts.time[0]  # the end of the step that found the overlap
 d = np.array([1 - time, -0.3]) - np.array([-2 + 3 * time, 0.1])
 n = d / np.hypot(*d)
@@ -322,7 +354,7 @@ large = Struck(1 / 3, 0, velocity=(-1, 0), angular_velocity=0, arm=-0.8 * n)
 exact = disc_impact(small, large, n, restitution=0.8, friction=0)
 check("and as the closed form's", run.velocities[-1] - exact.velocities, 0, 1e-12)
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3.8)
 scene_plots.ghosts(ax, run, (0.0, 0.5, 1.0, 1.5))
 scene_plots.trails(ax, run)
@@ -391,9 +423,6 @@ print(f"with the normal before the step: off by up to {late.max():.1f} times the
 # - every ball stays on the table.
 
 # %%
-from lesson_code.chapters.ch04_circles import scenes as table
-from lesson_code.evidence.scenes import discs as disc_scenes
-
 fine = {"duration": 3.0, "dt": 1 / 240, "iterations": 30}  # section 8 says why 30
 elastic = simulate(table.scattered_balls(restitution=1.0), **fine)
 lossy = simulate(table.scattered_balls(restitution=0.8), **fine)
@@ -409,30 +438,25 @@ check("momentum gained is what the cushions gave", gained - given.sum(axis=0), 0
 check("balls on the table at the end", table.balls_on_table(elastic)[-1], 32)
 
 # %% [markdown]
-# **The first attempt.** `solver="naive"` is what one writes first: for every pair, the impulse
-# along the line of the centres, then half of the overlap for each; pairs that separate are left
-# as they are. Every line of it looks right. Here it is on the same table. **Predict:** how many
-# balls will be left?
+# **The first attempt.** `solver="naive"` is what you would write first: for every pair, the
+# impulse along the line of the centres, then half of the overlap for each; pairs that separate are
+# left as they are. Every line of it looks right. Now run it on the same table, for three seconds.
 
 # %%
+predict("04-naive")
+
+# %% tags=["answer"]
+# the balls that are left after 3 s
 naive = simulate(table.scattered_balls(restitution=1.0), solver="naive", **fine)
 on_table = {
     "sequential impulses": (elastic.times, table.balls_on_table(elastic)),
     "the first attempt": (naive.times, table.balls_on_table(naive)),
 }
 print({name: int(count[-1]) for name, (_, count) in on_table.items()})
-fig, ax = style.figure(width=7, height=3)
-plots.curves(ax, on_table, "time, s", "balls on the table")
-ax.set_ylim(0, 34)
-show(
-    fig,
-    "Balls on the table over 3 s. With sequential impulses all 32 stay; with the first attempt "
-    "the number falls to zero.",
-)
+figures.balls_left(on_table)
 
-# %%
-from lesson_code.view.svg.animation import animate
-
+# %% tags=["answer"]
+# both tables, as they move
 animate(
     {"sequential impulses": elastic, "the first attempt": naive},
     "Two pool tables with 32 balls, which all start moving. On the left they go on bouncing off "
@@ -442,31 +466,39 @@ animate(
     still=0.5,
 )
 
+# %% [markdown] tags=["answer"]
+# **The answer.**
+# For two discs the line of the centres *is* the normal. A cushion is no disc: its centre is its
+# middle, and a ball that meets it near a corner is pushed along the cushion instead of away from
+# it. Chapter 06 finds the right normal for other shapes. Energy and momentum did not notice
+# anything.
+
 # %% [markdown]
-# All of them are gone. For two discs the line of the centres *is* the normal. A cushion is no
-# disc: its centre is its middle, and a ball that meets it near a corner is pushed along the
-# cushion instead of away from it. Chapter 06 finds the right normal for other shapes. Energy and
-# momentum did not notice anything.
-#
 # ## 8 More than two: one look at each contact is not enough
 #
 # A cue ball rolls between two balls that touch each other, and hits both at once. By symmetry it
 # must not turn aside. Momentum and energy then say all: it comes back with 1/5 of its speed, and
-# the two others leave with $(3, \pm\sqrt{3})/5$. What does a program do that knows pairs only?
+# the two others leave with $(3, \pm\sqrt{3})/5$.
 
 # %%
+predict("04-pairs")
+
+# %% tags=["answer"]
+# the naive solver, with the two balls listed in either order
 shot = {"duration": 1e-9, "dt": 1e-9}  # one step, so short that nothing moves
 for upper_first in (True, False):
     scene = disc_scenes.cue_between_two(upper_first=upper_first)
     cue = simulate(scene, solver="naive", **shot).velocities[-1, 0]
     print(f"upper ball first: {upper_first!s:5}  cue ball after: ({cue[0]:.3f}, {cue[1]:+.3f}) m/s")
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# **The answer.**
 # It turns aside, and which way depends on the order in which the scene **lists** the two balls.
 # The first pair was resolved as if it were alone in the world. That was right for a moment; then
 # the second impulse changed the velocity of the cue ball, and nobody looked at the first pair
 # again.
-#
+
+# %% [markdown]
 # The cure is called **sequential impulses**: go round all contacts again and again, and each time
 # correct the impulse given so far, which in total must only push. Each round is an *iteration*.
 
@@ -481,8 +513,6 @@ aside = {
 }
 
 # %%
-from lesson_code.reference.impact_closed_forms import break_shot
-
 after = simulate(scene, iterations=20, **shot).velocities[-1]
 cue, upper, lower = break_shot(speed=1, restitution=1)
 check("20 iterations: the cue ball", after[0], cue, tolerance=1e-8)
@@ -492,7 +522,7 @@ fault = np.array(aside["sequential impulses"])
 check("each round leaves this part of the fault", fault[1:6] / fault[:5], 1 / 16, 1e-4)
 check("pymunk's fault, round by round", np.array(aside["pymunk"]) - fault, 0, 1e-12)
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3.2)
 plots.curves(ax, {name: (rounds, values) for name, values in aside.items()}, "iterations", "")
 ax.set_yscale("log")
@@ -534,13 +564,14 @@ animate(
 # %% [markdown]
 # ### A row of five: two answers, both lawful
 #
-# Newton's cradle, without strings: one disc runs into a row of four at rest. **Predict** the
-# velocities after, with a gap of a thousandth of a millimetre between neighbours, and with an
-# overlap of that size.
+# Newton's cradle, without strings: one disc runs at 1 m/s into a row of four at rest. Between
+# neighbours there is a gap of a thousandth of a millimetre, or an overlap of that size.
 
 # %%
-from lesson_code.reference.impact_closed_forms import cradle_all_at_once, cradle_one_by_one
+predict("04-row")
 
+# %% tags=["answer"]
+# five discs, with a gap and with an overlap
 cradle = {
     name: simulate(disc_scenes.row_of_discs(5, gap), 1.0, iterations=100)
     for name, gap in (("gap of 1 µm", 1e-6), ("overlap of 1 µm", -1e-6))
@@ -552,22 +583,19 @@ for name, run in cradle.items():
     check(f"{name}: momentum", run.momentum[-1, 0], 1.0, tolerance=1e-12)
     check(f"{name}: energy", run.kinetic_energy[-1], 0.5, tolerance=1e-9)
 
-# %%
-fig, ax = style.figure(width=7, height=3.4)
-figures.rows_of_bars(ax, last, [f"disc {k}" for k in range(1, 6)], "velocity after, m/s")
-show(
-    fig,
-    "Velocities of five discs after the hit. With a gap, the last disc alone moves, at 1 m/s. "
-    "With an overlap, the first comes back at 0.6 m/s and the four others move at 0.4 m/s.",
-)
+# %% tags=["answer"]
+# the velocities after
+figures.row_of_five(last)
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# **The answer.**
 # With a gap the pairs collide one after the other, each by chapter 01. With an overlap all four
 # contacts are found in the same step and solved *together*: the first pair must part as fast as
 # it approached, and the pairs at rest must not come closer. Both answers keep momentum and
 # energy. For three bodies or more these two laws no longer decide what happens. Steel balls on
 # strings come close to the first answer, because a shock needs time to run through them.
-#
+
+# %% [markdown]
 # ## 9 Break it on purpose: three small faults
 #
 # **One factor too many.** The impulse with 2(1 + e), from chapter 01, again: head on, equal
@@ -588,21 +616,27 @@ for e in (0.0, 0.5, 0.8, 1.0):
 # is multiplied by $(1 + 2e)^2$, where it should be multiplied by $e^2$.
 #
 # **No direction.** Two discs are put in the same place; a game that lets the player add discs
-# with the mouse does this sooner or later. **Predict** what each solver makes of it.
+# with the mouse does this sooner or later.
 
 # %%
+predict("04-heap")
+
+# %% tags=["answer"]
+# two discs in one place, 1 kg and 3 kg
 heap = Scene([Body(Circle(0.5), mass=1.0), Body(Circle(0.5), mass=3.0)])
 for solver in ("naive", "sequential"):
     apart = np.diff(simulate(heap, 2.0, solver=solver).positions[:, :, 0])[:, 0]
     print(f"{solver:10} apart after 0, 0.1, 0.5, 2 s: ", end="")
     print(", ".join(f"{apart[step]:.3f}" for step in (0, 6, 30, 120)), "m")
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# **The answer.**
 # The first attempt divides by the distance, so it has to leave such a pair alone, and the discs
 # stay stuck for ever. With (1, 0) as the normal they part, the light one three times as far. The
 # engine does not throw them apart at once: it takes away a fifth of the overlap in each step and
 # leaves half a percent of a body's width, so that resting contacts stay contacts.
-#
+
+# %% [markdown]
 # **Half each** was the third fault, in section 5. Against a fixed post it is the worst: the post
 # ignores its half, and the ball stays inside by the other.
 
@@ -620,6 +654,15 @@ for solver in ("naive", "sequential"):
 show_quiz("04")
 
 # %% [markdown]
+# ## 11 Key takeaways
+#
+# - Compare squares: d · d < (r1 + r2)² throws out a far pair without a root.
+# - The impulse acts along the normal. x and y apart is wrong, and only angular momentum notices.
+# - Same |J|, and each its own mass: the lighter disc changes more, in velocity and in position.
+# - The gate is for velocities. Positions are separated first, gate or no gate.
+# - Where contacts touch each other, go round them again and again.
+
+# %% [markdown]
 # ## What was checked, and what comes next
 #
 # **Checked here:** contact, impulse and way apart against numbers worked by hand; 3,000 random
@@ -631,8 +674,10 @@ show_quiz("04")
 # spin. A very fast disc can jump over another between two steps; chapter 07 is about that.
 #
 # **Do now:** the exercise [04 Circles](../exercises/04_circles.ipynb): four tasks, seventeen
-# points. **Next:** [05 Spin and friction](05_spin_and_friction.ipynb), where the direction across
-# the normal comes alive.
+# points. In a terminal, `workbook watch 04` runs it again whenever you save. Play with what you
+# know now in `workbook play simulator`; the challenge of this chapter is the field of
+# [asteroids](../exercises/asteroids.py). **Next:** [05 Spin and
+# friction](05_spin_and_friction.ipynb), where the direction across the normal comes alive.
 #
 # **Sources.** Mirtich and Canny, *Impulse-based Simulation of Rigid Bodies* (1995): one impact.
 # Catto, *Fast and Simple Physics using Sequential Impulses* (2006): many. Herrmann and Seitz,

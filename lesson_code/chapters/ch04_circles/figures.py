@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
 
+from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.matplotlib.plots import Point
 
@@ -171,6 +172,58 @@ def rows_of_bars(
     ax.set_ylabel(ylabel)
     ax.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(named))
     return ax
+
+
+def grazing_hits(normal: Any, before: Any, answers: Mapping[str, Any]) -> None:
+    """Show a grazing hit as two formulas answer it."""
+    fig, axes = style.figure(2, width=10, height=4)
+    for ax, (title, after) in zip(axes, answers.items(), strict=True):
+        hit(ax, normal, (0.5, 0.5), before, after)
+        ax.set(xlim=(-2.2, 2.2), ylim=(-1.5, 1.5))
+        ax.set_title(title, y=1.1)
+    show(
+        fig,
+        "A grazing hit. Along the normal, ball 1 goes on nearly as before and ball 2 moves off "
+        "slowly, downward. With x and y apart, ball 1 stops dead and ball 2 takes over all of it.",
+    )
+
+
+def moved_apart(discs: tuple[Any, float, Any, float], ways: Mapping[str, Any]) -> None:
+    """Show two overlapping discs, and where two rules put them."""
+    p1, r1, p2, r2 = discs
+    fig, axes = style.figure(2, width=10, height=3.8)
+    for ax, (title, (q1, q2)) in zip(axes, ways.items(), strict=True):
+        two_discs(ax, p1, r1, p2, r2, outline=True)
+        two_discs(ax, q1, r1, q2, r2)
+        ax.set(title=title, xlim=(-1.1, 2.3), ylim=(-1.1, 1.1))
+    show(
+        fig,
+        "A disc of 1 kg overlaps one of 9 kg; dotted outlines show where they were. By mass, the "
+        "light disc moves nearly all of the way. Half each, the heavy disc is pushed as far as it.",
+    )
+
+
+def balls_left(on_table: Mapping[str, tuple[Any, Any]]) -> None:
+    """Show how many balls are on the table over time, by solver."""
+    fig, ax = style.figure(width=7, height=3)
+    plots.curves(ax, on_table, "time, s", "balls on the table")
+    ax.set_ylim(0, 34)
+    show(
+        fig,
+        "Balls on the table over 3 s. With sequential impulses all 32 stay; with the first attempt "
+        "the number falls to zero.",
+    )
+
+
+def row_of_five(last: Mapping[str, Sequence[float]]) -> None:
+    """Show the velocities of five discs in a row after the hit."""
+    fig, ax = style.figure(width=7, height=3.4)
+    rows_of_bars(ax, last, [f"disc {k}" for k in range(1, 6)], "velocity after, m/s")
+    show(
+        fig,
+        "Velocities of five discs after the hit. With a gap, the last disc alone moves, at 1 m/s. "
+        "With an overlap, the first comes back at 0.6 m/s and the four others move at 0.4 m/s.",
+    )
 
 
 def _free_direction(taken: Sequence[Any]) -> Any:

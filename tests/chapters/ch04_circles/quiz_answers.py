@@ -6,6 +6,7 @@ import math
 from fractions import Fraction as F  # noqa: N817 - written many times below
 
 ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
+    "04-angle": (F(90), [F(45), F(180), F(60)]),
     "04-depth": (
         F(2) + F(7, 2) - math.isqrt(3**2 + 4**2),
         [
