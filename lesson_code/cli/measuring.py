@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
+from rich.table import Table
 
 from lesson_code.cli.shared import AsJson, clear_errors, console, errors, print_json, share_bar
 
@@ -62,6 +63,30 @@ def measure_figures(
     with clear_errors():
         measured = measure_answers(only)
     _show(measured, as_json)
+
+
+@measure.command("frames")
+def measure_frames(
+    only: Annotated[
+        list[str] | None, typer.Option("--only", metavar="PROGRAM", help="Only this program.")
+    ] = None,
+    frames: Annotated[int, typer.Option(min=1, help="Frames of each program.")] = 600,
+    part: Annotated[int, typer.Option(min=1, help="Frames that a line stands for.")] = 600,
+    balls: Annotated[int, typer.Option(min=0, max=600, help="In the simulator.")] = 500,
+    shows: Annotated[bool, typer.Option("--shows", help="With all arrows and values.")] = False,
+) -> None:
+    """How long the frames of the programs take at 1920 x 1080, in ms of the processor."""
+    from lesson_code.chapters.programs import load, program_summaries
+    from lesson_code.view.pygame.frame_times import frame_times
+
+    table = Table("program", "frames", "world", "picture", "95 % within")
+    with clear_errors():
+        for name in only or program_summaries():
+            settings = {"balls": balls} if name == "simulator" else {}
+            for one in frame_times(load(name), frames, part, shows=shows, settings=settings):
+                ms = (f"{value:.2f}" for value in (one.world, one.picture, one.within))
+                table.add_row(name, f"{one.first + 1} to {one.last}", *ms)
+    console.print(table)
 
 
 @measure.command("hard-cases")

@@ -63,6 +63,8 @@ class Laboratory:
     def draw(self) -> None:
         """Draw all that is asked for, over the picture."""
         shown = self._session.shown
+        if not shown:
+            return
         legend: list[tuple[Colour, str, float]] = []
         self._taken: list[pygame.Rect] = []
         self._values: list[Value] = []
@@ -107,11 +109,11 @@ class Laboratory:
             beside /= np.maximum(np.hypot(*ways.T), 1e-9)[:, None]
             tails = tails + apart * beside
         rows = list(zip(tails.tolist(), ways.tolist(), sizes.tolist(), strict=True))
+        if len(rows) > MOST_ROUND_ARROWS:
+            self._strokes(tails, ways, colour)
+            return per
         for tail, tip, _ in rows:
-            if len(rows) <= MOST_ROUND_ARROWS:
-                self._window.arrow((tail[0], tail[1]), (tip[0], tip[1]), colour, width=2.5)
-            else:
-                self._stroke(tail, tip, colour)
+            self._window.arrow((tail[0], tail[1]), (tip[0], tip[1]), colour, width=2.5)
         if len(rows) <= MOST_VALUES:
             for tail, tip, size in rows:
                 if size * pixels > 1:
@@ -123,11 +125,12 @@ class Laboratory:
         self._longest[kind] = max(self._longest[kind], largest)
         return round_above(self._longest[kind])
 
-    def _stroke(self, tail: list[float], along: list[float], colour: Colour) -> None:
-        """Draw a line with a dot at its end."""
-        tip = tail[0] + along[0], tail[1] + along[1]
-        pygame.draw.line(self._window.surface, colour, tail, tip)
-        pygame.draw.circle(self._window.surface, colour, tip, self._window.px(1.5))
+    def _strokes(self, tails: Rows, along: Rows, colour: Colour) -> None:
+        """Draw lines with dots at their ends."""
+        surface, dot = self._window.surface, self._window.px(3)
+        for tail, tip in zip(tails.tolist(), (tails + along).tolist(), strict=True):
+            pygame.draw.line(surface, colour, tail, tip)
+            surface.fill(colour, (tip[0] - dot / 2, tip[1] - dot / 2, dot, dot))
 
     def _value(self, tail: list[float], along: list[float], words: str, colour: Colour) -> None:
         """Write a value beyond the tip of an arrow, or where else there is room for it."""

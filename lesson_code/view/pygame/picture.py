@@ -179,10 +179,10 @@ class Picture:
 
     def discs(self, centres: Vector, radii: Iterable[float], colours: Iterable[Colour]) -> None:
         """Draw many discs at centres of shape (N, 2), m; faster than one by one."""
-        places = np.round(self.camera.places_of(centres)).astype(int)
-        sprites = []
-        for (x, y), radius, colour in zip(places.tolist(), radii, colours, strict=True):
-            sprite, half = _disc(round(radius * self.camera.scale, 1), colour)
+        places = np.round(self.camera.places_of(centres)).astype(int).tolist()
+        sprites, scale = [], self.camera.scale
+        for (x, y), radius, colour in zip(places, radii, colours, strict=True):
+            sprite, half = _disc(round(radius * scale, 1), colour)
             sprites.append((sprite, (x - half, y - half)))
         self._field.blits(sprites, False)
 
@@ -296,6 +296,6 @@ def moved(point: XY, position: XY, angle: float) -> XY:
 @cache
 def _disc(radius: float, colour: Colour) -> tuple[pygame.Surface, int]:
     """Return the picture of a disc, painted once, and half of its width, px."""
-    sprite = smooth_disc(max(radius, 1.0), colour)
+    sprite = smooth_disc(max(radius, 1.0), colour).convert_alpha()
     sprite.set_alpha(255, pygame.RLEACCEL)  # three times faster: only its rim is mixed
     return sprite, sprite.get_width() // 2
