@@ -2,17 +2,18 @@
 
 Alike are functions that share most of their fingerprints
 (:mod:`lesson_code.course.isolation.inside.winnowing`): those of two students, or of a student and
-of the lesson. What is short is written alike by everybody, and is left out; so is the answer to a
-task that has one form.
+of the lesson. What is short is written alike by everybody, and so is the answer to a task that has
+one form: those are alike where they are the same word for word, with names of their author's own.
 """
 
 from __future__ import annotations
 
 import ast
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -31,18 +32,29 @@ SHARE = 0.8
 """Of the fingerprints of the shorter one. Right answers that were found by other ways share 0.74 at
 the most, and a copy with other names, comments and layout shares all of them."""
 
+FEWEST_NAMES = 4
+"""Names of one's own, of two letters or more, in functions of two files that are the same word for
+word: one such function may be found twice by chance, where the task gives most of its names."""
+
+MOST_HANDS = 3
+"""Whose function may be the same: what more students write is what one writes."""
+
 LESSON = ("formulas", "geometry", "reference", "chapters")
 NOT_THE_LESSON = ("tasks", "draws", "wrong_answers", "right_answers")
 
 
 @dataclass(frozen=True)
 class Passage:
-    """A function: whose, which, its text and its fingerprints. Nobody's is the lesson's."""
+    """A function: whose, which, its text and its fingerprints. Nobody's is the lesson's.
+
+    A worded one is all functions of a file that are short or of one form, by their own names.
+    """
 
     who: tuple[Student, ...]
     name: str
     text: str
     prints: frozenset[str]
+    is_worded: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,12 +71,12 @@ class Alike:
 
 
 def passages_of(submission: Submission) -> list[dict[str, Any]]:
-    """Return name, text and fingerprints of each function that is long enough to tell."""
+    """Return what tells of each function that is long enough, or has names of its author's own."""
     return [
-        {"name": f["name"], "text": _cut(unit.source, *f["lines"]), "prints": f["prints"]}
+        {**f, "text": _cut(unit.source, *f["lines"])}
         for unit in submission.units
         for f in unit.prints
-        if len(f["prints"]) >= FEWEST
+        if len(f["prints"]) >= FEWEST or f["own"]
     ]
 
 
@@ -74,14 +86,23 @@ def alike_in(students: Sequence[Student], exercises: Iterable[Exercise]) -> tupl
         Alike(exercise, tuple(group))
         for exercise in exercises
         if (passages := list(_handed_in(students, exercise)))
-        for group in _groups([*_lesson(), *passages])
+        for group in (
+            *_groups(
+                [
+                    *_lesson(),
+                    *(p for p in passages if not p.is_worded),
+                ],
+                _alike_pairs,
+            ),
+            *_groups([p for p in passages if p.is_worded], _same_words),
+        )
     )
 
 
 def _handed_in(students: Sequence[Student], exercise: Exercise) -> Iterator[Passage]:
     """Yield the functions that were handed in for an exercise and tell something.
 
-    Those that were given tell nothing, nor do answers to a task that has one form.
+    Those that were given tell nothing.
     """
     of_file: dict[str, list[Student]] = defaultdict(list)
     for student in students:
@@ -91,11 +112,25 @@ def _handed_in(students: Sequence[Student], exercise: Exercise) -> Iterator[Pass
     usual = {task.function for task in exercise.tasks if task.has_one_form}
     for team in of_file.values():
         report: Mapping[str, Any] = team[0].reports.get(exercise.name, {})
+        worded = []
         for found in report.get("passages", ()):
-            is_given = f"def {found['name']}(" in given and found["name"] not in exercise.task_ids
-            if not is_given and found["name"] not in usual:
+            if f"def {found['name']}(" in given and found["name"] not in exercise.task_ids:
+                continue
+            if len(found["prints"]) < FEWEST or found["name"] in usual:
+                worded.append(found)
+            else:
                 prints = frozenset(found["prints"])
                 yield Passage(tuple(team), found["name"], found["text"], prints)
+        if marks := frozenset(_marks(worded)):
+            names = ", ".join(found["name"] for found in worded)
+            text = "\n\n".join(found["text"] for found in worded)
+            yield Passage(tuple(team), names, text, marks, is_worded=True)
+
+
+def _marks(worded: Iterable[Mapping[str, Any]]) -> Iterator[str]:
+    """Yield a mark for each name of two letters or more that is its author's own."""
+    for found in worded:
+        yield from (f"{found['words']} {name}" for name in found["own"] if len(name) > 1)
 
 
 @cache
@@ -114,7 +149,9 @@ def _lesson() -> tuple[Passage, ...]:
     return tuple(found)
 
 
-def _groups(passages: list[Passage]) -> Iterator[list[Passage]]:
+def _groups(
+    passages: list[Passage], pairs: Callable[[list[Passage]], Iterable[tuple[int, int]]]
+) -> Iterator[list[Passage]]:
     """Yield the passages that are alike, in the order given; each stands in one group."""
     leader = list(range(len(passages)))
 
@@ -123,7 +160,7 @@ def _groups(passages: list[Passage]) -> Iterator[list[Passage]]:
             place = leader[place]
         return place
 
-    for a, b in _alike_pairs(passages):
+    for a, b in pairs(passages):
         low, high = sorted((first(a), first(b)))
         leader[high] = low
     groups: dict[int, list[Passage]] = defaultdict(list)
@@ -145,6 +182,17 @@ def _alike_pairs(passages: list[Passage]) -> Iterator[tuple[int, int]]:
                 yield other, place
         for mark in passage.prints:
             holding[mark].append(place)
+
+
+def _same_words(passages: list[Passage]) -> Iterator[tuple[int, int]]:
+    """Yield the places of files in which a few students alone have functions word for word."""
+    holding: dict[str, list[int]] = defaultdict(list)
+    for place, passage in enumerate(passages):
+        for mark in passage.prints:
+            holding[mark].append(place)
+    few = [places for places in holding.values() if 1 < len(places) <= MOST_HANDS]
+    shared = Counter(pair for places in few for pair in combinations(places, 2))
+    yield from sorted(pair for pair, names in shared.items() if names >= FEWEST_NAMES)
 
 
 def _cut(source: str, first: int, last: int) -> str:

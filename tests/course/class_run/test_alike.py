@@ -19,7 +19,7 @@ from lesson_code.course.class_run.pages import class_page, student_page
 from lesson_code.course.grading.exercises import Exercise, exercises
 from lesson_code.course.isolation.inside.winnowing import K, W, fingerprints, winnowed
 
-from .conftest import MakeClass
+from .conftest import RIGHT, MakeClass
 
 
 class Renamed(ast.NodeTransformer):
@@ -254,6 +254,44 @@ def test_honest_answers_to_a_task_of_one_form_are_not_remarked(
     book = grade_class(folder, tmp_path / "out", exercises=["07"], seed=7, hands=Hands(1))
     assert [student.points for student in book.students] == [3, 3]
     assert book.alike == ()
+
+
+MEAN = """
+def inelastic_1d(m1, v1, m2, v2):
+    whole_mass = m1 + m2
+    shared = (m1 * v1 + m2 * v2) / whole_mass
+    return shared, shared
+
+def elastic_impulse_1d(m1, v1, m2, v2):
+    reduced_mass = m1 * m2 / (m1 + m2)
+    return 2 * reduced_mass * (closing := v1 - v2)
+"""
+"""Short answers with names of their author's own."""
+
+
+def test_short_answers_word_for_word_are_remarked(make_class: MakeClass, tmp_path: Path) -> None:
+    """Four names of one's own in the same short functions tell; other names, or a crowd, do not."""
+    other = MEAN.replace("whole_mass", "total").replace("reduced_mass", "mu")
+    crowd = {f"many-{n}/01_one_dimension.py": RIGHT for n in range(5)}
+    folder = make_class(
+        {
+            "ada/01_one_dimension.py": MEAN,
+            "bob/01_one_dimension.py": f"# mine\n{MEAN}",
+            "cyd/01_one_dimension.py": other,
+            **crowd,
+        }
+    )
+    book = grade_class(folder, tmp_path / "out", exercises=["01"], seed=7, hands=Hands(1))
+    assert [[s.label for s in alike.who] for alike in book.alike] == [["ada", "bob"]]
+
+
+def test_answer_of_one_form_is_remarked_word_for_word(
+    make_class: MakeClass, tmp_path: Path
+) -> None:
+    """Everybody's answer to 7.5 has one form, but not one's own names."""
+    folder = make_class({f"{name}/07_time_of_impact.py": BLOCKS for name in ("ada", "bob")})
+    book = grade_class(folder, tmp_path / "out", exercises=["07"], seed=7, hands=Hands(1))
+    assert [[s.label for s in alike.who] for alike in book.alike] == [["ada", "bob"]]
 
 
 def test_what_is_short_is_no_evidence() -> None:

@@ -26,15 +26,36 @@ K, W = 10, 6
 
 
 def fingerprints(body: list[ast.stmt]) -> list[dict[str, Any]]:
-    """Return name, first and last line, and fingerprints of every function at top level."""
+    """Return of every function at top level its name, lines, fingerprints, words and own names.
+
+    The words are one hash of all its nodes and of all names in it; its own names are those that
+    its author has chosen, in the order in which they come.
+    """
+    found = []
+    for part in body:
+        if isinstance(part, ast.FunctionDef):
+            nodes, names = list(_nodes(part)), _names_in(part)
+            words = " ".join([*nodes, *(name for name, _ in names)])
+            own = dict.fromkeys(name for name, is_own in names if is_own)
+            found.append(
+                {
+                    "name": part.name,
+                    "lines": [part.lineno, part.end_lineno],
+                    "prints": winnowed(nodes),
+                    "words": _digest(words),
+                    "own": list(own),
+                }
+            )
+    return found
+
+
+def _names_in(function: ast.FunctionDef) -> list[tuple[str, bool]]:
+    """Return the names in a function's body, and whether each gets its value there."""
     return [
-        {
-            "name": part.name,
-            "lines": [part.lineno, part.end_lineno],
-            "prints": winnowed(list(_nodes(part))),
-        }
-        for part in body
-        if isinstance(part, ast.FunctionDef)
+        (node.id, isinstance(node.ctx, ast.Store))
+        for statement in function.body
+        for node in ast.walk(statement)
+        if isinstance(node, ast.Name)
     ]
 
 
@@ -47,7 +68,12 @@ def winnowed(nodes: list[str]) -> list[str]:
 @lru_cache(maxsize=50_000)  # answers of a class have most runs in common
 def _hash(run: str) -> str:
     """Return the hash of some nodes in a row."""
-    return hashlib.blake2b(run.encode(), digest_size=6).hexdigest()
+    return _digest(run)
+
+
+def _digest(text: str) -> str:
+    """Return a hash of a text."""
+    return hashlib.blake2b(text.encode(errors="replace"), digest_size=6).hexdigest()
 
 
 def _nodes(tree: ast.AST) -> Iterator[str]:
