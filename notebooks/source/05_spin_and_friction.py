@@ -9,9 +9,9 @@
 # %% [markdown]
 # # 05 Spin and friction
 #
-# So far our bodies were smooth, and none of them could turn. A real ball that hits a rough floor
-# starts to spin. A plank that is hit at its end whirls away. This chapter adds both: bodies that
-# turn, and surfaces that rub.
+# Throw a rubber ball at the floor with backspin, and it comes back to you. No smooth ball can do
+# that. In this chapter your bodies turn, and their surfaces rub; both happen in one blow, and each
+# changes the other.
 #
 # **After this notebook you will be able to**
 #
@@ -20,21 +20,33 @@
 # 3. test an engine that has friction: with a disc that begins to roll, with slopes, and with the
 #    laws that must hold.
 #
-# **You need** notebooks 00 to 04. **Time:** about 70 minutes to read, a few seconds to run.
+# **You need** notebooks 00 to 04. **Time:** about 60 minutes to read and to write three lines, a
+# few seconds to run.
 
-# %%
+# %% tags=["plumbing"]
 import inspect
 
 import numpy as np
 
-from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
+from lesson_code import Circle, Polygon
 from lesson_code.chapters.ch05_spin_and_friction import figures, scenes
 from lesson_code.chapters.ch05_spin_and_friction import wrong_answers as wrong
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check
-from lesson_code.evidence.scenes import slopes, spinning_discs
-from lesson_code.evidence.scenes.spinning_discs import Disc, hit, normal_between
-from lesson_code.formulas import contact_velocity, effective_mass, friction_impulse
+from lesson_code.evidence.scenes import slopes
+from lesson_code.evidence.scenes.spinning_discs import Disc, hit
+
+# %% tags=["plumbing"]
+from lesson_code.formulas import (
+    contact_velocity,
+    disc_inertia,
+    effective_mass,
+    friction_impulse,
+    kinetic_energy,
+    polygon_centroid,
+    polygon_inertia,
+)
 from lesson_code.reference import impact_closed_forms, rigid_body_closed_forms
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
@@ -44,24 +56,25 @@ from lesson_code.view.svg.animation import animate
 # %% [markdown]
 # ## 1 A point of a spinning body moves with the centre and around it
 #
-# A body turns with **angular velocity** w, in radians per second. It is positive
-# counter-clockwise. Take a point of the body at r = (r_x, r_y) from the centre of mass. Turning
-# carries it around the centre: at right angles to r, with speed |w| |r|. Turn r by a right angle
-# counter-clockwise, and you have the direction: (-r_y, r_x). The centre itself moves with v. Both
-# together:
+# A body turns with **angular velocity** w, in radians per second, positive counter-clockwise. Take
+# a point of the body at r = (r_x, r_y) from the centre of mass. Turning carries it around the
+# centre: at right angles to r, with speed |w| |r|. Turn r by a right angle counter-clockwise, and
+# you have the direction: (-r_y, r_x). The centre itself moves with v. Add both:
 #
 # $$v_\text{contact} = v + w\,(-r_y,\ r_x)$$
-#
-# **Predict:** a wheel of 0.5 m rolls to the right at 3 m/s. It turns clockwise, so w = -6 rad/s.
-# How fast does the point move that touches the road? And the highest point?
 
 # %%
+predict("05-wheel")
+
+# %% tags=["answer"]
+# three points of a rolling wheel
 v, w, radius = np.array([3.0, 0.0]), -6.0, 0.5
 check("the lowest point stands still", contact_velocity(v, w, (0, -radius)), (0, 0))
 check("the highest point is twice as fast", contact_velocity(v, w, (0, radius)), (6, 0))
 check("the foremost point goes down as well", contact_velocity(v, w, (radius, 0)), (3, -3))
 
-# %%
+# %% tags=["answer", "plumbing"]
+# three points of a rolling wheel
 fig, axes = style.figure(3, width=9.5, height=3.2)
 for ax, (v, w, title) in zip(
     axes,
@@ -78,10 +91,10 @@ show(
 )
 
 # %% [markdown]
-# What matters at a contact is how the two touching points move against each other. That is
-# `contact_velocity` of body B minus that of body A. Its part along the normal n is v_n, the
-# approach if it is negative. Its part along the tangent t is v_t, the **sliding**. In this course
-# t is n turned counter-clockwise: (-n_y, n_x).
+# At a contact you need to know how the two touching points move against each other: the
+# `contact_velocity` of body B minus that of body A. Its part along the normal n is v_n; a negative
+# v_n is an approach. Its part along the tangent t is v_t, the **sliding**. In this course t is n
+# turned counter-clockwise: (-n_y, n_x).
 #
 # ## 2 The moment of inertia says how hard a body is to turn
 #
@@ -102,8 +115,6 @@ show(
 # signs change, above and below. So the order of the vertices does not matter.
 
 # %%
-from lesson_code.formulas import disc_inertia, polygon_centroid, polygon_inertia
-
 box = np.array([(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0)])
 check("a box of 3 m by 2 m and 6 kg: m (3² + 2²) / 12", polygon_inertia(6.0, box), 6.5, 1e-12)
 check("the other way round", polygon_inertia(6.0, box[::-1]), 6.5, 1e-12)
@@ -115,12 +126,13 @@ check("the disc itself: m r² / 2", disc_inertia(6, 0.5), 0.75)
 
 # %% [markdown]
 # A popular short cut puts the mass on the vertices, in equal parts. It looks like a sum over the
-# body, but where is the mass of a plate? Not at its corners. Here is the box again, and then
-# again with a fifth vertex in the middle of an edge. The plate is the same.
-#
-# **Predict:** what does the fifth vertex do to each of the two formulas?
+# body. But where is the mass of a plate? Not at its corners.
 
 # %%
+predict("05-fifth-vertex")
+
+# %% tags=["answer"]
+# four vertices and five, by both formulas
 five = np.insert(box, 1, (1.5, 0.0), axis=0)
 print(f"misconception: {wrong.vertex_masses.misconception}")
 for name, vertices in (("four vertices", box), ("five vertices", five)):
@@ -132,7 +144,8 @@ triangle = box[:3]
 ratio = wrong.vertex_masses(6.0, triangle) / polygon_inertia(6.0, triangle)
 check("and for every triangle", ratio, 4.0, tolerance=1e-12)
 
-# %%
+# %% tags=["answer", "plumbing"]
+# four vertices and five, by both formulas
 extra = np.arange(9)
 lists = [np.vstack([np.linspace((0, 0), (3, 0), 2 + k), box[2:]]) for k in extra]
 named = {
@@ -140,7 +153,8 @@ named = {
     "masses on the vertices": (extra, [wrong.vertex_masses(6.0, vertices) for vertices in lists]),
 }
 
-# %%
+# %% tags=["answer", "plumbing"]
+# four vertices and five, by both formulas
 fig, (left, right) = style.figure(2, width=9.5, height=3.4)
 figures.fan_of_triangles(left, five, polygon_centroid(five))
 left.set_title("triangles from the centroid", fontsize=11)
@@ -156,8 +170,8 @@ show(
 # %% [markdown]
 # ## 3 Off centre, a body gives way by turning
 #
-# Push a door at its hinge, and it hardly yields. Push it at its edge, and it is easy. How hard is
-# a body to move *at the contact*?
+# Push a door near its hinge: it hardly moves. Push it at its edge: it swings open. The door is the
+# same. So how hard is a body to move *at the contact*?
 #
 # Give it an impulse of 1 N s along n, at r from the centre. The centre gains the velocity 1/m.
 # The spin gains $(r \times n)/I$. The contact is carried along: for each rad/s it gains another
@@ -180,7 +194,7 @@ for arm in (0.0, 0.5, 1.0):
     print(f"ball {1 - impulse:+.2f} m/s, rod {impulse:+.2f} m/s, ", end="")
     print(f"spin {arm * impulse / rod_inertia:+.2f} rad/s")
 
-# %%
+# %% tags=["plumbing"]
 arms = np.linspace(0, 1, 101)
 m_eff = effective_mass(1, 1, 0, 1 / rod_inertia, 0, arms)
 after = {
@@ -189,7 +203,7 @@ after = {
     "rod's spin, rad/s": (arms, 2 * m_eff * arms / rod_inertia),
 }
 
-# %%
+# %% tags=["plumbing"]
 fig, (left, right) = style.figure(2, width=9.5, height=3.2)
 plots.curves(
     left, {"": (arms, m_eff)}, "distance of the hit from the centre, m", "effective mass, kg"
@@ -212,28 +226,20 @@ _, spins = after["rod's spin, rad/s"]
 check("the best place, m: the root of 2/3", arms[np.argmax(spins)], np.sqrt(2 / 3), tolerance=0.01)
 
 # %% [markdown]
-# Now the engine. A rod is a segment that has a mass. The closed form solves momentum, angular
-# momentum and restitution as three equations at once. pymunk plays the same scene.
-
+# Now ask the engine. A rod is a segment that has a mass. The closed form solves momentum, angular
+# momentum and restitution as three equations at once, and pymunk plays the same scene.
 
 # %%
-def ball_hits_rod(arm, solver="sequential"):
-    elastic = Material(restitution=1.0)
-    rod = Body(Segment((-1, 0), (1, 0)), mass=1.0, material=elastic)
-    ball = Body(Circle(0.1), position=(arm, -0.7), velocity=(0, 1), mass=1.0, material=elastic)
-    return simulate(Scene([ball, rod]), duration=2.5, solver=solver)
-
-
 expected = impact_closed_forms.off_centre_hit(1.0, 1.0, 1.0, 1 / 3, arm=1.0, restitution=1.0)
 check("worked by hand: ball, rod and spin", expected, (0.6, 0.4, 1.2), tolerance=1e-12)
 for solver in ("sequential", "pymunk"):
-    run = ball_hits_rod(1.0, solver)
+    run = scenes.ball_hits_rod(1.0, solver)
     after = (*run.velocities[-1, :, 1], run.angular_velocities[-1, 1])
     check(f"{solver}: ball, rod and spin", after, expected, tolerance=1e-9)
 
 # %%
 animate(
-    {"hit at the centre": ball_hits_rod(0.0), "hit at the end": ball_hits_rod(1.0)},
+    {f"hit {arm:.0f} m off centre": scenes.ball_hits_rod(arm) for arm in (0.0, 1.0)},
     "A ball flies up and hits a level rod. Hit at its centre, the rod flies off without turning "
     "and the ball stops. Hit at its end, the rod moves off more slowly and turns, and the ball "
     "goes on.",
@@ -242,39 +248,49 @@ animate(
 # %% [markdown]
 # ## 4 Friction stops the sliding, or fails at Coulomb's limit
 #
-# Two rough surfaces that slide hold each other back. What impulse j_t would *stop* the sliding
-# v_t at once? The one that changes it by -v_t, so j_t = -m_eff v_t, with the effective mass along
-# t.
+# Two rough surfaces that slide hold each other back. Which impulse along t would stop the sliding
+# v_t at once? Write it: it has to change v_t by -v_t, and the effective mass along t tells you what
+# that takes.
+
+
+# %%
+@gap("05-stopping")
+def stopping_impulse(m_eff, vt):
+    return ...
+
+
+# %% [markdown]
+# But surfaces cannot stop any sliding. Coulomb found that friction has a limit: it grows with the
+# force that presses the surfaces together, and no further. For impulses:
 #
-# But surfaces cannot hold on to any sliding. Coulomb found that friction has a limit, in
-# proportion to the force that presses the surfaces together. For impulses:
-#
-# $$j_t = -m_\text{eff}\,v_t, \quad\text{but}\quad |j_t| \le \mu\, j_n$$
+# $$|j_t| \le \mu\, j_n$$
 #
 # The number μ is the **friction coefficient**: about 0.05 on ice, 1 for rubber on a road. If the
 # limit is not reached, the contact **sticks**. If it is, the contact goes on **sliding**, more
 # slowly. Friction never turns a sliding round: it can stop one, but not start one.
 
 # %%
-needed = -2.0 * 3.0  # effective mass 2 kg, sliding at 3 m/s
-print(f"to stop the sliding takes {needed} N s")
-check("strong friction sticks", friction_impulse(3.0, 2.0, friction=1.0, normal_impulse=8.0), -6)
-check("weak friction slides", friction_impulse(3.0, 2.0, friction=0.5, normal_impulse=8.0), -4)
-check("and leaves this much sliding, m/s", 3.0 + -4 / 2.0, 1.0)
+needed = stopping_impulse(2.0, 3.0)
+print(f"2 kg that slide at 3 m/s: {needed:+.0f} N s stop them")
+for mu, allowed in ((1.0, 8.0), (0.5, 4.0)):
+    expected = max(needed, -allowed)
+    check(f"mu = {mu}, pressed with 8 N s", friction_impulse(3.0, 2.0, mu, 8.0), expected)
+check("what mu = 0.5 leaves of the sliding, m/s", 3.0 + -4 / 2.0, 1.0)
 check("sliding the other way", friction_impulse(-3.0, 2.0, friction=0.5, normal_impulse=8.0), 4)
 check("no pressure, no friction", friction_impulse(3.0, 2.0, friction=0.5, normal_impulse=0.0), 0)
 
-# %% [markdown]
+# %%
+predict("05-sticks")
+
+# %% [markdown] tags=["answer"]
+# **The answer.**
 # Draw the impulse as an arrow: j_n up, j_t to the side. Coulomb's limit is a **cone**. The dashed
 # arrow is what would stop the sliding. If it points out of the cone, it is cut down at the same
-# height. On the right is the friction impulse over the sliding: a ramp, with a floor and a
-# ceiling.
-#
-# **Predict, then try:** at which μ does the contact begin to stick when it slides at 3 m/s, pressed
-# with 4 N s? The effective mass is 1 kg. And when it is pressed with 6 N s? Drag the tip of the
-# dashed arrow into the cone and out of it.
+# height. On the right you see the friction impulse over the sliding: a ramp, with a floor and a
+# ceiling. Drag the tip of the dashed arrow into the cone and out of it.
 
-# %%
+# %% tags=["answer"]
+# the cone
 live(
     "ch05_spin_and_friction/friction_cone",
     "Left: the cone of Coulomb's limit for mu = 0.5. The dashed arrow that would stop a sliding of "
@@ -288,20 +304,22 @@ live(
 #
 # Now put it together. An impact gives j_n along n and j_t along t. Both act at the contact, so
 # both have a torque. For a disc the normal impulse points at the centre and turns nothing; the
-# friction impulse has the whole radius as its lever arm. These are all the lines it takes. Every
-# name in them you have met:
+# friction impulse has the whole radius as its lever arm. These lines are all it takes, and you know
+# every name in them:
 
 # %%
 print(inspect.getsource(hit).split('"""')[-1].strip("\n"))
 
 # %% [markdown]
-# A disc of 0.5 m without spin hits a rough floor at (3, -4) m/s, with e = 0.5. Take 1 kg. Along
-# the normal: j_n = 1.5 · 4 = 6 N s. Along the tangent 1/m_eff = 1 + r²/I = 3, so the effective
-# mass is a third of the mass. It takes 3/3 = 1 N s to stop the sliding.
-#
-# **Predict** velocity and spin after the hit, once on rubber and once on ice.
+# Take a disc of 1 kg and 0.5 m, without spin. It hits a rough floor at (3, -4) m/s, with e = 0.5.
+# Along the normal: j_n = 1.5 · 4 = 6 N s. Along the tangent 1/m_eff = 1 + r²/I = 3, so the
+# effective mass is a third of the mass, and it takes 3/3 = 1 N s to stop the sliding.
 
 # %%
+predict("05-rubber")
+
+# %% tags=["answer"]
+# the disc on rubber and on ice
 up = np.array([0.0, 1.0])
 disc = Disc(mass=1.0, radius=0.5, position=0.5 * up, velocity=np.array([3.0, -4.0]))
 for name, friction, v, w in (("rubber", 1.0, (2, 2), -4.0), ("ice", 0.05, (2.7, 2), -1.2)):
@@ -313,9 +331,9 @@ slip = contact_velocity(after.velocity, after.angular_velocity, -0.5 * up)[0]
 check("rubber: no sliding is left, the disc rolls", slip, 0.0, tolerance=1e-12)
 
 # %% [markdown]
-# There is a law to check this with. Everything that the floor does to the disc it does at the
-# contact, and about that point an impulse has no lever arm. So the **angular momentum about the
-# contact**, $m\,r \times v + I w$, is the same before and after, whatever e and μ are.
+# A law checks this without any formula of ours. The floor acts on the disc at the contact alone,
+# and about that point an impulse has no lever arm. So the **angular momentum about the contact**,
+# $m\,r \times v + I w$, is the same before and after, whatever e and μ are.
 
 # %%
 contact = disc.position - disc.radius * up
@@ -325,25 +343,23 @@ for friction in (0.0, 0.05, 1.0):
     check(f"after, mu = {friction}", after.angular_momentum(contact), -1.5, tolerance=1e-12)
 
 # %% [markdown]
-# Spin works both ways: it can become velocity. Throw a ball to the right with strong
-# **backspin**, and its lowest point slides to the right *faster* than the ball moves. Friction
-# pushes it to the left. **Predict:** which way does the ball go after the first bounce? After the
-# second?
+# Spin can become velocity, too. Throw a ball to the right with strong **backspin**: its lowest
+# point slides to the right *faster* than the ball moves.
 
 # %%
-rubber = Material(restitution=0.8, friction=0.5)
-ground = Body(Segment((-20, 0), (20, 0)), material=rubber)
-thrown = {"position": (0, 1.05), "velocity": (2, 0), "angular_velocity": 120}
-ball = Body(Circle(0.05), mass=1.0, material=rubber, **thrown)
-scene = Scene([ball, ground], gravity=(0, -9.81))
-run = simulate(scene, duration=2.5, dt=1 / 240, solver="sequential")
+predict("05-backspin")
+
+# %% tags=["answer"]
+# the ball in the engine
+run = scenes.thrown_with_backspin()
 for when in (0.0, 1.0, 2.0):
     k = np.argmin(np.abs(run.times - when))
     print(f"at {when} s: {run.velocities[k, 0, 0]:+.3f} m/s to the right, ", end="")
     print(f"spin {run.angular_velocities[k, 0]:+.1f} rad/s")
 check("worked by hand: (2 · 2 - 0.05 · 120) / 3", run.velocities[-1, 0, 0], -2 / 3, tolerance=1e-12)
 
-# %%
+# %% tags=["answer", "plumbing"]
+# the ball in the engine
 fig, ax = style.figure(width=7.5, height=4.4)
 scene_plots.ghosts(ax, run, np.arange(0, 1.8, 0.1))
 scene_plots.trails(ax, run, until=1.7)
@@ -355,41 +371,25 @@ show(
 )
 
 # %% [markdown]
-# After the first bounce the ball rolls off: its lowest point has no sliding left. So the later
-# bounces change nothing more.
-#
 # ## 6 Two discs, and the judge
 #
 # When two bodies hit, B receives the impulse and A receives the opposite one, at the same place.
-# Momentum and angular momentum of both together are kept. That is a law for the *sum*: each
-# disc's spin may change, even in the same direction.
+# Momentum and angular momentum of both together are kept. Mind that this is a law for the *sum*:
+# each disc's spin may change, and both may change in the same direction.
 #
-# We make 2,000 random pairs: masses from 1 g to 1,000 kg, radii from 0.1 to 10 m, any spin, any e
-# and μ. pymunk plays one step of each; our formulas say what should come out. One thing must be
-# known about engines: in a step they **first move** the bodies and **then** resolve the contact.
-# So our formulas must be given the moved positions.
-
-
-# %%
-def compare(count, dt):
-    difference, at_moved, at_start = spinning_discs.difference, [], []
-    for a, b, e, mu in spinning_discs.random_impacts(count, seed=5):
-        before = a.moved(-dt), b.moved(-dt)  # where the engine's step begins
-        pair = spinning_discs.scene_of(*before, e, mu)
-        run = simulate(pair, dt, dt=dt, solver="pymunk", sample="end")
-        at_moved.append(difference(hit(a, b, normal_between(a, b), e, mu), run))
-        at_start.append(difference(hit(a, b, normal_between(*before), e, mu), run))
-    return max(at_moved), max(at_start)
-
+# Draw 2,000 random pairs: masses from 1 g to 1,000 kg, radii from 0.1 to 10 m, any spin, any e and
+# μ. pymunk plays one step of each, and the formulas say what should come out. You have to know one
+# thing about engines: in a step they **first move** the bodies and **then** resolve the contact. So
+# the formulas need the moved positions.
 
 # %%
-at_moved, at_start = compare(2000, dt=1 / 60)
+at_moved, at_start = scenes.worst_difference_from_pymunk(2000, dt=1 / 60)
 check("at the moved positions, part of the fastest speed", at_moved, 0, tolerance=1e-13)
 print(f"at the positions before the step: off by up to {at_start:.0%}")
 
-# %%
+# %% tags=["plumbing"]
 steps = 10.0 ** np.arange(-6, -0.9, 1)
-worst = np.transpose([compare(100, dt) for dt in steps])
+worst = np.transpose([scenes.worst_difference_from_pymunk(100, dt) for dt in steps])
 fig, ax = style.figure(width=7, height=3.4)
 named = {"at the moved positions": (steps, worst[0]), "before the step": (steps, worst[1])}
 plots.curves(ax, named, "time step, s", "worst error, part of the speed")
@@ -402,25 +402,11 @@ show(
 )
 
 # %% [markdown]
-# This is the commonest mistake in comparing engines. Nothing is wrong with either of them; they
-# were asked about two different moments.
+# This is the commonest mistake when people compare engines. Neither engine is wrong; they were
+# asked about two different moments. (An engine that finds two discs a little inside each other
+# pushes each at its own rim, and so changes the angular momentum by overlap · j_t. Chapter 09 shows
+# how to avoid that.)
 #
-# One more thing about overlaps. Two discs that overlap touch at two points, one on each rim. The
-# two impulses are opposite, but they do not act at one place. So the angular momentum changes, by
-# overlap · j_t: no more than the overlap is deep.
-
-# %%
-a = Disc(2.0, 1.0, np.array([0.0, 0.0]), np.array([3.0, 1.0]), angular_velocity=4.0)
-b = Disc(1.0, 1.0, np.array([1.9, 0.0]), np.array([-1.0, 0.0]))  # 0.1 m too near
-after_a, after_b = hit(a, b, normal_between(a, b), restitution=0.5, friction=0.5)
-jn, jt = b.mass * (after_b.velocity - b.velocity)
-before = a.angular_momentum((0, 0)) + b.angular_momentum((0, 0))
-after = after_a.angular_momentum((0, 0)) + after_b.angular_momentum((0, 0))
-print(f"jn = {jn:.3f} N s, jt = {jt:.3f} N s")
-check("the change is overlap · jt", after - before, -0.1 * jt, tolerance=1e-12)
-check("momentum is kept", 2 * after_a.velocity + after_b.velocity, (5, 2), tolerance=1e-12)
-
-# %% [markdown]
 # ## 7 Sliding turns into rolling
 #
 # A disc is set down on a rough floor. It moves at v_0 and does not spin. Friction slows it down
@@ -428,25 +414,33 @@ check("momentum is kept", 2 * after_a.velocity + after_b.velocity, (5, 2), toler
 # nothing left to do.
 #
 # How fast does it roll? About a point of the floor friction has no lever arm. So m r v + I w_c is
-# kept, with w_c counted clockwise. At the start that is m r v_0. When it rolls, w_c = v/r. So
-#
-# $$v = \frac{v_0}{1 + k}, \qquad k = \frac{I}{m r^2}$$
-#
-# The friction coefficient is not in it! Ice and rubber end at the same speed, only later or
-# sooner. **Predict** v/v_0 for a disc (k = 1/2) and for a hoop (k = 1).
+# kept, with w_c counted clockwise. At the start that is m r v_0. When the disc rolls, w_c = v/r.
+# Which part v/v_0 is left? Write it with k = I/(m r²).
+
 
 # %%
+@gap("05-rolling")
+def rolling_part(k):
+    return ...
+
+
+# %% [markdown]
+# The friction coefficient is not in it! Ice and rubber end at the same speed, only later or sooner.
+
+# %%
+predict("05-hoop")
+
+# %% tags=["answer"]
+# a disc and a hoop in two engines
 runs = {}
-floor = Body(Segment((-50, 0), (50, 0)))  # it says no friction of its own: the disc's counts
-for name, k, part in (("disc", 1 / 2, 2 / 3), ("hoop", 1.0, 1 / 2)):
-    start = {"position": (0, 0.499), "velocity": (3, 0)}  # 1 mm deep, so that they touch
-    body = Body(Circle(0.5), mass=1.0, inertia=k * 0.25, material=Material(friction=0.3), **start)
+for name, k in (("disc", 1 / 2), ("hoop", 1.0)):
     for solver in ("sequential", "pymunk"):
-        run = simulate(Scene([body, floor], gravity=(0, -9.81)), duration=1.0, solver=solver)
-        check(f"{name}, {solver}: v / v0", run.velocities[-1, 0, 0] / 3, part, tolerance=1e-12)
-        runs[name, solver] = run
+        runs[name, solver] = scenes.set_down_sliding(k, solver)
+        part = runs[name, solver].velocities[-1, 0, 0] / 3
+        check(f"{name}, {solver}: v / v0", part, rolling_part(k), tolerance=1e-12)
 
-# %%
+# %% tags=["answer", "plumbing"]
+# a disc and a hoop in two engines
 times = np.linspace(0, 1, 601)
 exact, found = {}, {}
 for name, k in (("disc", 1 / 2), ("hoop", 1.0)):
@@ -459,7 +453,8 @@ for name, k in (("disc", 1 / 2), ("hoop", 1.0)):
         both = np.concatenate([v, -0.5 * w[some, 0]])
         found[name][label] = (np.tile(runs[name, solver].times[some], 2), both)
 
-# %%
+# %% tags=["answer", "plumbing"]
+# a disc and a hoop in two engines
 fig, axes = style.figure(2, width=9.5, height=3.4)
 for ax, name in zip(axes, ("disc", "hoop"), strict=True):
     figures.measured_on_curves(ax, exact[name], found[name], "time, s", "m/s")
@@ -475,17 +470,28 @@ show(
 # %% [markdown]
 # ## 8 Three slopes: roll or slip, stay or slide, stand or tip
 #
-# - A **round body** rolls down a slope if friction can turn it fast enough: $\mu \ge \tan\theta
-#   \cdot k/(1 + k)$. For a disc that is a third of tan θ. Then it speeds up by $g \sin\theta/(1 +
-#   k)$, and by $g(\sin\theta - \mu \cos\theta)$ if it slips.
-# - A **box** stays if $\mu \ge \tan\theta$. Otherwise it slides, with $g(\sin\theta - \mu
-#   \cos\theta)$.
+# - A **box** stays if $\mu \ge \tan\theta$. Otherwise it slides, and speeds up by $g(\sin\theta -
+#   \mu \cos\theta)$.
+# - A **round body** rolls down if friction can turn it fast enough. Then it speeds up by $g
+#   \sin\theta/(1 + k)$. To turn it so fast takes less friction than to hold it: the part $k/(1 +
+#   k)$ of $\tan\theta$.
 # - A **tall box** that cannot slide tips over when its centre of mass is no longer above its
 #   base: $\tan\theta > \text{width}/\text{height}$.
 #
-# **Predict:** does a heavier box begin to slide earlier?
+# Write the smallest μ with which a round body rolls; `slope` is in radians.
+
 
 # %%
+@gap("05-roll-down")
+def friction_to_roll(slope, k):
+    return ...
+
+
+# %%
+predict("05-heavier")
+
+# %% tags=["answer"]
+# slopes by the closed form and by two engines
 roll_down, slide_down = rigid_body_closed_forms.roll_down, rigid_body_closed_forms.slide_down
 box = Polygon([(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)])
 mu_disc, mu_box = np.linspace(0, 0.3, 16), np.linspace(0, 0.8, 17)
@@ -498,8 +504,10 @@ for solver, tolerance in (("sequential", 1e-9), ("pymunk", 1e-3)):
     check(f"disc, {solver}", np.subtract(on_disc[solver], exact_disc), 0, tolerance=1e-9)
     check(f"box, {solver}", np.subtract(on_box[solver], exact_box), 0, tolerance)
 
-# %%
+# %% tags=["answer", "plumbing"]
+# slopes by the closed form and by two engines
 fig, (left, right) = style.figure(2, width=9.5, height=3.4)
+left.axvline(friction_to_roll(np.radians(20), 1 / 2), color=style.GREY, linestyle="-.")
 for ax, mu, exact, found, title in (
     (left, mu_disc, exact_disc, on_disc, "a disc at 20°"),
     (right, mu_box, exact_box, on_box, "a box at 30°"),
@@ -512,23 +520,23 @@ for ax, mu, exact, found, title in (
     figures.measured_on_curves(ax, {"closed form": (mu, exact)}, measured, *labels)
     ax.set(title=title, ylim=(-0.2, 5.5))
 
-# %%
+# %% tags=["answer", "plumbing"]
+# slopes by the closed form and by two engines
 show(
     fig,
     "How much a disc and a box speed up on a slope, over the friction coefficient. Both fall in a "
-    "straight line at first. The disc's line ends at a friction of 0.12, a third of tan 20°: from "
+    "straight line at first. The disc's line ends at a friction of 0.12, at a vertical line: from "
     "there on it rolls, with 2.24 m/s². The box's line ends at 0.58, tan 30°: from there on it "
     "stays. The points of both engines lie on the lines.",
 )
 
 # %% [markdown]
-# The mass is nowhere in these formulas: gravity, the floor's push and the limit of friction all
-# grow with it. pymunk's box, at its usual 10 iterations, creeps by less than 0.1 mm/s where it
-# should stay.
+# The vertical line is your μ. pymunk's box, at its usual 10 iterations, creeps by less than 0.1
+# mm/s where it should stay.
 #
 # The third slope is a balance on an edge, and asks more of a solver. The box stands on two
-# contacts, and what one of them does changes what the other one needs. We look for the angle at
-# which a box tips that is half as wide as high.
+# contacts, and what happens at one changes what the other needs. Look for the angle at which a box
+# tips that is half as wide as high.
 
 # %%
 expected = np.degrees(rigid_body_closed_forms.tipping_angle(width=0.5, height=1.0))
@@ -539,71 +547,34 @@ for solver in ("sequential", "pymunk"):
     check(f"{solver}, 50 sweeps", fifty, expected, tolerance=0.1)
 
 # %% [markdown]
-# With ten sweeps over its contacts our box tips a tenth of a degree early. Fifty are enough. Why
-# two contacts need sweeps at all is a matter of chapter 06.
+# With ten sweeps over its contacts the box tips a tenth of a degree early. Fifty are enough.
+# Chapter 06 shows why two contacts need sweeps at all.
 #
 # ## 9 Newton's restitution can make energy
 #
-# A rod leans at 45° and hits the floor with its lower end, at the left. The contact is off
-# centre, and now the two impulses disturb each other. The floor's push turns the rod, and the tip
-# swings to the left. Friction holds it, so it pushes to the right. That turns the rod back, and
-# drives the tip into the floor. So the floor has to push harder, until the tip leaves with e
-# times its approach: Newton's rule demands it, whatever it takes.
-#
-# Restitution loses energy, and friction loses energy. **Predict:** can the rod have more energy
-# after the hit than before?
+# Here are two rules, each of which can only lose energy: e < 1, and friction. Let them work on one
+# blow, off centre.
 
 # %%
-surface = Material(restitution=0.9, friction=1.0)
-lean = {"angle": np.pi / 4, "position": (0, np.sqrt(0.5) + 5e-4)}
+predict("05-gain")
+
+# %% tags=["answer"]
+# the energy after over the energy before
 for v_x in (0.0, 0.5, 1.0):
-    rod = Body(Segment((-1, 0), (1, 0)), mass=1.0, velocity=(v_x, -1), material=surface, **lean)
-    scene = Scene([rod, Body(Segment((-9, 0), (9, 0)))])
     for solver in ("sequential", "pymunk"):
-        run = simulate(scene, duration=0.002, dt=0.001, solver=solver, iterations=100)
-        ratio = run.kinetic_energy[-1] / run.kinetic_energy[0]
+        ratio = scenes.energy_kept_by_leaning_rod(v_x, solver)
         print(f"{solver:10}, sliding at {v_x} m/s: energy times {ratio:.3f}")
 
-# %% [markdown]
-# It can: 1.08 times as much, with e = 0.9. Both engines agree, so it is no error of a program. It
-# is the rule. The closed form, which solves both impulses at once, says the same:
-
-
-# %%
-from lesson_code.formulas import kinetic_energy
-from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
-
-
-def energy_ratio(v_x, friction):
-    floor = Struck(0, 0, velocity=(0, 0), angular_velocity=0, arm=(0, 0))
-    arm = (-np.sqrt(0.5), -np.sqrt(0.5))
-    rod = Struck(1, 3, velocity=(v_x, -1), angular_velocity=0, arm=arm)
-    after = impact_with_friction(floor, rod, (0, 1), restitution=0.9, friction=friction)
-    energy = kinetic_energy(1, after.velocities[1], 1 / 3, after.angular_velocities[1])
-    return energy / kinetic_energy(1, (v_x, -1))
-
-
-check("the rod above", energy_ratio(0.5, friction=1.0), 1.08, tolerance=1e-12)
-v_x = np.linspace(-1.5, 2, 141)
-named = {f"mu = {mu}": (v_x, [energy_ratio(v, mu) for v in v_x]) for mu in (0, 0.3, 1)}
-
-# %%
-fig, ax = style.figure(width=7.5, height=3.6)
-plots.curves(ax, named, "velocity along the floor before, m/s", "energy after / energy before")
-ax.axhline(1, color=style.INK, linewidth=1)
-ax.annotate("as much as before", (-1.5, 1), xytext=(0, 4), textcoords="offset points", fontsize=9)
-ax.set_ylim(0, 1.25)
-show(
-    fig,
-    "Energy after the hit over energy before, over the rod's velocity along the floor, for "
-    "friction 0, 0.3 and 1. Without friction the curve stays below 1. With friction it rises "
-    "above 1: to 1.07 with 0.3, and to 1.08 with 1.",
-)
-
-# %% [markdown]
-# So in this course we claim "energy never grows" only where it is true: without friction, or with
-# e = 0. Stronge's rule compares energies instead of velocities, and cannot make any; it costs
-# more computing. pymunk keeps Newton's rule, and so do we.
+# %% [markdown] tags=["answer"]
+# **The answer.**
+# The floor's push turns the rod, and the tip swings to the left. Friction holds it, which turns the
+# rod back and drives the tip into the floor. So the floor has to push harder, until the tip leaves
+# with e times its approach: Newton's rule demands it, whatever it takes. Both engines agree, so no
+# program is wrong. The rule is.
+#
+# So this course claims "energy never grows" only where it is true: without friction, with e = 0, or
+# with **Stronge's** rule, which compares energies and not velocities. `simulate(scene, T)` takes
+# Stronge's wherever it solves contacts at once. Chapter 09 breaks Newton's rule in earnest.
 #
 # ## 10 Break it on purpose: three faults of friction
 #
@@ -611,30 +582,24 @@ show(
 #
 # **The torque with the wrong sign.** A disc bounces on a rough floor without loss (e = 1). After
 # each bounce it falls back as fast as it rose. The right rule needs one bounce to stop the
-# sliding. **Predict** what it does when lever and impulse are exchanged in the torque. A second
-# wrong model has the right sign, but stops the sliding as if the disc could not turn.
-
+# sliding. Now exchange lever and impulse in the torque.
 
 # %%
-def sliding_over_bounces(rule, count=5):
-    velocity, w, sliding = np.array([3.0, -4.0]), 0.0, [3.0]
-    for _ in range(count):
-        velocity, w = rule(velocity, w, 0.5, up, 1.0, 0.3)
-        sliding.append(contact_velocity(velocity, w, -0.5 * up)[0])
-        velocity = velocity * (1, -1)  # it falls back
-    return np.arange(count + 1), sliding
+predict("05-wrong-torque")
 
-
+# %% tags=["answer"]
+# the sliding after each bounce
 rules = {
     "right": scenes.bounce_with_spin,
     "torque with the wrong sign": wrong.torque_with_the_wrong_sign,
     "as if it could not turn": wrong.rim_as_heavy_as_the_disc,
 }
-slidings = {name: sliding_over_bounces(rule) for name, rule in rules.items()}
+slidings = {name: scenes.sliding_over_bounces(rule) for name, rule in rules.items()}
 for name, (_, sliding) in slidings.items():
     print(f"{name:27}", " ".join(f"{round(v, 2) + 0.0:+6.2f}" for v in sliding))
 
-# %%
+# %% tags=["answer", "plumbing"]
+# the sliding after each bounce
 fig, ax = style.figure(width=7.5, height=3.6)
 plots.curves(ax, slidings, "bounces", "sliding at the floor, m/s")
 for line in ax.lines:
@@ -647,12 +612,16 @@ show(
     "m/s. With the other wrong model it changes its direction each time and does not die out.",
 )
 
-# %% [markdown]
-# With the wrong sign friction turns the disc the wrong way, so that the sliding grows by a third
-# each time. **Predict:** after the first bounce, which of the laws notices: the energy, or the
-# angular momentum about the contact?
+# %% [markdown] tags=["answer"]
+# **The answer.**
+# A second wrong model has the right sign, but stops the sliding as if the disc could not turn. It
+# overshoots, again and again.
 
 # %%
+predict("05-which-law")
+
+# %% tags=["answer"]
+# energy and angular momentum after one bounce
 start = np.array([3.0, -4.0]), 0.0, 0.5, up, 1.0, 0.3
 for name in ("right", "torque with the wrong sign"):
     velocity, w = rules[name](*start)
@@ -662,15 +631,12 @@ for name in ("right", "torque with the wrong sign"):
     print(f"angular momentum -1.5 -> {after.angular_momentum((0, 0)):+.1f} kg m²/s")
 
 # %% [markdown]
-# The energy is blind to it: the spin enters squared, and its sign is lost. The angular momentum
-# sees it at once.
-#
 # **No clamp, and a dead band.** Two wrong models of the friction impulse. The first always stops
 # the sliding: on it ice is as good as rubber. The second calls a sliding below 0.01 m/s "none"
 # and leaves it alone, so that a body at rest need not be touched. Between -0.01 and 0.01 m/s
 # nothing holds.
 
-# %%
+# %% tags=["plumbing"]
 fig, axes = style.figure(2, width=9.5, height=3.4)
 for ax, fastest, (name, rule) in zip(
     axes,
@@ -683,7 +649,7 @@ for ax, fastest, (name, rule) in zip(
     curves = {label: (v, [f(vt, 4.0, 0.5, 1.0) for vt in v]) for label, f in both.items()}
     plots.curves(ax, curves, "sliding before, m/s", "friction impulse, N s")
 
-# %%
+# %% tags=["plumbing"]
 show(
     fig,
     "Friction impulse over the sliding. Left: the right rule is a ramp between two limits; without "
@@ -692,11 +658,14 @@ show(
 )
 
 # %% [markdown]
-# What do they cost? Put a block on two slopes: a rough one that is nearly level, where it should
-# stay, and an icy one of 30°, where it should be 224 m away after 10 s. On the first, gravity
-# adds 3.6 mm/s in each step of 1/240 s. **Predict** what the dead band makes of that.
+# What do they cost? Put a block on two slopes: a rough one of 5°, where it should stay, and an icy
+# one of 30°, where it should be 224 m away after 10 s.
 
 # %%
+predict("05-dead-band")
+
+# %% tags=["answer"]
+# ten seconds on two slopes
 rules = {"right": scenes.coulomb, "no clamp": wrong.without_clamp, "dead band": wrong.dead_band}
 for name, rule in rules.items():
     rough = scenes.block_in_steps(rule, degrees=5, friction=0.5, duration=10)
@@ -704,8 +673,7 @@ for name, rule in rules.items():
     print(f"{name:9}: {100 * rough:4.1f} cm down the rough slope, {icy:5.1f} m down the icy one")
 
 # %% [markdown]
-# Below 10 mm/s nothing holds the block, so it gains speed for two steps and is stopped in the
-# third: it creeps. Without the clamp, ice holds a block at 30°.
+# Without the clamp, ice holds a block at 30°.
 #
 # ## 11 Quiz
 
@@ -713,20 +681,32 @@ for name, rule in rules.items():
 show_quiz("05")
 
 # %% [markdown]
+# ## Key takeaways
+#
+# - A point of a body moves with the centre **and** around it: v + w (-r_y, r_x). What counts at a
+#   contact is the difference of two such velocities.
+# - Off centre a body gives way by turning, so its effective mass is smaller there.
+# - Friction stops the sliding or fails at μ j_n. It never turns a sliding round.
+# - About the contact the floor has no lever arm: that angular momentum is kept, and it notices a
+#   wrong sign that the energy cannot see.
+# - A body that slides on a rough floor ends up rolling, at v_0/(1 + k), whatever μ is.
+# - Newton's e and Coulomb's μ together can make energy. Neither does so alone.
+
+# %% [markdown]
 # ## What was checked, and what comes next
 #
 # **Checked here:** whole impacts of 2,000 random pairs of discs against pymunk, to 1e-13 of the
 # fastest speed; the angular momentum about the contact; rolling, slopes, tipping and the rod's
-# end against closed forms, in our engine and in pymunk; the energy that Newton's rule makes,
-# against equations solved at once.
+# end against closed forms, in our engine and in pymunk; your three lines on drawn numbers.
 #
 # **Limits.** Coulomb's rule is itself a rough picture of real surfaces: static and sliding
-# friction are one number here, and nothing rubs against rolling. Newton's restitution with
-# friction can make energy.
+# friction are one number here, and nothing rubs against rolling.
 #
 # **Do now:** the exercise [05 Spin and friction](../exercises/05_spin_and_friction.ipynb): five
-# tasks, twenty points. **Next:** [06 SAT and manifolds](06_sat_and_manifolds.ipynb), where
-# polygons touch at two points.
+# tasks, twenty points. `workbook watch` checks it whenever you save. `workbook play pool` has
+# cushions that turn spin into velocity, and [its challenge](../exercises/pool.py) lets you write
+# the stroke. **Next:** [06 SAT and manifolds](06_sat_and_manifolds.ipynb), where polygons touch at
+# two points.
 #
 # **Sources.** Coulomb, *Théorie des machines simples* (1785). Kane and Levinson, *Dynamics:
 # Theory and Applications* (1985): the energy that Newton's rule can make. Stronge, *Impact

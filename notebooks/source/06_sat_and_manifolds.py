@@ -10,8 +10,8 @@
 # # 06 SAT and manifolds
 #
 # Two discs overlap when their centres are too near. A box has no radius: how near is too near
-# depends on how it is turned. This chapter finds the normal and the depth for polygons, and then
-# the points at which the impulses act. With that, boxes land, slide and stand on each other.
+# depends on how it is turned. Here you find the normal and the depth for polygons, and then the
+# points at which impulses act. With that, boxes land, slide and stand on each other.
 #
 # **After this notebook you will be able to**
 #
@@ -20,21 +20,29 @@
 # 2. turn an overlap into one or two contact points, and say why a box needs two to stand;
 # 3. test an engine with contacts that influence each other: a flat landing, a corner, a stack.
 #
-# **You need** notebooks 00 to 05. **Time:** about 75 minutes to read, a few seconds to run.
+# **You need** notebooks 00 to 05. **Time:** about 65 minutes to read and to write two lines, a few
+# seconds to run.
 
-# %%
+# %% tags=["plumbing"]
 from dataclasses import replace
 
 import numpy as np
 
-from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch06_sat_and_manifolds import figures, manifold_figures, wrong_answers
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code import Body, Circle, Polygon, Scene, Segment, simulate
+from lesson_code.chapters.ch06_sat_and_manifolds import figures, manifold_figures, scenes
+from lesson_code.chapters.ch06_sat_and_manifolds import right_answers as unusual
+from lesson_code.chapters.ch06_sat_and_manifolds import wrong_answers as wrong
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check
+
+# %% tags=["plumbing"]
 from lesson_code.evidence.scenes import corner_impacts, rigid_bodies
 from lesson_code.formulas import reflect
+from lesson_code.formulas.smooth_pair import separating_push
 from lesson_code.geometry import collide, mtv, overlap, project, sat_axes
 from lesson_code.reference.impact_closed_forms import flat_landing, off_centre_hit
+from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
@@ -50,11 +58,12 @@ from lesson_code.view.svg.animation import animate
 # along it. A polygon reaches no farther than its vertices, so its shadow is the interval
 #
 # $$\left[\ \min_i\ (p_i \cdot n),\quad \max_i\ (p_i \cdot n)\ \right]$$
-#
-# **Predict:** a square of 2 m stands with one corner in the origin. How long is its shadow along
-# the diagonal?
 
 # %%
+predict("06-diagonal")
+
+# %% tags=["answer"]
+# two shadows of a square
 square = np.array([(0, 0), (2, 0), (2, 2), (0, 2)])
 diagonal = np.array([1, 1]) / np.sqrt(2)
 check("along x it is as long as a side", project(square, (1, 0)), (0, 2))
@@ -64,7 +73,7 @@ check("along the diagonal, as long as that", project(square, diagonal), (0, np.s
 # No gap on *one* axis proves nothing. Here are two shapes that are apart, seen along two axes. On
 # the left the shadows overlap. On the right they do not: that axis settles it.
 
-# %%
+# %% tags=["plumbing"]
 triangle = np.array([(1.6, 3.0), (3.2, 1.5), (3.6, 3.4)])
 fig, axes = style.figure(2, width=9.5, height=4.0)
 for ax, axis, title in zip(
@@ -118,23 +127,29 @@ live(
 #
 # If no axis shows a gap, the shapes overlap. How deep? On each axis, B can leave A in two
 # directions: upwards, until its low end is at A's high end, or downwards, until its high end is
-# at A's low end. The shorter way counts:
-#
-# $$\text{overlap} = \min(\text{high}_A - \text{low}_B,\ \ \text{high}_B - \text{low}_A)$$
-#
-# **Predict:** A reaches from 0 to 40, and B from 15 to 25. How far must B go?
+# at A's low end. The shorter way counts. Write it, for two intervals that overlap:
+
 
 # %%
-check("one end inside: the part they share", overlap((0, 3), (2, 5)), 1)
-check("B inside A, right in the middle", overlap((0, 40), (15, 25)), 25)
-check("the part they share is not the way out", wrong_answers.common_part((0, 40), (15, 25)), 10)
+@gap("06-way-out")
+def shorter_way(low_a, high_a, low_b, high_b):
+    return ...
+
+
+# %%
+predict("06-nested")
+
+# %% tags=["answer"]
+# two pairs of intervals
+check("one end inside: the part they share", shorter_way(0, 3, 2, 5), 1)
+check("B inside A, right in the middle", shorter_way(0, 40, 15, 25), 25)
+check("the part they share is not the way out", wrong.common_part((0, 40), (15, 25)), 10)
 check("touching is not overlapping", overlap((0, 3), (3, 5)), None)
 
 # %% [markdown]
-# The part that both intervals share is 10 m long. Moved by 10 m, B is still inside. "The part
-# they share" is right as long as each interval has an end outside the other. It fails when one
-# contains the other, and small bodies in large ones are just the case in which a wrong depth does
-# most harm.
+# "The part they share" is right as long as each interval has an end outside the other. It fails
+# when one contains the other, and small bodies in large ones are just the case in which a wrong
+# depth does most harm.
 #
 # ## 4 The shortest way out has a direction
 #
@@ -156,7 +171,7 @@ for name, shift in (("left", -right), ("right", right)):
     normal, depth = mtv(slab, brick + shift)
     print(f"B half a metre further {name}: normal {normal}, depth {depth} m")
 
-# %%
+# %% tags=["plumbing"]
 fig, axes = style.figure(2, width=9.5, height=3.4)
 chip = np.array([(0.8, 0.5), (2.0, 0.7), (1.1, 1.6)])
 for ax, b, title in (
@@ -178,8 +193,6 @@ show(
 # one further, and the ratio is that of the inverse masses.
 
 # %%
-from lesson_code.formulas.smooth_pair import separating_push
-
 m_a, m_b = 1.0, 3.0
 normal, depth = mtv(slab, brick + right)
 push = separating_push(m_a, m_b, normal, depth)
@@ -195,15 +208,11 @@ check("then they only touch", mtv(slab - push / m_a, brick + right + push / m_b)
 # difference** is the set of all a - b, with a in A and b in B. A and B overlap when it contains
 # the origin, and the depth is the distance from there to its outline.
 #
-# We ask all three about 1,000 random pairs.
+# Ask all three about 1,000 random pairs.
 
 # %%
-from lesson_code.chapters.ch06_sat_and_manifolds import right_answers as unusual
-from lesson_code.chapters.ch06_sat_and_manifolds.scenes import random_polygon
-from lesson_code.reference.pymunk_reference.overlap import circle_overlap, polygon_overlap
-
 rng = np.random.default_rng(seed=6)
-pairs = [(random_polygon(rng), random_polygon(rng, reach=1.5)) for _ in range(1000)]
+pairs = [(scenes.random_polygon(rng), scenes.random_polygon(rng, reach=1.5)) for _ in range(1000)]
 ours = [mtv(a, b) for a, b in pairs]
 pymunks = [polygon_overlap(a, b) for a, b in pairs]
 minkowskis = [unusual.minkowski_difference(a, b) for a, b in pairs]
@@ -227,8 +236,8 @@ for judge, answers in (("pymunk", pymunks), ("Minkowski", minkowskis)):
 # 3. The ends of what is left are the contacts, if they are behind the reference edge. How far
 #    behind is the **penetration** there.
 #
-# Drag B, or turn it, and go through the steps with the first slider. **Predict** before each step
-# what it will find. Where does one contact become two?
+# Drag B, or turn it, and go through the steps with the first slider. Before each step say what it
+# will find. Where does one contact become two?
 
 # %%
 live(
@@ -257,10 +266,13 @@ check("the same contacts a step later, by name", moved.features, flat.features)
 # ## 7 One point makes a box spin, two let it stand
 #
 # A box lands flat. If there is only one contact, at a corner, the impulse has a lever arm and the
-# box starts to turn. With a second contact at the other corner both torques cancel. **Predict:**
-# how much does the one contact slow the box down, compared with the two?
+# box starts to turn. With a second contact at the other corner both torques cancel.
 
 # %%
+predict("06-one-contact")
+
+# %% tags=["answer"]
+# both landings
 landing = rigid_bodies.box_landing_flat(width=2, height=1, speed=1, restitution=0)
 pin = Body(Circle(0.1), position=(0.95, -0.1))
 on_pin = Scene([pin, landing.bodies[1]])
@@ -272,7 +284,8 @@ check("two contacts: at rest, and flat", flat_end, (0, 0, 0), 1e-12)
 check("one contact: after the impact it falls on", one.velocities[1, 1, 1], jn - 1, 1e-12)
 check("and turns, rad/s", one.angular_velocities[1, 1], 0.95 * jn / inertia, 1e-12)
 
-# %%
+# %% tags=["answer"]
+# both landings
 animate(
     {"a floor: two contacts": two, "a pin: one contact": one},
     "Two boxes come down flat. The one on a floor stops. The one whose right corner meets a pin "
@@ -313,23 +326,26 @@ animate(
 
 # %% [markdown]
 # The naive solver of chapter 04 pushes from centre to centre. The ball gains a velocity along the
-# plank that nothing can give it, and the plank does not turn. Momentum is kept all the same. So
-# are energy and angular momentum. None of them tells; the *direction* does.
-#
-# Another short cut takes every polygon for a wall: the ball bounces, and the plank never notices.
-# **Predict** which law tells now.
+# plank that nothing can give it, and the plank does not turn. Momentum, energy and angular momentum
+# are kept all the same. None of them notices; only the *direction* is wrong.
 
 # %%
+predict("06-plank-as-wall")
+
+# %% tags=["answer"]
+# the momentum, with a free plank and with a wall
 wall = Scene([replace(plank, mass=None, inertia=None), scene.bodies[1]])
 for name, with_plank in (("the plank is free", scene), ("the plank is a wall", wall)):
     run = simulate(with_plank, 0.5, sample="end", solver="sequential")
     momentum = 1.0 * run.velocities[:, :, 1].sum(axis=1)  # 1 kg each
     print(f"{name:19}: momentum {momentum[0]:+.2f} -> {momentum[1]:+.2f} kg m/s")
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# **The answer.**
 # The wall gives the ball twice its momentum back. A wall may do that, for it is held by the whole
 # earth; a free plank of 1 kg may not.
-#
+
+# %% [markdown]
 # ## 9 A circle meets the closest point
 #
 # A circle has no edges. It touches a polygon at the point of the polygon that is closest to its
@@ -342,7 +358,7 @@ for name, with_plank in (("the plank is free", scene), ("the plank is a wall", w
 #
 # A segment is the same with two sides and two round ends.
 
-# %%
+# %% tags=["plumbing"]
 pentagon = Polygon([(0, 0), (3, 0), (3.4, 1.6), (1.2, 2.4), (-0.4, 1.3)])
 around_it = [(0, -1.35, 0.4), (2.0, 0.8, 0.4), (0.3, 0.75, 0.35), (-1.55, -0.3, 0.3)]
 around_rod = [(-0.8, 0.25, 0.45), (0.8, -0.2, 0.45), (2.2, 0.12, 0.4), (-2.25, -0.2, 0.4)]
@@ -360,7 +376,7 @@ show(
 
 # %%
 circles = [(rng.uniform(-1.3, 1.3, 2), rng.uniform(0.05, 0.6)) for _ in range(1000)]
-shapes = [Polygon(random_polygon(rng)) for _ in circles]
+shapes = [Polygon(scenes.random_polygon(rng)) for _ in circles]
 depths, theirs, inside = [], [], 0
 for shape, (centre, radius) in zip(shapes, circles, strict=True):
     contact = collide(shape, (0, 0, 0), Circle(radius), (*centre, 0))
@@ -380,7 +396,7 @@ box, ball = Polygon.box(2, 2), Circle(0.6)
 contact = collide(box, (-1, -1, 0), ball, (0.3, 0.4, 0))  # the upper right corner is at (0, 0)
 check("pushed away from the corner", contact.normal, (0.6, 0.8), tolerance=1e-15)
 corners = np.array(box.vertices) - 1
-check("the trap", wrong_answers.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners), None)
+check("the trap", wrong.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners), None)
 
 # %% [markdown]
 # ## 10 What one contact does, the next one feels
@@ -391,10 +407,21 @@ check("the trap", wrong_answers.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6,
 #
 # $$k_{11} = \frac1m + \frac{(w/2)^2}{I}, \qquad k_{12} = \frac1m - \frac{(w/2)^2}{I}$$
 #
-# A solver that visits the contacts in turn leaves an error behind each time. One **sweep** over
-# both shrinks it by $(k_{12}/k_{11})^2$. For a square box that is 1/25. For a tall, narrow one it
-# is nearly 1. This is what pymunk does, 10 sweeps a step. Our engine solves the two points of a
-# manifold together, and is exact at once. A box 1 m wide and 10 m high lands flat:
+# A solver that visits the contacts in turn leaves an error behind each time. A visit to one contact
+# puts it right and disturbs the other by $k_{12}/k_{11}$. A **sweep** visits both. Which part of an
+# error is left after `sweeps` sweeps?
+
+
+# %%
+@gap("06-error-left")
+def error_left(k11, k12, sweeps):
+    return ...
+
+
+# %% [markdown]
+# For a square box a sweep leaves 1/25, for a tall, narrow one nearly all. pymunk makes 10 sweeps a
+# step. Our engine solves the two points of a manifold together, and is exact at once. A box 1 m
+# wide and 10 m high lands flat:
 
 # %%
 tall = rigid_bodies.box_landing_flat(width=1, height=10, speed=1, restitution=0.5)
@@ -404,6 +431,10 @@ for sweeps in (1, 10, 100):
     print(f"pymunk, sweeps {sweeps:3}: up at {v:.4f} m/s, turning at {w:.4f} rad/s")
     check("   as predicted, m/s", run.velocities[-1, 1], (0, v), tolerance=1e-7)
     check("   as predicted, rad/s", abs(run.angular_velocities[-1, 1]), w, tolerance=1e-7)
+k_move, k_turn = 1.0, 0.5**2 / ((1 + 10**2) / 12)  # of 1 kg
+spins = [abs(flat_landing(1, 10, 1.0, 0.5, sweeps=n)[1]) for n in (20, 10)]
+law = error_left(k_move + k_turn, k_move - k_turn, 10)
+check("ten more sweeps leave this part of the spin", spins[0] / spins[1], law, tolerance=1e-9)
 run = simulate(tall, 1 / 60, iterations=1, sample="end")
 check("ours, 1 sweep: up at e v", run.velocities[-1, 1], (0, 0.5), tolerance=1e-12)
 check("and not turning", run.angular_velocities[-1, 1], 0, tolerance=1e-12)
@@ -440,8 +471,8 @@ check("and so are we", max(errors), 0, tolerance=1e-9)
 
 # %% [markdown]
 # At pymunk's usual 10 sweeps a corner can be wrong by more than a tenth. That is not a fault of
-# pymunk; it is the price of 10 sweeps. Who compares an engine with a formula must give it enough
-# of them.
+# pymunk; it is the price of 10 sweeps. If you compare an engine with a formula, give it enough of
+# them.
 #
 # ## 11 A stack stands, a pile comes to rest
 #
@@ -484,22 +515,7 @@ check(
 )
 
 # %%
-rough = Material(restitution=0.1, friction=0.5)
-walls = [((-3, 0), (3, 0)), ((-2.2, 0), (-2.8, 6)), ((2.2, 0), (2.8, 6))]
-static = [Body(Segment(start, end, 0.1), material=rough) for start, end in walls]
-falling = [
-    Body(
-        Polygon(0.55 * random_polygon(rng)),
-        position=(rng.uniform(-1.2, 1.2), 1 + 0.9 * n),
-        angle=rng.uniform(0, 6),
-        mass=1,
-        material=rough,
-    )
-    for n in range(14)
-]
-
-# %%
-pile = simulate(Scene(static + falling, gravity=(0, -10)), 4.0, solver="sequential")
+pile = simulate(scenes.trough(14, rng), 4.0, solver="sequential")
 check("in the end all are still, m/s", pile.velocities[-1], 0, tolerance=1e-3)
 
 # %% tags=["nbval-ignore-output"]
@@ -514,24 +530,30 @@ animate(
 # ## 12 Break it on purpose: three faults with polygons
 #
 # **The part they share.** Take for the depth the part that both shadows share, and put a small
-# triangle into a large square. **Predict:** where is it after it was moved by the wrong depth?
+# triangle into a large square.
 
 # %%
+predict("06-wrong-depth")
+
+# %% tags=["answer"]
+# the triangle after it was moved
 room, chip = 4 * square, np.array([(5, 3), (6, 3), (5.5, 4)])
-for name, model in (("right", mtv), ("the part they share", wrong_answers.common_part_as_depth)):
+for name, model in (("right", mtv), ("the part they share", wrong.common_part_as_depth)):
     normal, depth = model(room, chip)
     left = mtv(room, chip + depth * normal)
     print(f"{name}: moved by {depth:.3f} m, then", "out" if left is None else "still inside")
-normal, depth = wrong_answers.common_part_as_depth(room, chip)
+normal, depth = wrong.common_part_as_depth(room, chip)
 check("the rest of the way, m", mtv(room, chip + depth * normal)[1], 2.2, tolerance=1e-12)
 
 # %% [markdown]
 # **The direction from the positions.** Many programs point the normal from the position of A to
-# that of B. But a position is a note: of the middle, or of any other point that was handy. Below,
-# the square is noted by its upper right corner, and a crate in its right side by its lower left
-# one. **Predict:** which way is the crate pushed?
+# that of B. But a position is a note: of the middle, or of any other point that was handy.
 
 # %%
+predict("06-notes")
+
+# %% tags=["answer"]
+# the crate, by both rules
 crate = np.array([(7.5, 3), (8.5, 3), (8.5, 4), (7.5, 4)])
 position_a, position_b = room[2], crate[0]
 normal, depth = mtv(room, crate)
@@ -549,12 +571,12 @@ check("and is now this deep, m", mtv(room, crate + depth * pointed)[1], 1.0)
 kite = np.array([(1.7, 1.9), (-1.5, 1.4), (-1.7, 1.1), (-0.4, -0.9)])
 dart = np.array([(0.4, 0.3), (1.0, 0.7), (-2.3, 0.9), (-0.1, 0.3)])
 normal, depth = mtv(kite, dart)
-pointed, _ = wrong_answers.direction_from_the_centres(kite, dart)
+pointed, _ = wrong.direction_from_the_centres(kite, dart)
 check("the opposite direction", pointed, -normal)
 check("the right way leads out", mtv(kite, dart + depth * normal * (1 + 1e-9)), None)
 print(f"moved {depth:.2f} m the wrong way: {mtv(kite, dart + depth * pointed)[1]:.2f} m deep")
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=5.5, height=3.8)
 figures.translation(figures.pair(ax, kite, dart), kite, dart)
 ax.set_ylim(-1.3, 2.4)
@@ -567,11 +589,14 @@ show(
 )
 
 # %% [markdown]
-# **A bounce for every vertex.** A box comes down flat on the floor. Two of its vertices are below
-# it. A loop that reflects the velocity once for *each* of them reflects it twice. **Predict:**
-# what is a velocity that has been reflected twice?
+# **A bounce for every vertex.** A loop over the vertices of a box reflects the velocity at the
+# floor once for each vertex that is below it.
 
 # %%
+predict("06-twice")
+
+# %% tags=["answer"]
+# one reflection for each vertex
 velocity, up = np.array([1.0, -3.0]), np.array([0.0, 1.0])
 for vertex in ("left", "right"):
     velocity = reflect(velocity, up)
@@ -579,13 +604,23 @@ for vertex in ("left", "right"):
 check("it goes on into the floor", velocity, (1, -3))
 
 # %% [markdown]
-# One gate v · N < 0 in front of each reflection would have saved it. The engine goes further: it
-# solves for both points at once, and asks of each that it does not approach any more.
+# An engine goes further than a gate: it solves for both points at once, and asks of each that it
+# does not approach any more.
 #
 # ## 13 Quiz
 
 # %%
 show_quiz("06")
+
+# %% [markdown]
+# ## Key takeaways
+#
+# - One axis on which the shadows part proves a gap. No gap on any edge's normal proves an overlap.
+# - The shortest way out of all axes is the depth, and it brings its own direction with it. Where a
+#   shape has its position plays no part.
+# - A manifold is the incident edge, clipped at the ends of the reference edge: one point or two.
+# - The impulse acts at the contact and along its normal. One contact turns a box, two let it stand.
+# - What one contact does, the next one feels: sweeps leave an error that you can work out.
 
 # %% [markdown]
 # ## What was checked, and what comes next
@@ -599,8 +634,10 @@ show_quiz("06")
 # of one manifold our solver makes sweeps too, so a high stack needs more of them.
 #
 # **Do now:** the exercise [06 SAT and manifolds](../exercises/06_sat_and_manifolds.ipynb): six
-# tasks, twenty points. **Next:** [07 Time of impact](07_time_of_impact.ipynb), for bodies that
-# are too fast for a time step.
+# tasks, twenty points. `workbook watch` checks it whenever you save. `workbook play dominoes` is
+# made of such contacts, and [its challenge](../exercises/dominoes.py) lets you topple them.
+# **Next:** [07 Time of impact](07_time_of_impact.ipynb), for bodies that are too fast for a time
+# step.
 #
 # **Sources.** Ericson, *Real-Time Collision Detection* (2005), chapters 4 and 5. Gottschalk, Lin
 # and Manocha, *OBBTree* (1996): separating axes for boxes. Catto, *Iterative Dynamics with

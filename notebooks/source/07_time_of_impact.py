@@ -9,10 +9,10 @@
 # %% [markdown]
 # # 07 Time of impact
 #
-# So far the engine has looked at the world sixty times in a second, and mended what overlapped.
-# What happens between two looks it did not know. This chapter asks for the *time* at which two
-# bodies meet. With that, nothing is missed at any speed. In the end the time step disappears
-# altogether.
+# Your engine has looked at the world sixty times a second, and corrected what overlapped. It knows
+# nothing of what happens between two looks: a fast ball can be before a wall at one and behind it
+# at the next. Here you ask for the *time* at which two bodies meet. Then nothing is missed at any
+# speed, and in the end the time step disappears altogether.
 #
 # **After this notebook you will be able to**
 #
@@ -21,19 +21,25 @@
 #    the rest of the step after the impact;
 # 3. simulate from collision to collision without any time step, and say which scenes allow it.
 #
-# **You need** notebooks 00 to 06. **Time:** about 75 minutes to read, fifteen seconds to run.
+# **You need** notebooks 00 to 06. **Time:** about 70 minutes to read and to write two lines,
+# fifteen seconds to run. Sections 8 to 14 can be read on another day.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
-from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch07_time_of_impact import figures, right_answers, wrong_answers
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code import Circle, Polygon, Segment, simulate
+from lesson_code.chapters.ch07_time_of_impact import figures, right_answers, scenes
+from lesson_code.chapters.ch07_time_of_impact import wrong_answers as wrong
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check
-from lesson_code.evidence.scenes import events
+from lesson_code.evidence.scenes import events, rigid_bodies
 from lesson_code.evidence.scenes import gas as gas_scenes
 from lesson_code.formulas.smooth_pair import smooth_impulse
+
+# %% tags=["plumbing"]
 from lesson_code.geometry import collide, time_of_impact
+from lesson_code.geometry.impact_times import line_impact_time
 from lesson_code.reference import closed_forms, event_closed_forms
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
@@ -49,14 +55,21 @@ from lesson_code.view.svg.animation import animate
 # To be stopped, the ball has to be *seen in time*: at the end of a step it must overlap the wall,
 # and its centre must still be before the wall's middle. (Behind the middle the shortest way out
 # leads on, and the ball is let go.) These places fill the last r + th/2 of its way, where th is
-# the wall's thickness. Where in the step the ball starts is chance. So the fraction that passes is
-#
-# $$1 - \frac{r + th/2}{v\,dt}\qquad\text{if that is positive.}$$
-#
-# **Predict:** a ball with a radius of 0.1 m and a wall 0.1 m thick, at 60 steps a second. From
-# which speed on does a ball get through? How many at 18 m/s?
+# the wall's thickness. Where in the step the ball starts is chance. Which part of the balls gets
+# through? Write it; for slow balls it is 0.
+
 
 # %%
+@gap("07-passing")
+def share_passing(v, dt, r, th):
+    return ...
+
+
+# %%
+predict("07-first-speed")
+
+# %% tags=["answer"]
+# the figure
 live(
     "ch07_time_of_impact/steps_at_a_wall",
     "A ball at the ends of its steps, half a metre apart. The last one before a thin wall does "
@@ -67,8 +80,8 @@ live(
 )
 
 # %% [markdown]
-# We let pymunk try it with 200 balls at a time, which start a little further back one by one, so
-# that all phases of a step occur.
+# Let pymunk try it with 200 balls at a time, which start a little further back one by one, so that
+# all phases of a step occur.
 
 # %%
 speeds = np.array([6, 9, 10, 12, 15, 18, 25, 40, 60, 100])
@@ -77,12 +90,12 @@ for speed in speeds.tolist():
     scene = events.balls_at_wall(speed, count=200, dt=1 / 60)
     run = simulate(scene, 1 / speed + 0.1, solver="pymunk", sample="end")
     passed.append(events.share_beyond(run))
-law = [event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, 0.1) for speed in speeds]
+law = [share_passing(speed, 1 / 60, 0.1, 0.1) for speed in speeds.tolist()]
 check("pymunk: fraction that gets through", passed, law, tolerance=1 / 200)
 
-# %%
+# %% tags=["plumbing"]
 fine = np.linspace(6, 100, 400)
-curve = [event_closed_forms.escape_fraction(speed, 1 / 60, 0.1, 0.1) for speed in fine]
+curve = [share_passing(speed, 1 / 60, 0.1, 0.1) for speed in fine.tolist()]
 fig, ax = style.figure(width=7, height=3)
 plots.curves(ax, {"1 - (r + th/2) / (v dt)": (fine, curve)}, "speed, m/s", "fraction")
 ax.plot(speeds, passed, "o", color=style.VERMILION, label="pymunk, 200 balls each")
@@ -94,15 +107,18 @@ show(
 )
 
 # %% [markdown]
-# It is no fault of pymunk's: any engine that only looks at the ends of steps does the same. With
+# This is no fault of pymunk: any engine that looks only at the ends of steps does the same. With
 # half the step a ball may be twice as fast, and every second of the scene costs twice the time.
 #
 # ## 2 Looking more often is no cure
 #
-# A program may look ten times within each step. Then it takes the first look that shows an
-# overlap for the time of impact. **Predict** two things that are wrong with that.
+# A program may look ten times within each step.
 
 # %%
+predict("07-ten-looks")
+
+# %% tags=["answer", "plumbing"]
+# a graze, and eleven looks
 d, v, reach, dt = np.array([-2.25, 0.985]), np.array([5.0, 0.0]), 1.0, 1.0
 fig, axes = style.figure(2, width=10, height=3.2)
 figures.seen_from_the_first(axes[0], d, v, reach, dt, samples=10)
@@ -115,10 +131,9 @@ show(
 )
 
 # %% [markdown]
-# It is **late**, by up to a tenth of the step. And a graze that begins and ends between two looks
-# is **lost**. How many hits are lost follows from the chords of a circle: if s is the way between
-# two looks and $k = s/(2(r_1 + r_2))$, then for small k the fraction is $k^2/6$. We draw 4,000
-# pairs that hit within the step, at four speeds.
+# How many hits are lost follows from the chords of a circle: if s is the way between two looks and
+# $k = s/(2(r_1 + r_2))$, then for small k the fraction is $k^2/6$. Draw 4,000 pairs that hit within
+# the step, at four speeds:
 
 # %%
 rng = np.random.default_rng(seed=7)
@@ -127,7 +142,7 @@ for speed in (5.0, 10.0, 20.0, 60.0):
     for aside, start in zip(rng.uniform(-1, 1, 4000), rng.uniform(0.2, 0.7, 4000), strict=True):
         p2 = np.array([-1 - start * speed, aside])
         pair = (np.zeros(2), np.zeros(2), 0.4, p2, np.array([speed, 0.0]), 0.6)
-        lost += wrong_answers.ten_samples(*pair, 1.0) is None
+        lost += wrong.ten_samples(*pair, 1.0) is None
     law = event_closed_forms.missed_by_samples(speed / 10, reach=1.0)
     check(f"{speed:2.0f} m a step: fraction lost", lost / 4000, law, tolerance=0.02)
 
@@ -146,8 +161,22 @@ for speed in (5.0, 10.0, 20.0, 60.0):
 #
 # $$t = \frac{-b - \sqrt{b^2 - a c}}{a} = \frac{c}{-b + \sqrt{b^2 - a c}}$$
 #
-# The second form is the same number. If $b^2 < a c$ there is no root, and the circles pass each
-# other. An example to work by hand: R = 5 m, 3 m of them across.
+# The second form is the same number, and section 4 shows why you should prefer it. If $b^2 < a c$
+# there is no root, and the circles pass each other. Write the second form:
+
+
+# %%
+@gap("07-first-touch")
+def first_touch(a, b, c):
+    return ...
+
+
+# %% [markdown]
+# An example to work by hand: R = 5 m, 3 m of them across.
+
+# %%
+d, v = np.array([14.0, 3.0]), np.array([-5.0, 0.0])
+check("yours: (14 - 4) / 5", first_touch(v @ v, d @ v, d @ d - 5**2), 2.0, tolerance=1e-15)
 
 # %%
 one, place_1, velocity_1 = Circle(2.0), (0, 0, 0), (3, 0, 0)  # the third numbers: angle, spin
@@ -180,8 +209,8 @@ check("a rod that turns at 1.5 rad/s", turning, (np.pi / 2 - foot) / 1.5, tolera
 
 # %% [markdown]
 # Drag the disc and the tip of its velocity. The filled disc shows the first touch, the dashed one
-# what a program sees that looks at one time only. **Predict first:** let the box turn at 2 rad/s.
-# Does the disc reach it earlier or later? And how fast must the disc be so that a look after 1 s
+# what a program sees that looks at one time only. Let the box turn at 2 rad/s, but say first: does
+# the disc reach it earlier or later? And how fast must the disc be so that a look after 1 s
 # finds it behind the box?
 
 # %%
@@ -199,21 +228,22 @@ live(
 # weak gravity g: on board a spaceship, say. It lands after about one second. From school:
 #
 # $$t = \frac{v + \sqrt{v^2 + 2 g h}}{g} \qquad v = -1\ \text{m/s}$$
-#
-# **Predict** what is left of it when g is as small as $10^{-15}$ m/s².
 
 # %%
+predict("07-school")
+
+# %% tags=["answer"]
+# both formulas for ever weaker gravity
 for g in (1e-3, 1e-7, 1e-11, 1e-15):
     school, right = (
-        wrong_answers.school_formula(1.0, -1.0, g),
+        wrong.school_formula(1.0, -1.0, g),
         right_answers.with_fifty_digits(1.0, -1.0, g),
     )
     print(f"g = {g:.0e} m/s²: school {school:.12f} s, with fifty digits {right:.12f} s")
 
 # %% [markdown]
-# Under the root stands 1.000000000000002. A float has 16 digits, so 2 g h is written with one or
-# two of them. Then 1 is subtracted, and that one digit is all that is left. Multiplied above and
-# below by $\sqrt{\cdot} - v$, the formula has no subtraction any more:
+# A float has 16 digits, so 2 g h is written with one or two of them beside the 1. Multiplied above
+# and below by $\sqrt{\cdot} - v$, the formula has no subtraction any more:
 #
 # $$t = \frac{2h}{\sqrt{v^2 + 2gh} - v}$$
 #
@@ -221,11 +251,9 @@ for g in (1e-3, 1e-7, 1e-11, 1e-15):
 # depends on the sign of v; a good program asks.
 
 # %%
-from lesson_code.geometry.impact_times import line_impact_time
-
 gravity = 10.0 ** -np.arange(0, 15.25, 0.25)
 right = np.array([float(right_answers.with_fifty_digits(1.0, -0.7, g)) for g in gravity.tolist()])
-school = np.array([wrong_answers.school_formula(1.0, -0.7, g) for g in gravity.tolist()])
+school = np.array([wrong.school_formula(1.0, -0.7, g) for g in gravity.tolist()])
 sure = np.array([line_impact_time(1.0, -0.7, -g) for g in gravity.tolist()])
 check("without a subtraction: off by, parts", sure / right - 1, 0, tolerance=4e-16)
 losses = {
@@ -233,7 +261,7 @@ losses = {
     "without a subtraction": (gravity, abs(sure / right - 1) + 1e-17),
 }
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3.2)
 plots.curves(ax, losses, "gravity, m/s²", "error, as a part of the time")
 ax.set(xscale="log", yscale="log", ylim=(1e-17, 10))
@@ -267,8 +295,8 @@ for name, (place, velocity, expected) in cases.items():
     check(name, time_of_impact(unit, origin, still, unit, place, velocity, 9), expected)
 
 # %% [markdown]
-# In Python, 0.0 counts as false. Whoever writes `if t:` for "if they meet" loses just the hits
-# that are due *now*. It has to be `if t is not None:`.
+# In Python, 0.0 counts as false. If you write `if t:` for "if they meet", you lose just the hits
+# that are due *now*. Write `if t is not None:`.
 
 # %%
 place, velocity, _ = cases["touching, and approaching"]
@@ -279,21 +307,18 @@ print("if t is not None:", "a hit" if t is not None else "no hit")
 # %% [markdown]
 # ## 6 At the time of impact nothing overlaps
 #
-# We move two circles to their exact time of impact and call a function of chapter 04, which
-# starts with the contact: no overlap, no contact, nothing to do. But touching is *not*
-# overlapping. **Predict:** of 1,000 pairs that hit, how many does it let bounce?
-
+# Move two circles to their exact time of impact, and call a function of chapter 04, which starts
+# with the contact: no overlap, no contact, nothing to do. But touching is *not* overlapping.
 
 # %%
-def at_impact(p2, v2):
-    """Return the place of circle 2 when it meets circle 1, which stays at the origin."""
-    t = time_of_impact(unit, origin, still, ball, (*p2, 0), (*v2, 0), duration=9)
-    return p2 + v2 * t
+predict("07-silent")
 
 
+# %% tags=["answer"]
+# 1,000 pairs at their time of impact
 starts = [6 * np.array([x, y]) / np.hypot(x, y) for x, y in rng.normal(size=(1000, 2))]
 pairs = [(p2, -p2 + rng.uniform(-1, 1, 2)) for p2 in starts]
-places = [at_impact(p2, v2) for p2, v2 in pairs]
+places = [scenes.at_impact(p2, v2, unit, ball) for p2, v2 in pairs]
 contacts = [collide(unit, origin, ball, (*p2, 0)) for p2 in places]
 ignored = sum(contact is None for contact in contacts)
 check("more than a quarter of them are ignored", bool(ignored > 250), True)
@@ -301,7 +326,7 @@ deepest = max(c.penetrations[0] for c in contacts if c is not None)
 check("the others overlap by rounding only, m", deepest, 0, tolerance=1e-14)
 
 # %% [markdown]
-# What is left of the overlap is the last digit of a rounding, and chance. So an event must resolve
+# What is left of the overlap is the last digit of a rounding. So an event must resolve
 # **explicitly**: the time of impact has said that there is a contact, and the normal leads from
 # centre to centre. Only the gate is asked, as always.
 
@@ -327,7 +352,7 @@ check("separation over approach, 1,000 times", turned_round, 0.5, tolerance=1e-1
 start, velocity = np.array(events.BALL_START), np.array(events.BALL_VELOCITY)
 radius, box = events.BALL_RADIUS, np.array(events.BOX)
 rules = {"to the end of the step": right_answers.each_axis_for_itself}
-rules["stops at the impact"] = wrong_answers.stops_at_the_impact
+rules["stops at the impact"] = wrong.stops_at_the_impact
 ways = {}
 for name, rule in rules.items():
     p, v, ways[name] = start - radius, velocity, [start]
@@ -336,7 +361,7 @@ for name, rule in rules.items():
         ways[name].append(np.array(p) + radius)
     print(f"{name}: speed {np.hypot(*v):.12f} m/s")
 
-# %%
+# %% tags=["plumbing"]
 times = np.arange(601) / 60
 exact = [closed_forms.ball_in_box(start, velocity, radius, *box, time=t)[0] for t in times]
 errors = {name: (times, np.hypot(*np.subtract(way, exact).T)) for name, way in ways.items()}
@@ -374,26 +399,17 @@ for speed in (18.0, 1e3, 1e6):
 
 
 # %%
-def passed_over(turning, solver):
-    missed = 0
-    for phase in (np.arange(40) + 0.5) / 40:
-        scene = events.turning_rod(turning, phase=phase, dt=1 / 60)
-        run = simulate(scene, 0.6 / turning + 2 / 60, solver=solver, sample="end")
-        missed += not run.velocities[-1, 1].any()
-    return missed / 40
-
-
 for turning in (5.0, 20.0, 40.0):
-    law = event_closed_forms.escape_fraction(turning * events.ROD_ARM, 1 / 60, 0.1, 0.1)
-    theirs = passed_over(turning, "pymunk")
+    law = share_passing(turning * events.ROD_ARM, 1 / 60, 0.1, 0.1)
+    theirs = scenes.share_passed_over(turning, "pymunk")
     check(f"{turning:2.0f} rad/s: pymunk's rod passes over", theirs, law, tolerance=1 / 40)
-    check("   ours", passed_over(turning, "sequential"), 0)
+    check("   ours", scenes.share_passed_over(turning, "sequential"), 0)
 
 # %% [markdown]
 # ## 8 From event to event
 #
 # If a step may be so long, why have steps at all? Between two collisions every disc moves in a way
-# that we can write down: a straight line, or with gravity a parabola. So there is nothing to
+# that you can write down: a straight line, or with gravity a parabola. So there is nothing to
 # compute until the next collision. An **event-driven** simulation goes from one to the next:
 #
 # 1. For every disc, predict its next event: the earliest of all its times of impact.
@@ -401,18 +417,11 @@ for turning in (5.0, 20.0, 40.0):
 # 3. Move the discs that take part to that time, and let them bounce.
 # 4. Their other forecasts no longer hold: make them anew. All other discs fly on as predicted.
 #
-# `solver="exact"` does this, and `sample` says at which times we would like to see the state. With
-# `None` they are the events themselves.
+# `solver="exact"` does this. `sample` says at which times you want to see the state; with `None`
+# they are the events themselves.
 
 # %%
-smooth = Material(restitution=1.0)
-post, walls = Body(Circle(0.4), position=(2, 1.5), material=smooth), events.box(4.0, 3.0)
-balls = [((0.8, 0.7), (1.5, 0.9)), ((3.2, 0.8), (-0.4, 1.9)), ((0.9, 2.3), (1.1, -0.3))]
-movers = [
-    Body(Circle(0.3), mass=1.0, position=place, velocity=way, material=smooth)
-    for place, way in balls
-]
-scene = Scene([*walls, post, *movers])
+scene = scenes.three_balls_and_a_post()
 run = simulate(scene, 2.0, solver="exact")
 print(run.plan)
 for t, a, b in zip(run.contacts.time, run.contacts.body_a, run.contacts.body_b, strict=True):
@@ -443,10 +452,13 @@ for speed in (1.0, 1e3, 1e6):
 #
 # Two blocks slide on ice before a wall. The inner one, of 1 kg, is at rest; the outer one, of M kg,
 # comes. All is elastic. The inner block is thrown to and fro between wall and outer block, until
-# that has turned round and is the faster one. **Predict:** how many collisions are there for equal
-# masses? (Do it by hand.) And for M = 100, and 10,000?
+# that has turned round and is the faster one.
 
 # %%
+predict("07-pi")
+
+# %% tags=["answer"]
+# the collisions, counted
 for digits in range(5):
     run = simulate(events.two_blocks(100.0**digits), 1e5, solver="exact", sample="end")
     predicted = event_closed_forms.block_collisions(100.0**digits)
@@ -454,14 +466,15 @@ for digits in range(5):
     energy = run.kinetic_energy[-1] / run.kinetic_energy[0]
     check("   energy left", energy, 1, tolerance=1e-10)
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# **The answer.**
 # These are the digits of pi. Galperin's reason is a picture. Take $\sqrt{m_1}\,x_1$ and
 # $\sqrt{m_2}\,x_2$ as the coordinates of *one* point. The two sides of a wedge with the angle
 # $\theta$, where $\tan\theta = 1/\sqrt{M}$, are "the inner block is at the wall" and "the blocks
 # touch". A collision is a reflection there. Unfold the wedge, as one unfolds a mirror: the way
 # becomes a straight line, and it crosses a side at each multiple of $\theta$ below $\pi$.
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=8, height=3.6)
 figures.unfolded_wedge(ax, mass_ratio=9)
 show(
@@ -483,7 +496,7 @@ for rate in (60, 2400):
     side = "behind" if run.positions[-1, 1, 0] < 0 else "before"
     print(f"pymunk, {rate:4} steps a second: {len(run.contacts)} of 3141, ends {side} the wall")
 
-# %%
+# %% tags=["plumbing"]
 run = simulate(events.two_blocks(100.0), 5.0, solver="exact")
 edges = run.positions[:, :, 0] - np.array([0, 0.5, 1.5])  # blocks drawn without their width
 fig, ax = style.figure(width=7, height=3)
@@ -503,7 +516,7 @@ show(
 # multiplication and a fold. So there is an answer to compare with, after any number of bounces;
 # it is worked out in fractions, without rounding.
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=9, height=4.4)
 room = box - 2 * radius  # what the ball's centre can reach
 figures.unfolded_box(ax, start - radius, velocity, room, time=6.0)
@@ -535,13 +548,14 @@ for rate in rates.tolist():
 # ## 11 Backwards in time
 #
 # Newton's laws do not know which way time runs. Turn every velocity round, and a film of balls
-# runs backwards, to the very state in which it began. A good test for a simulation. We let 64 discs
-# in a box run for a while, turn them round, and let them run for the same time again.
-#
-# **Predict:** the solver errs by 1e-16 in each collision. How far from their start are the discs
-# after ten collisions each? After thirty?
+# runs backwards, to the very state in which it began. This is a hard test for a simulation: let 64
+# discs in a box run for a while, turn them round, and let them run for the same time again.
 
 # %%
+predict("07-back")
+
+# %% tags=["answer"]
+# there and back again
 gas, returns = gas_scenes.disc_gas(8, covered=0.5, seed=1), []
 for duration in np.arange(0.5, 7.0, 0.5):
     run = simulate(gas, duration, solver="exact", sample="end")
@@ -551,7 +565,8 @@ hits, off = np.transpose(returns)
 check("up to 9 collisions a disc: back within, m", off[hits <= 9], 0, tolerance=1e-9)
 check("beyond 42 it is lost: over a millimetre off", bool(off[hits > 42].min() > 1e-3), True)
 
-# %%
+# %% tags=["answer", "plumbing"]
+# there and back again
 fig, ax = style.figure(width=7, height=3.2)
 plots.curves(ax, {"": (hits, off)}, "collisions of each disc with others", "farthest from start, m")
 ax.set_yscale("log")
@@ -608,7 +623,7 @@ check("its height at 601 times, m", run.positions[:, 1, 1] - 0.5, heights, toler
 check("at rest from then on", run.velocities[times > rest, 1], 0)
 print(len(run.contacts), "bounces were computed")
 
-# %%
+# %% tags=["plumbing"]
 stepped = simulate(events.bouncing_to_rest(0.8), 6.0, solver="pymunk")
 fig, ax = style.figure(width=7, height=3)
 named = {"exact": (times, run.positions[:, 1, 1] - 0.5)}
@@ -632,18 +647,16 @@ show(
 #
 # $$Z = \frac{p A}{N T} = \frac{1 + \eta^2/8}{(1 - \eta)^2}$$
 #
-# **Collisions:** Enskog's theory says how often a disc meets another one. We measure both in the
+# **Collisions:** Enskog's theory says how often a disc meets another one. Measure both in the
 # middle of a box with 144 discs: near the walls a gas is denser. A few thousand collisions are
 # counted, so chance leaves a few parts in a hundred; to halve that takes four times as many.
 
 # %%
-from lesson_code.chapters.ch07_time_of_impact.scenes import in_the_middle
-
 measured = []
 for covered, duration in ((0.05, 150.0), (0.12, 100.0), (0.2, 80.0), (0.3, 60.0)):
     gas = gas_scenes.disc_gas(12, covered, seed=1)
     run = simulate(gas, duration, solver="exact", sample=np.arange(0, duration, 0.25))
-    measured.append(in_the_middle(run, since=4.0))
+    measured.append(scenes.in_the_middle(run, since=4.0))
 eta = [m.covered for m in measured]
 z = np.array([m.compressibility for m in measured])
 rate = np.array([m.collision_rate for m in measured])
@@ -653,6 +666,8 @@ henderson = [event_closed_forms.hard_disc_compressibility(e) for e in eta]
 enskog = [event_closed_forms.hard_disc_collision_rate(e, 1, 1, 1) for e in eta]
 check("Z within 4 % of Henderson's", bool((abs(z / henderson - 1) < 0.04).all()), True)
 check("rate within 8 % of Enskog's", bool((abs(rate / enskog - 1) < 0.08).all()), True)
+
+# %% tags=["plumbing"]
 shares = np.linspace(0, 0.36, 100)
 fig, ax = style.figure(width=7, height=3.2)
 law = [event_closed_forms.hard_disc_compressibility(e) for e in shares]
@@ -672,30 +687,16 @@ show(
 # for every collision. The table is for the ball in the box. The times were measured on one machine,
 # in one moment; yours will differ. pymunk is written in C, and our solver in Python.
 
-# %%
-from time import perf_counter
-
-
-def milliseconds(scene, duration, **settings):
-    """Return the shortest of seven runs."""
-    taken = []
-    for _ in range(7):
-        begin = perf_counter()
-        simulate(scene, duration, sample="end", **settings)
-        taken.append(1e3 * (perf_counter() - begin))
-    return min(taken)
-
-
 # %% tags=["nbval-ignore-output"]
 scene = events.ball_in_a_box()
-costs = [milliseconds(scene, 10, solver="pymunk", dt=1 / rate) for rate in rates.tolist()]
+costs = [scenes.milliseconds(scene, 10, solver="pymunk", dt=1 / rate) for rate in rates.tolist()]
 run = simulate(scene, 10, solver="exact", sample=np.linspace(0, 10, 101))
-cost, error = milliseconds(scene, 10, solver="exact"), events.error_in_the_box(run).max()
+cost, error = scenes.milliseconds(scene, 10, solver="exact"), events.error_in_the_box(run).max()
 for rate, ms, off in zip(rates, costs, errors, strict=True):
     print(f"pymunk, {rate:4} steps a second: {ms:6.2f} ms, error {off:.0e} m")
 print(f"exact, no steps, 10 collisions: {cost:6.2f} ms, error {error:.0e} m")
 
-# %% tags=["nbval-ignore-output"]
+# %% tags=["nbval-ignore-output", "plumbing"]
 fig, ax = style.figure(width=7, height=3.2)
 plots.curves(ax, {"pymunk, 30 to 1920 steps a second": (costs, errors)}, "time, ms", "")
 ax.lines[0].set_marker("o")
@@ -717,21 +718,16 @@ show(
 
 # %% tags=["nbval-ignore-output"]
 for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
-    gas = gas_scenes.disc_gas(side, covered=0.3, seed=1)
-    begin = perf_counter()
-    run = simulate(gas, duration, solver="exact", sample="end")
-    each = 1e6 * (perf_counter() - begin) / len(run.contacts)
-    print(f"{side * side:5} discs: {len(run.contacts):5} collisions, {each:4.0f} µs each")
+    each, collisions = scenes.microseconds_a_collision(side, duration)
+    print(f"{side * side:5} discs: {collisions:5} collisions, {each:4.0f} µs each")
 
 # %% [markdown]
-# So why is not everything done so? Because it needs a motion in closed form between collisions, and
+# Why not do everything this way? Because it needs a motion in closed form between collisions, and
 # few collisions. A polygon that turns has none: its corners move on curves that no formula meets.
 # A pile at rest has contacts all the time. And a ball on a ball, pressed on by gravity, would make
 # infinitely many collisions; the solver lets it hop a little. It says no where it cannot help:
 
 # %%
-from lesson_code.evidence.scenes import rigid_bodies
-
 try:
     simulate(rigid_bodies.box_stack(3), 1.0, solver="exact")
 except ValueError as error:
@@ -740,28 +736,29 @@ except ValueError as error:
 # %% [markdown]
 # ## 15 Break it on purpose: three faults
 #
-# **The other root.** The quadratic has two. **Predict:** what happens to two circles that are
-# resolved at the *later* one?
+# **The other root.** The quadratic has two roots.
 
 # %%
+predict("07-later-root")
+
+# %% tags=["answer"]
+# both roots
 p1, v1, p2, v2 = np.zeros(2), np.array([3.0, 0.0]), np.array([14.0, 3.0]), np.array([-2.0, 0.0])
 first = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=10)
-later = wrong_answers.the_later_root(p1, v1, 2.0, p2, v2, 3.0, 10.0)
+later = wrong.the_later_root(p1, v1, 2.0, p2, v2, 3.0, 10.0)
 for name, t in (("first root", first), ("later root", later)):
     n = (p2 + v2 * t - p1 - v1 * t) / 5  # at both times the centres are r1 + r2 = 5 m apart
     j = np.hypot(*smooth_impulse(v1, 1.0, v2, 1.0, n, restitution=1.0))
     print(f"{name}: t = {t:.1f} s, vn = {(v2 - v1) @ n:+.1f} m/s, impulse {j:.1f} N s")
 
 # %% [markdown]
-# At the later root they touch too, but from inside, on their way out. They have passed through each
-# other. The gate sees them part and gives no impulse; a program without a gate would pull them
-# back together.
+# A program without a gate would pull them back together.
 #
 # **A time in the past.** Two circles that part have met before, if they flew like that for ever.
 # The quadratic says when. `t <= dt` is true for it.
 
 # %%
-t = wrong_answers.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
+t = wrong.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
 print(f"they will meet in {t:.1f} s")
 check("never", time_of_impact(one, place_1, (-3, 0, 0), two, place_2, (2, 0, 0), 6.0), None)
 
@@ -771,9 +768,13 @@ check("never", time_of_impact(one, place_1, (-3, 0, 0), two, place_2, (2, 0, 0),
 # and after it comes the same one again.
 #
 # **0/0.** Two circles fly side by side. a is 0 and b is 0. NumPy does not stop at 0/0; it gives
-# nan, and nan is neither less nor greater than anything. **Predict** the two lines.
+# nan.
 
 # %%
+predict("07-nan")
+
+# %% tags=["answer"]
+# the two lines
 with np.errstate(invalid="ignore"):
     t = np.float64(0.0) / np.float64(0.0)
 print("a hit, because t <= dt:", bool(t <= 6.0))
@@ -781,13 +782,24 @@ print("a hit, because not t > dt:", bool(not t > 6.0))
 check("never", time_of_impact(one, place_1, still, two, place_2, still, 6.0), None)
 
 # %% [markdown]
-# The same comparison, written in two ways, gives two answers. Whoever asks for b < 0 first never
-# gets as far as that: circles that do not approach do not meet.
+# Ask for b < 0 first, and you never get as far as that: circles that do not approach do not meet.
 #
 # ## 16 Quiz
 
 # %%
 show_quiz("07")
+
+# %% [markdown]
+# ## Key takeaways
+#
+# - A program that looks at the ends of steps misses the part 1 - (r + th/2)/(v dt) of fast balls.
+#   Looking more often moves that border and costs time.
+# - The time of impact of two circles is the smaller root of a quadratic, in the form that does not
+#   subtract near numbers. "Never" is `None`, and "now" is 0.0.
+# - Move to the impact, bounce, and go on with the rest of the step.
+# - Where motion between collisions has a formula, steps are not needed at all: go from event to
+#   event.
+# - Discs are chaotic. Compare what is not: energy, momentum, pressure, a law.
 
 # %% [markdown]
 # ## What was checked, and what comes next
@@ -802,8 +814,10 @@ show_quiz("07")
 # bounce at an instant: they are in touch for a thousandth of a second.
 #
 # **Do now:** the exercise [07 Time of impact](../exercises/07_time_of_impact.ipynb): five tasks,
-# twenty-two points. **Next:** [08 What accuracy costs](08_what_accuracy_costs.ipynb): accuracy and
-# time, weighed against each other.
+# twenty-two points. `workbook watch` checks it whenever you save. `workbook play breakout` flies
+# from impact to impact, and [its challenge](../exercises/breakout.py) lets you write the flight.
+# **Next:** [08 What accuracy costs](08_what_accuracy_costs.ipynb): accuracy and time, weighed
+# against each other.
 #
 # **Sources.** Ericson, *Real-Time Collision Detection* (2005), chapter 5: moving shapes. Galperin,
 # *Playing pool with pi*, Regular and Chaotic Dynamics 8 (2003), 375. Alder and Wainwright, *Studies

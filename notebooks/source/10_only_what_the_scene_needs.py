@@ -9,11 +9,10 @@
 # %% [markdown]
 # # 10 Only what the scene needs
 #
-# Chapter by chapter the engine has learned more: spin, friction, corners, fast bodies, loads. A
-# program that can do all of it usually *does* all of it, in each step and for each body. Smooth
-# discs pay for friction, a handful of balls pays for a grid. This chapter asks of each of these
-# effects: does *this scene* need it? And if it does not, how do we know that nothing changes
-# without it?
+# Your phone runs a game at sixty frames a second, and its battery pays for everything the engine
+# works out, needed or not. Chapter by chapter our engine has learned more: spin, friction, corners,
+# fast bodies, loads. Smooth discs pay for friction, a handful of balls pays for a grid. Here you
+# guess what a scene needs, look at the engine's plan, and prove that the rest may go.
 #
 # **After this notebook you will be able to**
 #
@@ -21,18 +20,27 @@
 # 2. prove that what is left out changes nothing, not even the last digit;
 # 3. say what leaving it out saves, and where it saves nothing.
 #
-# **You need** notebooks 00 to 07. **Time:** about 50 minutes to read, ten seconds to run.
+# **You need** notebooks 00 to 07. **Time:** about 45 minutes to read and to write two lines,
+# ten seconds to run.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
-from lesson_code import Body, Callbacks, Circle, Material, Polygon, Scene, Segment, simulate
-from lesson_code.chapters.ch10_only_what_the_scene_needs import figures, plan_figures
-from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import asleep_in_time, three_towers
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code import Callbacks, Circle, Polygon, simulate
+from lesson_code.chapters.ch10_only_what_the_scene_needs import figures, plan_figures, scenes
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
+from lesson_code.engine.effects.choice import OPTIONAL
+from lesson_code.engine.effects.collisions import can_meet
+from lesson_code.engine.effects.continuous import fastest_way
 from lesson_code.evidence import check
+from lesson_code.evidence.effect_costs import stored
+from lesson_code.evidence.hard_cases import loads
+
+# %% tags=["plumbing"]
 from lesson_code.evidence.scenes import discs, events, rigid_bodies
 from lesson_code.evidence.scenes import gas as gas_scenes
+from lesson_code.evidence.speed.whole_runs import WholeRuns
 from lesson_code.view import listing
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
@@ -42,29 +50,29 @@ from lesson_code.view.svg.animation import animate
 # %% [markdown]
 # ## 1 A scene has a plan
 #
-# An **effect** is something that a simulation may or may not reckon with: gravity, friction,
-# bodies that turn, bodies that bounce. It costs time wherever it is reckoned with. It changes
-# something only where it is there.
-#
-# Here is a gas: sixteen smooth, elastic discs in a box, without gravity. **Predict:** which of the
-# effects of chapters 01 to 09 does it need? Then look at its plan.
+# An **effect** is something that a simulation may or may not reckon with: gravity, friction, bodies
+# that turn, bodies that bounce. It costs time wherever it is reckoned with. It changes something
+# only where it is there.
 
 # %%
+predict("10-gas")
+
+# %% tags=["answer"]
+# the plan of the gas
 gas = gas_scenes.disc_gas(4, covered=0.3, seed=1)
 run = simulate(gas, 3.0, solver="sequential")
 print(run.plan)
 
 # %% [markdown]
-# Each row is a rule, applied to this scene, with its verdict and its reason. They were found
+# Each row is a rule, applied to this scene, with its verdict and its reason. The engine found them
 # before the first step, from masses, coefficients and velocities. Nobody had to say "this scene
 # has no friction".
 #
 # The same for some other scenes:
 
-# %%
-rolling = Scene([Body(Circle(1), mass=1.0, position=(x, 0), velocity=(1, 0)) for x in (0, 5)])
+# %% tags=["plumbing"]
 planned = {
-    "two discs,\nside by side": rolling,
+    "two discs,\nside by side": scenes.side_by_side(),
     "smooth\ngas": gas,
     "drop on\na floor": events.bouncing_to_rest(0.8),
     "disc down\na slope": rigid_bodies.disc_on_incline(0.3, 0.2),
@@ -73,7 +81,7 @@ planned = {
 }
 plans = {name: simulate(s, 2.0, solver="sequential").plan for name, s in planned.items()}
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=8, height=5.2)
 plan_figures.plans(ax, plans)
 show(
@@ -108,7 +116,7 @@ print(listing.listing(more, "solve_contact", "tangent_velocity"))
 #
 # How much is left of the program, scene by scene?
 
-# %%
+# %% tags=["plumbing"]
 lines = {name: listing.lines_of_code(plan.source()) for name, plan in plans.items()}
 fig, ax = style.figure(width=8, height=3)
 ax.bar(list(lines), list(lines.values()), color=style.BLUE)
@@ -146,44 +154,34 @@ show(
 # - **callbacks:** if the scene has some. Else nobody would hear them.
 
 # %% [markdown]
-# Most of them need a *pair*. Material belongs to a body, but a contact has two: its mu is the
-# square root of the product, its e the smaller of the two. So one rough body is not enough.
-# **Predict** the verdict on friction and on rotation for each of these scenes:
+# Most of them need a *pair*. Material belongs to a body, but a contact has two. Its e is the
+# smaller of the two. Its mu is a mean of both that is 0 if one of them is: write it.
 
 
 # %%
-from lesson_code.engine.effects.choice import choose_effects
-from lesson_code.engine.effects.question import Question
-
-
-def ask(scene, *names):
-    """Print what becomes of some effects, and why."""
-    for choice in choose_effects(Question(scene, duration=2.0)):
-        if choice.name in names:
-            print(f"   {choice.name}: {choice.verdict}; {choice.reason}")
+@gap("10-pair")
+def friction_of_pair(mu_a, mu_b):
+    return ...
 
 
 # %%
-def thrown(shape, friction, on=0.0):
-    """Return a body that comes down on a floor, obliquely, without gravity."""
-    floor = Body(Segment((-9, 0), (9, 0)), material=Material(0.5, on))
-    moving = {"position": (0, 1.5), "velocity": (1, -1), "mass": 1.0}
-    return Scene([floor, Body(shape, **moving, material=Material(0.5, friction))])
-
+check("a rough disc on ice", friction_of_pair(0.6, 0.0), 0.0)
+check("rubber on wood", friction_of_pair(0.9, 0.4), 0.6, tolerance=1e-12)
 
 # %%
+predict("10-smooth-box")
+
+# %% tags=["answer"]
+# the verdicts
 for title, scene in {
-    "a rough disc on a smooth floor": thrown(Circle(0.5), 0.6),
-    "a rough disc on a rough floor": thrown(Circle(0.5), 0.6, on=0.6),
-    "a smooth box on a smooth floor": thrown(Polygon.box(1, 1), 0.0),
+    "a rough disc on a smooth floor": scenes.thrown(Circle(0.5), 0.6),
+    "a rough disc on a rough floor": scenes.thrown(Circle(0.5), 0.6, on=0.6),
+    "a smooth box on a smooth floor": scenes.thrown(Polygon.box(1, 1), 0.0),
 }.items():
     print(title)
-    ask(scene, "friction", "rotation")
+    print(scenes.verdicts(scene, "friction", "rotation"))
 
 # %% [markdown]
-# The box needs rotation without friction: an impulse on one of its corners has a lever arm. The
-# smooth disc does not: every normal of a circle goes through its centre (chapter 05).
-#
 # **Two effects are savings.** The broad phase finds the same pairs as comparing all of them, and
 # sleep stops nothing that moves. They are asked another question: do they pay? Below 24 bodies all
 # pairs are compared as fast as a grid is kept.
@@ -194,19 +192,25 @@ for title, scene in {
 # in a step (chapter 07). Watching for that costs time. **Is there a scene in which it cannot
 # happen, whatever the impacts will be?** Speeds change at each impact. But without gravity, and
 # without a wall that is driven from outside, the *energy* of all bodies never grows. (Chapter 09
-# knows an exception: bounces at corners that rub. There the rule says "needed".) At worst one body
-# gets all of it:
-#
-# $$\tfrac12\, m\, v^2 \le E \qquad\Longrightarrow\qquad v_{\max} = \sqrt{2E/m_{\min}}$$
-#
-# That is a bound for all times, from the first state alone. It counts the energy only: walls may
+# knows an exception: bounces at corners that rub. There the rule says "needed".) At worst the
+# lightest body gets all of it. How fast is it then?
+
+
+# %%
+@gap("10-fastest")
+def fastest(energy, lightest):
+    return ...
+
+
+# %% [markdown]
+# This is a bound for all times, from the first state alone. It counts the energy only: walls may
 # take up momentum. Without walls the momentum stays as well, and the lowest bound is smaller. The
 # rule multiplies it by 1.5, for rounding, and compares. In the gas:
 
 # %%
-from lesson_code.engine.effects.continuous import fastest_way
-
 way, room = fastest_way(gas, dt=1 / 60)
+bound = fastest(run.kinetic_energy[0], min(body.mass for body in gas.bodies if body.mass))
+check("your bound, in a step", bound / 60, way, tolerance=1e-12)
 long = simulate(gas, 10.0, solver="sequential")
 speeds = np.hypot(*np.moveaxis(long.velocities, -1, 0))
 print(f"bound {way:.4f} m in a step; fastest in 10 s {speeds.max() / 60:.4f} m; room {room} m")
@@ -233,23 +237,13 @@ live(
 # each pair. A cheaper one: put a **box** around each flight. Boxes that share no point belong to
 # discs that do not meet.
 
-
-# %%
-def two_flights(second):
-    """Return a disc thrown up, and another one that comes from the right."""
-    first = Body(Circle(0.5), mass=1.0, velocity=(3, 6))
-    return Scene([first, Body(Circle(0.5), mass=1.0, **second)], gravity=(0, -10))
-
-
-# %%
+# %% tags=["plumbing"]
 pairs = {
-    "boxes apart": two_flights({"position": (9, 2.5), "velocity": (-1, 2)}),
-    "boxes that share a part": two_flights({"position": (6.5, 1.5), "velocity": (-4, 1)}),
+    "boxes apart": scenes.two_flights({"position": (9, 2.5), "velocity": (-1, 2)}),
+    "boxes that share a part": scenes.two_flights({"position": (6.5, 1.5), "velocity": (-4, 1)}),
 }
 
-# %%
-from lesson_code.engine.effects.collisions import can_meet
-
+# %% tags=["plumbing"]
 fig, axes = style.figure(2, width=9, height=3.4)
 for ax, (title, scene) in zip(axes, pairs.items(), strict=True):
     flown = simulate(scene, 1.2, solver="sequential", dt=1 / 240)
@@ -271,10 +265,14 @@ show(
 #
 # ## 6 Proof: the same bits
 #
-# Now the claim is put to the test. Each effect that the gas does not call for is forced on, one
-# after the other. **Predict:** how far apart are the results after 10 s?
+# Now put the claim to the test: force each effect on that the gas does not call for, one after the
+# other.
 
 # %%
+predict("10-same-bits")
+
+# %% tags=["answer"]
+# each effect forced on
 fields = ("positions", "velocities", "angles", "angular_velocities")
 for name in long.plan.left_out:
     other = simulate(gas, 10.0, solver="sequential", effects={name: True})
@@ -300,8 +298,8 @@ check("but to add and take away again may round", (v + 0.2) - 0.2 == v, False)
 # nothing, even if on paper it is.
 #
 # Now take effects away yourself. Two discs fly, bounce and roll; each row says what becomes of the
-# scene without one effect. **Predict:** the floor is rough, the discs are smooth. Which effects can
-# go? Then make the discs rough, give disc 1 a spin, throw it faster: which is needed from when on?
+# scene without one effect. The floor is rough, the discs are smooth: which effects can go? Then
+# make the discs rough, give disc 1 a spin, throw it faster: which is needed from when on?
 
 # %%
 live(
@@ -319,7 +317,7 @@ live(
 # would give a wrong result without a word. So it is refused, by name and with the reason.
 
 # %%
-for scene, name in ((thrown(Circle(0.5), 0.6, on=0.6), "friction"), (gas, "restitution")):
+for scene, name in ((scenes.thrown(Circle(0.5), 0.6, on=0.6), "friction"), (gas, "restitution")):
     try:
         simulate(scene, 1.0, solver="sequential", effects={name: False})
     except ValueError as refused:
@@ -330,8 +328,6 @@ for scene, name in ((thrown(Circle(0.5), 0.6, on=0.6), "friction"), (gas, "resti
 # broad phase, sleep, and the record of impulses.
 
 # %%
-from lesson_code.engine.effects.choice import OPTIONAL
-
 fewer = simulate(gas, 10.0, solver="sequential", effects=dict.fromkeys(OPTIONAL, False))
 check("without all three: positions", fewer.positions, long.positions)
 check("and no impulses were written down", len(fewer.contacts.time), 0)
@@ -343,44 +339,40 @@ check("and no impulses were written down", len(fewer.contacts.time), 0)
 # engine calls when bodies begin to touch, touch or part: the third box of the pipeline. It may
 # change the scene. One that may set the mu or the e of a pair makes the rules careful from the
 # start, since nobody knows what it will set. One that switches gravity on is another case: the run
-# is planned anew, from the bodies as they are at that moment. **Predict** what is added.
-
+# is planned anew, from the bodies as they are at that moment.
 
 # %%
+predict("10-callback")
+
+
+# %% tags=["answer"]
+# a callback that switches gravity on
 def switch_on(touch):
     """Let things fall from the first touch on."""
     touch.gravity = (0, -10)
 
 
-bouncy = Material(restitution=1.0)
-pair = [
-    Body(Circle(0.5), mass=1.0, position=(3 * n, 0), velocity=(1 - n, 0), material=bouncy)
-    for n in (0, 1)
-]
-switched = Scene(pair, callbacks=Callbacks(post_solve=switch_on))
+switched = scenes.two_that_meet(Callbacks(post_solve=switch_on))
 fallen = simulate(switched, 3.0, solver="sequential")
 print(*fallen.plan.changes, sep="\n")
 
 # %% [markdown]
-# With gravity the energy bounds no speed any more, so fast bodies are watched for from there on.
-#
 # ## 9 Break it on purpose: a rule that looks at the start
 #
 # Why so careful about speed? A simpler rule would be: *nobody moves by more than half its width
-# in a step now, so nobody has to be watched.* A heavy ball comes at 4 m/s, that is 7 cm in a step
-# of 1/60 s, with a radius of 50 cm. A light ball of 5 cm lies still. By the simple rule all is
-# well. **Predict** what a solver does that does not look for fast bodies.
+# in a step now, so nobody has to be watched.* See where that leads.
 
 # %%
-surface = Material(restitution=1.0, friction=0.0)
-heavy = Body(Circle(0.5), mass=100, position=(-1, 0), velocity=(4, 0), material=surface)
-light = Body(Circle(0.05), mass=0.01, material=surface)
-wall = Body(Segment((1.45, -1), (1.45, 1)), material=surface)
-hit = Scene([wall, heavy, light])
+predict("10-light-ball")
+
+# %% tags=["answer"]
+# three solvers
+hit = scenes.heavy_on_light()
 shot = {name: simulate(hit, 0.33, solver=name) for name in ("naive", "pymunk", "sequential")}
 places = {name: (r.times, r.positions[:, 2, 0]) for name, r in shot.items()}
 
-# %%
+# %% tags=["answer", "plumbing"]
+# three solvers
 fig, ax = style.figure(width=7, height=3)
 plots.curves(ax, places, "time, s", "x of the light ball, m")
 ax.axhline(1.45, color=style.GREY, linewidth=1, linestyle="-.")
@@ -390,14 +382,14 @@ show(
     "The light ball lies still until 0.12 s and then flies off at 8 m/s. At 0.3 s it reaches a "
     "wall. In the naive solver and in pymunk it flies on through the wall; in ours it turns back.",
 )
+
+# %% tags=["answer"]
+# three solvers
 behind = {name: bool(r.positions[-1, 2, 0] > 1.45) for name, r in shot.items()}
 check("behind the wall", list(behind.values()), [True, True, False])
-ask(hit, "continuous")
+print(scenes.verdicts(hit, "continuous"))
 
 # %% [markdown]
-# A light ball at rest leaves a heavy one with twice its speed: 8 m/s, 13 cm in a step, more than
-# its diameter. At the start nothing told of that but the energy.
-#
 # ## 10 Islands that sleep
 #
 # What has come to rest costs as much as what moves: its contacts are found and its impulses are
@@ -408,9 +400,9 @@ ask(hit, "continuous")
 # second, the island sleeps. It is not moved, and its contacts are neither sought nor solved. A body
 # that is awake and touches one of it wakes all of it.
 
-# %%
-towers = three_towers()
-times, asleep = asleep_in_time(towers, 8.0)
+# %% tags=["plumbing"]
+towers = scenes.three_towers()
+times, asleep = scenes.asleep_in_time(towers, 8.0)
 fig, ax = style.figure(width=7, height=2.6)
 ax.step(times, asleep.sum(axis=1), where="post", color=style.BLUE)
 ax.set(xlabel="time, s", ylabel="bodies asleep", ylim=(0, 10))
@@ -451,8 +443,6 @@ check("with and without sleep, m", rest.positions, awake.positions, tolerance=1e
 # among many: sub-steps. All else is swept.
 
 # %%
-from lesson_code.evidence.hard_cases import loads
-
 choices = {
     "a smooth gas": gas,
     "a ball that bounces": events.bouncing_to_rest(0.8),
@@ -469,11 +459,13 @@ for title, scene in choices.items():
 # Times are not measured here: they would differ in each run. `workbook measure effects` measures
 # them on your machine; this is a stored result. For each effect there are two scenes that differ
 # as little as they can. One needs the effect. The other one is run as planned, without it, and
-# once more with the effect forced on. **Predict** which effects are worth most.
+# once more with the effect forced on.
 
 # %%
-from lesson_code.evidence.effect_costs import stored
+predict("10-worth")
 
+# %% tags=["answer"]
+# the stored result
 costs = stored()
 show(
     figures.all_effects(costs),
@@ -484,7 +476,8 @@ show(
     "the marks for friction lie on each other.",
 )
 
-# %%
+# %% tags=["answer"]
+# the stored result
 friction = costs.of("friction", "plain Python")
 print(f"friction, {friction.difference}: calls in a step of what only friction needs")
 print(f"   needed {friction.calls_needed:.0f}, left out {friction.calls_left_out:.0f}")
@@ -512,12 +505,13 @@ for limit in costs.limits:
 # for a compiler, and only then for the steps. `workbook measure speed` takes the time of whole
 # processes, each written as a user of that engine would write it. This too is a stored result.
 # "Ours" finds machine code that an earlier run has kept, and "nothing kept" does not. The gases are
-# elastic discs in a box; the piles are rough ones that fall into it. **Predict:** from how many
-# discs on does it matter what a step costs?
+# elastic discs in a box; the piles are rough ones that fall into it.
 
 # %%
-from lesson_code.evidence.speed.whole_runs import WholeRuns
+predict("10-from-how-many")
 
+# %% tags=["answer"]
+# the stored result
 print(WholeRuns.stored().as_text(100))
 
 # %% [markdown]
@@ -555,10 +549,11 @@ show_quiz("10")
 # that may set mu calls for friction. With gravity the energy bounds no speed. And in a scene that
 # needs everything nothing is saved.
 #
-# **Do now:** the exercise
-# [10 Only what the scene needs](../exercises/10_only_what_the_scene_needs.ipynb): five tasks,
-# twenty points. **Next:** [11 The small engine](11_the_small_engine.ipynb): all that you have
-# written, put together.
+# **Do now:** the exercise [10 Only what the scene
+# needs](../exercises/10_only_what_the_scene_needs.ipynb): five tasks, twenty points. `workbook
+# watch` checks it whenever you save. `workbook play simulator` shows the plan of what you build in
+# it. **Next:** [11 The small engine](11_the_small_engine.ipynb): all that you have written, put
+# together.
 #
 # **Sources.** Catto, *Island sleeping* and *Continuous collision* in the documentation of Box2D
 # v3: which bodies are watched, and which are left alone. Goldberg, *What every computer scientist

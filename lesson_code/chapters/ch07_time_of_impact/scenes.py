@@ -1,4 +1,4 @@
-"""What can be measured in a gas of hard discs: its pressure, and its collisions.
+"""What chapter 07 looks at: impacts of pairs, three balls and a post, and the middle of a gas.
 
 Near a wall a gas is not as it is inside: a disc there is pushed from one side only, so that discs
 gather at the walls. Pressure and collisions are therefore taken from the middle of the box.
@@ -8,12 +8,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
 
 import numpy as np
 
 from lesson_code.engine.core.run import Run
-from lesson_code.evidence.scenes.events import WALLS
-from lesson_code.evidence.scenes.gas import DIAMETER, ENERGY
+from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.evidence.scenes.events import WALLS, box, turning_rod
+from lesson_code.evidence.scenes.gas import DIAMETER, ENERGY, disc_gas
+from lesson_code.geometry import Circle, time_of_impact
+from lesson_code.simulation import simulate
 
 MARGIN = 3.5
 """m: so far from the walls begins the middle. Up to a covered share of 0.4 the discs there know
@@ -76,3 +81,51 @@ def in_the_middle(run: Run, *, since: float = 0.0) -> Measured:
         compressibility=1 + virial / (number * ENERGY),
         collision_rate=2 * float(np.count_nonzero(counted)) / seconds / number,
     )
+
+
+def at_impact(place: Any, velocity: Any, still: Circle, moving: Circle) -> Any:
+    """Return where a circle is when it meets one that stays at the origin."""
+    rest = (0.0, 0.0, 0.0)
+    t = time_of_impact(still, rest, rest, moving, (*place, 0), (*velocity, 0), duration=9)
+    return place + velocity * t
+
+
+def share_passed_over(turning: float, solver: str, phases: int = 40) -> float:
+    """Return which part of the starts lets a rod that turns, rad/s, pass over a ball at rest."""
+    missed = 0
+    for phase in (np.arange(phases) + 0.5) / phases:
+        scene = turning_rod(turning, phase=phase, dt=1 / 60)
+        run = simulate(scene, 0.6 / turning + 2 / 60, solver=solver, sample="end")
+        missed += not run.velocities[-1, 1].any()
+    return missed / phases
+
+
+def three_balls_and_a_post() -> Scene:
+    """Return three smooth, elastic balls in a box with a round post; the post is body 4."""
+    smooth = Material(restitution=1.0)
+    post = Body(Circle(0.4), position=(2, 1.5), material=smooth)
+    balls = [((0.8, 0.7), (1.5, 0.9)), ((3.2, 0.8), (-0.4, 1.9)), ((0.9, 2.3), (1.1, -0.3))]
+    movers = [
+        Body(Circle(0.3), mass=1.0, position=place, velocity=way, material=smooth)
+        for place, way in balls
+    ]
+    return Scene([*box(4.0, 3.0), post, *movers])
+
+
+def milliseconds(scene: Scene, duration: float, **settings: Any) -> float:
+    """Return how long a run takes, ms: the shortest of seven."""
+    taken = []
+    for _ in range(7):
+        begin = perf_counter()
+        simulate(scene, duration, sample="end", **settings)
+        taken.append(1e3 * (perf_counter() - begin))
+    return min(taken)
+
+
+def microseconds_a_collision(side: int, duration: float) -> tuple[float, int]:
+    """Return how long the exact solver takes for a collision in a gas, us, and their number."""
+    gas = disc_gas(side, covered=0.3, seed=1)
+    begin = perf_counter()
+    run = simulate(gas, duration, solver="exact", sample="end")
+    collisions = len(run.contacts)
+    return 1e6 * (perf_counter() - begin) / collisions, collisions

@@ -298,7 +298,7 @@ TASKS = (
     Task(
         id="9.3",
         function="sliding_impulse",
-        section=6,
+        section=4,
         objective="The impulse on a tip that slides, and the case in which there is none.",
         expected=_sliding_impulse,
         criteria=(
@@ -312,7 +312,7 @@ TASKS = (
     Task(
         id="9.4",
         function="energy_ratio",
-        section=6,
+        section=4,
         objective="Whether a blow has made energy.",
         expected=_energy_ratio,
         criteria=(
@@ -324,7 +324,7 @@ TASKS = (
     Task(
         id="9.5",
         function="one_by_one",
-        section=7,
+        section=5,
         objective="A row of elastic balls that strike one after the other.",
         expected=_expected_one_by_one,
         criteria=(

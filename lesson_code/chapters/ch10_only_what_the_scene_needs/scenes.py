@@ -1,12 +1,17 @@
-"""A scene in which islands fall asleep, and one of them is woken."""
+"""Scenes of chapter 10: pairs that need this or that, and islands that fall asleep."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.engine.effects.choice import choose_effects
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.hard_cases.measures import SUNK
 from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, HALF_LENGTH
@@ -15,6 +20,55 @@ from lesson_code.geometry.shapes import Circle, Polygon, Segment
 
 DT = 1 / 60
 """s."""
+
+
+def side_by_side() -> Scene:
+    """Return two smooth discs that fly side by side and meet nothing."""
+    return Scene([Body(Circle(1), mass=1.0, position=(x, 0), velocity=(1, 0)) for x in (0, 5)])
+
+
+def thrown(shape: Circle | Polygon, friction: float, on: float = 0.0) -> Scene:
+    """Return a body that comes down on a floor, obliquely, without gravity.
+
+    `friction` is that of the body, `on` that of the floor.
+    """
+    floor = Body(Segment((-9, 0), (9, 0)), material=Material(0.5, on))
+    moving: dict[str, Any] = {"position": (0, 1.5), "velocity": (1, -1), "mass": 1.0}
+    return Scene([floor, Body(shape, **moving, material=Material(0.5, friction))])
+
+
+def two_flights(second: dict[str, Any]) -> Scene:
+    """Return a disc thrown up, and another one with the position and velocity that are given."""
+    first = Body(Circle(0.5), mass=1.0, velocity=(3, 6))
+    return Scene([first, Body(Circle(0.5), mass=1.0, **second)], gravity=(0, -10))
+
+
+def two_that_meet(callbacks: Callbacks) -> Scene:
+    """Return two elastic discs that meet head on after two seconds, without gravity."""
+    bouncy = Material(restitution=1.0)
+    pair = [
+        Body(Circle(0.5), mass=1.0, position=(3 * n, 0), velocity=(1 - n, 0), material=bouncy)
+        for n in (0, 1)
+    ]
+    return Scene(pair, callbacks=callbacks)
+
+
+def heavy_on_light() -> Scene:
+    """Return a thin wall, a heavy ball that comes at 4 m/s, and a light one at rest before it."""
+    surface = Material(restitution=1.0, friction=0.0)
+    heavy = Body(Circle(0.5), mass=100, position=(-1, 0), velocity=(4, 0), material=surface)
+    light = Body(Circle(0.05), mass=0.01, material=surface)
+    wall = Body(Segment((1.45, -1), (1.45, 1)), material=surface)
+    return Scene([wall, heavy, light])
+
+
+def verdicts(scene: Scene, *names: str) -> str:
+    """Return what becomes of some effects in 2 s of a scene, and why, a line for each."""
+    return "\n".join(
+        f"   {choice.name}: {choice.verdict}; {choice.reason}"
+        for choice in choose_effects(Question(scene, duration=2.0))
+        if choice.name in names
+    )
 
 
 def three_towers() -> Scene:

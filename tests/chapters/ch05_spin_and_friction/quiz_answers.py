@@ -24,6 +24,13 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
         rolling(F(1, 2)),
         [rolling(F(1)), rolling(F(2, 5)), math.sqrt(6**2 / (1 + F(1, 2))), F(6), F(0)],
     ),
+    "05-wheel": (F(3) - 6 * F(1, 2), [F(3), 3 + 6 * F(1, 2), -6 * F(1, 2)]),
+    "05-sticks": (F(1 * 3, 4), [F(4, 3), F(3)]),
+    "05-rubber": (
+        F(-1) * F(1, 2) / (F(1, 2) * F(1, 2) ** 2),
+        [F(4), F(-6) * F(1, 2) / (F(1, 2) * F(1, 2) ** 2), F(-3) / F(1, 2)],
+    ),
+    "05-hoop": (F(1, 1 + 1), [F(1), 1 / (1 + F(1, 2))]),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction as F  # noqa: N817 - written many times below
 
 ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
@@ -13,6 +14,8 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
         F(1, 2) + F(1, 5),
         [F(1, 2) - F(1, 5), F(1, 5), F(1, 2), F(1, 2) + 2 * F(1, 5)],
     ),
+    "06-diagonal": (math.hypot(2, 2), [F(2), math.hypot(1, 1), F(2 + 2)]),
+    "06-nested": (F(min(40 - 15, 25 - 0)), [F(min(40, 25) - max(0, 15)), F(15 - 0)]),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
 

@@ -32,6 +32,11 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             F(14 - math.isqrt(5**2 - 3**2), 3 - 2),
         ],
     ),
+    "07-first-speed": (
+        60 * (F(1, 10) + F(1, 10) / 2),
+        [60 * F(1, 10), 60 * (F(1, 10) + F(1, 10)), 2 * 60 * (F(1, 10) + F(1, 10) / 2)],
+    ),
+    "07-pi": (F(1 + 1 + 1), [F(1 + 1), F(1)]),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
 

@@ -23,6 +23,7 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             F(9, 10) * 3**2,
         ],
     ),
+    "09-ten-sweeps": (F(100, 100 + 1) ** 10, [F(1, 1 + 1) ** 10, F(100, 100 + 1)]),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
 
