@@ -90,9 +90,13 @@ class JupyterLab:
         page.locator(".jp-Notebook .jp-Cell:visible").first.wait_for(timeout=KERNEL_STARTS)
 
     def trust(self, notebook: str) -> None:
-        """Sign a notebook, as Jupyter does when a reader has run and saved it."""
+        """Sign a notebook, as Jupyter does when a reader has run and saved it; open its answers."""
         path = self.root / notebook
-        NotebookNotary().sign(nbformat.read(path, as_version=4))  # type: ignore[no-untyped-call]
+        opened: Any = nbformat.read(path, as_version=4)  # type: ignore[no-untyped-call]
+        for cell in opened.cells:
+            cell.metadata.pop("jupyter", None)
+        nbformat.write(opened, path)
+        NotebookNotary().sign(opened)
 
     def end_kernels(self, page: Page) -> None:
         """End all kernels that run."""
@@ -133,9 +137,12 @@ def figures_in(notebook: Path) -> int:
 
 
 def expect_all_alive(page: Page, count: int) -> None:
-    """Hold a page to have so many live figures, each of which answers to its first slider."""
+    """Hold a page to have so many live figures, each of which answers to its first slider.
+
+    In a page some stand in an answer that is still closed.
+    """
     assert count > 0
-    figures = page.locator("figure[data-ready]")
-    figures.nth(count - 1).wait_for(timeout=KERNEL_STARTS)
+    figures = page.locator("figure[data-live][data-ready]")
+    figures.nth(count - 1).wait_for(state="attached", timeout=KERNEL_STARTS)
     assert figures.count() == count
     assert [figures.nth(k).evaluate(MOVES) for k in range(count)] == [True] * count

@@ -65,6 +65,7 @@ def test_notebook_runs_from_top_to_bottom(chapter: LabNotebook) -> None:
 
 def test_live_figure_needs_no_kernel_once_it_is_saved(browser: Browser, lab: JupyterLab) -> None:
     """The notebook is run and saved, its kernel ended, and opened again: its figures answer."""
+    lab.trust("notebooks/03_reflection.ipynb")
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     notebook = lab.open(page, "notebooks/03_reflection.ipynb")
     notebook.run_all()
