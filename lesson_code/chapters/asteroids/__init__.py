@@ -1,4 +1,4 @@
 """Asteroid field.
 
-Varying masses that burst, thrust and recoil, and a ledger of momentum.
+Three waves of masses that burst, thrust and recoil, and a ledger of momentum.
 """

@@ -1,4 +1,4 @@
 """Newton's cradle.
 
-Newton's cradle: k balls in, k balls out, for 1 to 9 balls.
+k balls in, k balls out, for 1 to 9 balls; and the other lawful answer.
 """

@@ -1,4 +1,4 @@
 """Dominoes.
 
-A chain that branches: on along the floor, and up onto a shelf.
+A chain that branches, and how fast its wave runs at which spacing.
 """

@@ -1,4 +1,4 @@
 """Pool.
 
-A cue that gives spin, cushions with friction, six pockets.
+Eight-ball: a cue that gives spin, cushions with friction, six pockets.
 """
