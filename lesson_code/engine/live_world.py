@@ -121,6 +121,9 @@ class LiveWorld:
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
         self._held: dict[int, Body] = {}
         self._flight: Flight | None = None
+        self._known: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None = (
+            None
+        )
         self._flies_from = 0
         self._next = len(self._bodies)
         self._at_work: EngineStepper | None = None
@@ -285,6 +288,7 @@ class LiveWorld:
         """
         if not self._fly():
             self._advance_engine()
+        self._known = None
         self.steps += 1
         if self._listener is not None:
             touches = touches_in(self._engine.world, self.impulses, self.numbers, self.time)
@@ -327,8 +331,8 @@ class LiveWorld:
         return self._flight
 
     def _land(self) -> None:
-        """Give up what the exact solver has foreseen: something changes."""
-        self._flight = None
+        """Give up what the exact solver has foreseen, and what is known: something changes."""
+        self._flight = self._known = None
 
     def compile(self) -> None:
         """Go on in machine code, with the same results to the last bit.
@@ -413,7 +417,13 @@ class LiveWorld:
         return frozenset(numbers[int(k)] for k in np.unique(self.impulses[:, 1:3]))
 
     def matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Return states, masses and inertias of the bodies that can be pushed."""
+        """Return states, masses and inertias of the bodies that can be pushed; read them only."""
+        if self._known is None:
+            self._known = self._matter()
+        return self._known
+
+    def _matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Read them from the tables of the engine."""
         columns = [self._engine.column(name) for name in ("inv_m", "inv_i")]
         inv_m, inv_i = np.array(columns, dtype=float)
         free = inv_m > 0

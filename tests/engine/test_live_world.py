@@ -322,3 +322,24 @@ def test_flight_tells_of_impulses_at_their_times() -> None:
     assert len(rows) == 1
     assert rows[0][:3] == pytest.approx([0.5, 0, 1], abs=1e-12)
     assert rows[0][7] == pytest.approx(2.0, rel=1e-12)
+
+
+def test_what_is_told_of_a_world_follows_every_change() -> None:
+    """Momentum is asked for before and after each change: none is told twice."""
+    world = LiveWorld([Body(Circle(0.5), mass=2.0), Body(Circle(0.5), position=(5, 0), mass=1.0)])
+    told = []
+    for change in (
+        lambda: world.throw(0, (1.0, 0.0)),
+        lambda: world.push(1, (3.0, 0.0)),
+        lambda: world.weigh(0, 4.0),
+        lambda: world.pull((0.0, -6.0)),
+        world.step,
+        lambda: world.remove(1),
+        lambda: world.hold(0),
+        lambda: world.release(0, (0.0, 1.0)),
+    ):
+        change()
+        told.append(world.momentum())
+    assert told[:4] == [(2.0, 0.0), (5.0, 0.0), (7.0, 0.0), (7.0, 0.0)]
+    assert told[4:6] == [pytest.approx((7.0, -0.5)), pytest.approx((4.0, -0.4))]
+    assert told[6:] == [(0.0, 0.0), (0.0, 4.0)]
