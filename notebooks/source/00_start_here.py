@@ -9,23 +9,24 @@
 # %% [markdown]
 # # 00 Start here
 #
-# When two pool balls meet, something is handed over. One ball slows down, the other speeds up,
-# and the two changes fit each other exactly. This course is about that moment: how to find it,
-# how to compute what happens in it, and how to know that the answer is right.
+# When two pool balls meet, one slows down, the other speeds up, and the two changes fit each
+# other exactly. This course is about that moment: how a program finds it, how it computes what
+# happens, and how you know that the answer is right.
 #
 # **After this notebook you will be able to**
 #
 # 1. name the stages that every collision goes through in a program, in their order;
 # 2. use the four vector operations that the rest of the course needs;
-# 3. read a check, answer a quiz question and hand in an exercise.
+# 3. answer a prediction, fill a gap, read a check and hand in an exercise.
 #
 # **You need** a little Python (functions, lists) and the idea of a vector as an arrow. **Time:**
-# about 30 minutes to read, a few seconds to run.
+# about 35 minutes with the questions; it runs in a few seconds.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import CheckFailedError, check
 from lesson_code.formulas import reflect
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
@@ -35,18 +36,28 @@ from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import diagrams, style
 
 # %% [markdown]
-# Begin with your hands: throw one disc at the other. Drag a disc, or the tip of its velocity, and
-# press Run. The engine that you will read in this course moves them. Predict first: which sum is
-# the same before and after the impact?
+# Before you see a result, this course asks what you expect. Commit to an answer, even a guess:
+# you will remember what surprised you. What is folded below then opens. You can also open it
+# without an answer.
 
 # %%
+predict("00-sum")
+
+# %% tags=["answer"]
+# the collision lab
 lab()
+
+# %% [markdown] tags=["answer"]
+# **The answer.**
+# Throw one disc at the other: drag a disc, or the tip of its velocity, and press Run. Give one of
+# them more mass, or lower the restitution, and watch the momentum stay. The engine that you will
+# read in this course moves the discs.
 
 # %% [markdown]
 # ## 1 Every collision goes through one pipeline
 #
-# A program that moves many bodies does the same things in every time step, and always in this
-# order.
+# Every program that moves many bodies does the same things in each time step, and always in this
+# order:
 #
 # - **Detection** finds out who touches whom. The *broad phase* quickly throws out pairs that are
 #   far apart. The *narrow phase* looks closely at the pairs that are left, and finds where they
@@ -58,7 +69,7 @@ lab()
 #
 # Chapters 01 to 03 are about the box with the thick frame: the impulse.
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=9, height=2.9)
 diagrams.pipeline(ax, marked=("impulse calculation",))
 show(
@@ -72,36 +83,54 @@ show(
 #
 # The simplest body is a ball. To move it we keep three things: its **position**, its **velocity**
 # and its **radius**. To collide it we also need its **mass**. In each small time step `dt` the
-# position changes by velocity times `dt`. If that puts the ball below the floor, it has to be set
-# back onto it: this is called a *floor clamp*, and chapter 03 shows why it is not enough on its
-# own.
+# position changes by velocity times `dt`. If that puts the ball below the floor, you have to set
+# it back onto the floor. This is called a *floor clamp*, and chapter 03 shows why it is not enough
+# on its own.
+#
+# Here is your first gap. `y` is the height of the ball's centre, and the floor is at height 0.
+# Replace the three dots by what the height should be (Python's `max` helps), and run the cell. If
+# you leave the dots, the notebook goes on with our line.
+
+
+# %%
+@gap("00-clamp")
+def onto_the_floor(y, radius):
+    return ...
+
 
 # %%
 position, velocity, radius = np.array([0.0, 2.0]), np.array([1.5, -3.0]), 0.5
 dt = 0.1
 position = position + velocity * dt
 check("one step moves the ball by v dt", position, (0.15, 1.7), tolerance=1e-12)
-check("the ball is above the floor by", position[1] - radius, 1.2, tolerance=1e-12)
+check("the ball is above the floor, and stays", onto_the_floor(position[1], radius), 1.7, 1e-12)
+check("ten steps later it would be below", position[1] + 10 * velocity[1] * dt, -1.3, 1e-12)
+check("and is set onto the floor", onto_the_floor(-1.3, radius), 0.5)
 
 # %% [markdown]
 # ## 3 Vectors in a page
 #
-# A vector has two components, x and y. In the code it is an array of two numbers. Four operations
-# are enough for chapters 01 to 03.
+# You can do all of chapters 01 to 03 with four operations. A vector has two components, x and y,
+# and in the code it is an array of two numbers.
 #
 # **Length.** The length of (x, y) is the square root of x² + y².
 #
 # **Normalise.** A vector divided by its own length has length 1. It keeps only the direction.
 # Such a vector is called a *unit vector*. The zero vector has no direction and cannot be
-# normalised.
+# normalised. Write it; `np.hypot(*v)` is the length of `v`:
+
+
+# %%
+@gap("00-direction")
+def direction(v):
+    return ...
+
 
 # %%
 v = np.array([3.0, -4.0])
-length = np.hypot(v[0], v[1])
-direction = v / length
-check("the length of (3, -4)", length, 5.0)
-check("its direction", direction, (0.6, -0.8), tolerance=1e-15)
-check("the direction has length 1", np.hypot(*direction), 1.0, tolerance=1e-15)
+check("the length of (3, -4)", np.hypot(*v), 5.0)
+check("its direction", direction(v), (0.6, -0.8), tolerance=1e-15)
+check("the direction has length 1", np.hypot(*direction(v)), 1.0, tolerance=1e-15)
 
 # %% [markdown]
 # **Dot product.** `dot(a, b)` is a_x b_x + a_y b_y. It answers one question that we ask all the
@@ -116,10 +145,14 @@ check("at a right angle", dot(looking, (0.0, 1.0)), 0.0)
 check("behind", dot(looking, (-2.0, 1.0)) < 0, True)
 
 # %% [markdown]
-# Drag the tip of b round the circle. The thick bar is the dot product: how far b reaches along a.
-# Before you do: at which angles does the dot product change its sign? Where is it largest?
+# In the figure below the thick bar is the dot product of two unit vectors: how far b reaches along
+# a.
 
 # %%
+predict("00-sign")
+
+# %% tags=["answer"]
+# drag the tip of b round the circle
 live(
     "ch00_start_here/dot_product",
     "Two unit vectors a and b, 60 degrees apart. A thick bar along a, up to below the tip of b, is "
@@ -136,10 +169,10 @@ live(
 # `b` lies counter-clockwise of `a`. You will need it from chapter 05 on, when bodies spin.
 
 # %%
-normal = np.array([0.6, 0.8])
+normal = direction(np.array([3.0, 4.0]))
 tangent = perpendicular(normal)
-check("the tangent of (0.6, 0.8)", tangent, (-0.8, 0.6))
-check("normal and tangent are at a right angle", dot(normal, tangent), 0.0)
+check("the tangent of (0.6, 0.8)", tangent, (-0.8, 0.6), tolerance=1e-15)
+check("normal and tangent are at a right angle", dot(normal, tangent), 0.0, tolerance=1e-15)
 check("the tangent lies counter-clockwise", cross(normal, tangent), 1.0, tolerance=1e-15)
 
 # %% [markdown]
@@ -180,11 +213,14 @@ except CheckFailedError as failure:
 # course grew out of.
 #
 # That lesson had a function that returned the *time* until two balls meet, or `None` if they
-# never do. The code that used it asked `if time:`. Two balls that touch right now meet at time
-# 0.0. **Predict:** what does Python make of `if 0.0`?
-
+# never do. The code that used it asked `if time:`.
 
 # %%
+predict("00-falsy")
+
+
+# %% tags=["answer"]
+# three times, and what two questions make of them
 def is_a_hit_wrong(time):
     return bool(time)
 
@@ -199,14 +235,15 @@ for time in (0.5, None, 0.0):
     )
 
 # %% [markdown]
-# The hit at time 0.0 is lost, and the balls pass through each other. In this course "no contact"
-# and "no impact" are always `None`, and code always asks `is not None`.
-#
-# A second trap has the same shape. `nan` ("not a number") is what a broken calculation leaves
-# behind. Every comparison with it is false. So `error > tolerance` does *not* notice it. Our
-# checks ask the other way round, `error <= tolerance`, and nan fails.
+# In this course "no contact" and "no impact" are always `None`, and code always asks `is not
+# None`. A second trap has the same shape. `nan` ("not a number") is what a broken calculation
+# leaves behind.
 
 # %%
+predict("00-nan")
+
+# %% tags=["answer"]
+# two comparisons with nan
 error = float("nan")
 print("error > 1e-9  says 'wrong':", error > 1e-9)
 print("error <= 1e-9 says 'right':", error <= 1e-9)
@@ -214,16 +251,18 @@ print("error <= 1e-9 says 'right':", error <= 1e-9)
 # %% [markdown]
 # ## 7 How the workbook is used
 #
-# - **Notebooks** (folder `notebooks`) tell the story. Run them from top to bottom, change
-#   numbers, run them again.
+# - **Notebooks** (folder `notebooks`) tell the story, ask you what you expect, and leave two or
+#   three lines for you to write. Run them from top to bottom, change numbers, run them again. A
+#   bar with three points hides imports and drawing: click it to see them.
 # - **Exercises** (folder `exercises`) are yours to write. Each task is a function with an empty
 #   body. The cell below it checks your answer and gives points. It draws new numbers every time,
 #   so an answer cannot be learned by heart. If your answer matches a known mistake, you get a
 #   hint.
 # - **Quizzes** stand at the end of each notebook. In a terminal, `workbook quiz` asks the same
 #   questions.
-# - `workbook grade exercises/01_one_dimension.ipynb` marks a whole exercise. Your code runs in a
-#   process of its own.
+# - `workbook watch 01` stays beside an exercise and checks it whenever you save;
+#   `workbook grade exercises/01_one_dimension.ipynb` marks it as your instructor will. Your code
+#   runs in a process of its own.
 # - `workbook play billiards` opens the program that chapter 03 leads to.
 #
 # ## 8 Quiz
@@ -232,13 +271,22 @@ print("error <= 1e-9 says 'right':", error <= 1e-9)
 show_quiz("00")
 
 # %% [markdown]
+# ## 9 Key takeaways
+#
+# - Detection, resolution, post-processing: every step, in this order.
+# - The dot product says in front, beside or behind, and how far.
+# - A normal is a unit vector, and the tangent is the normal turned by a right angle.
+# - "None" is not 0.0: ask `is not None`. And ask checks so that nan fails.
+
+# %% [markdown]
 # ## What was checked, and what comes next
 #
 # **Checked here:** vector operations against numbers worked by hand. **Not checked:** anything
 # about collisions yet.
 #
-# **Next:** [01 One dimension](01_one_dimension.ipynb). Two carts on a track, and the law that
-# decides everything.
+# **Do now:** open `workbook play simulator` and launch some balls. The six challenges that the
+# course leads to begin with [the cradle](../exercises/cradle.py). **Next:** [01 One
+# dimension](01_one_dimension.ipynb). Two carts on a track, and the law behind every collision.
 #
 # **Sources.** The pipeline is the usual one of real-time engines: Ericson, *Real-Time Collision
 # Detection* (2005), chapters 1 and 7; Millington, *Game Physics Engine Development* (2010),
