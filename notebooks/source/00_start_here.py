@@ -48,7 +48,7 @@ predict("00-sum")
 lab()
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # Throw one disc at the other: drag a disc, or the tip of its velocity, and press Run. Give one of
 # them more mass, or lower the restitution, and watch the momentum stay. The engine that you will
 # read in this course moves the discs.

@@ -170,8 +170,12 @@ print(inspect.getsource(equation(collide_1d)).split('"""')[-1].strip("\n"))
 # %%
 predict("01-stops")
 
+# %% tags=["answer"]
+# e = 0.5, cart 2 at rest
+check("cart 1 of 1 kg meets 2 kg", my_collision(1, 2, 2, 0, 0.5), (0, 1), 1e-15)
+
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # Cart 1 stops when $V = e\,(v_1 - V)$. With cart 2 at rest that is $m_1 = e\,m_2$. Try it: set the
 # mass of cart 2 and the restitution below, and watch the first row "after".
 
@@ -278,7 +282,7 @@ for e in (0.0, 0.5, 0.8, 1.0):
     print(f"energy times {energy_ratio:.2f}, right {e**2:.2f}")
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # Even with e = 0, where the carts should stop, all of the energy comes back. With e = 1 there is
 # nine times as much as before. In the demo of that lesson the energy grew without end.
 

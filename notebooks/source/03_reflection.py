@@ -246,7 +246,7 @@ check("without the gate it stays below the floor", bool(heights[late].max() < 0)
 check("a leaving ball is left alone", bounce((3, 4), (0, 1), 0.5), (3, 4))
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # At its third bounce the ball was so deep in the floor that, slowed down to 0.8 of its speed, one
 # step did not bring it out. The next step bounced it back in, and so on for ever.
 

@@ -213,7 +213,7 @@ live(
 )
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # Every pool player uses this to guess where the cue ball goes. Set the mass of disc 2 higher: the
 # angle grows, because disc 1 is thrown back. Set e lower: the angle shrinks, because disc 1 keeps
 # something of its part along n.
@@ -467,7 +467,7 @@ animate(
 )
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # For two discs the line of the centres *is* the normal. A cushion is no disc: its centre is its
 # middle, and a ball that meets it near a corner is pushed along the cushion instead of away from
 # it. Chapter 06 finds the right normal for other shapes. Energy and momentum did not notice
@@ -492,7 +492,7 @@ for upper_first in (True, False):
     print(f"upper ball first: {upper_first!s:5}  cue ball after: ({cue[0]:.3f}, {cue[1]:+.3f}) m/s")
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # It turns aside, and which way depends on the order in which the scene **lists** the two balls.
 # The first pair was resolved as if it were alone in the world. That was right for a moment; then
 # the second impulse changed the velocity of the cue ball, and nobody looked at the first pair
@@ -588,7 +588,7 @@ for name, run in cradle.items():
 figures.row_of_five(last)
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # With a gap the pairs collide one after the other, each by chapter 01. With an overlap all four
 # contacts are found in the same step and solved *together*: the first pair must part as fast as
 # it approached, and the pairs at rest must not come closer. Both answers keep momentum and
@@ -630,7 +630,7 @@ for solver in ("naive", "sequential"):
     print(", ".join(f"{apart[step]:.3f}" for step in (0, 6, 30, 120)), "m")
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # The first attempt divides by the distance, so it has to leave such a pair alone, and the discs
 # stay stuck for ever. With (1, 0) as the normal they part, the light one three times as far. The
 # engine does not throw them apart at once: it takes away a fifth of the overlap in each step and

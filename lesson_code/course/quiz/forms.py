@@ -87,15 +87,19 @@ def _style_and_script() -> str:
 
 
 def _folded_answers() -> str:
-    """Return the rules that keep the output of a folded cell out of sight in JupyterLab.
+    """Return the rules that keep an answer out of sight in JupyterLab until it is unfolded.
 
     JupyterLab unfolds an output whenever its cell is run, but not the source. So the output of a
-    cell below a prediction is shown when its source is.
+    cell below a prediction is shown when its source is. It does not fold text: a text with a mark
+    of the class ``answer`` is shown when the cell above it is.
     """
-    asks = ".jp-Cell:has(.predict)"
-    folded = ".jp-Cell:not(:has(.quiz)):has(> .jp-Cell-inputWrapper .jp-InputPlaceholder)"
-    rows = [f"{asks}{f' + {folded}' * count}" for count in range(1, MOST_FOLDED + 1)]
-    places = ",\n".join(f"{row} .jp-Cell-outputWrapper" for row in rows)
+    code = ".jp-CodeCell:not(:has(.quiz)):has(> .jp-Cell-inputWrapper .jp-InputPlaceholder)"
+    text = ".jp-MarkdownCell:has(.answer)"
+    rows = [
+        f".jp-Cell:has(.predict){f' + :is({code}, {text})' * count} > .jp-Cell-outputWrapper"
+        for count in range(1, MOST_FOLDED + 1)
+    ]
+    places = ",\n".join([*rows, f"{code} + {text}"])
     return f"{places} {{ display: none; }}\n"
 
 

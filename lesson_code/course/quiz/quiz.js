@@ -96,17 +96,17 @@
     return true;
   }
 
-  // What follows the cell of a prediction, down to the next question.
-  function* below(quiz) {
-    let cell = quiz.closest(".jp-Cell, .cell");
-    while ((cell = cell && cell.nextElementSibling) && !cell.querySelector(".quiz")) yield cell;
-  }
+  const ANSWER = "details.answer, .jp-CodeCell:not(:has(.quiz)):has(.jp-InputPlaceholder), " +
+    ".jp-MarkdownCell:has(.answer)";
 
   // Opens the folded answer: in a page, or cell by cell in JupyterLab, which folds with a bar to click.
   function reveal(quiz) {
-    for (const cell of [...below(quiz)]) {
-      if (cell.matches("details.answer")) cell.open = true;
-      cell.querySelectorAll(".jp-InputPlaceholder, .jp-OutputPlaceholder").forEach((bar) =>
+    const cells = [];
+    let cell = quiz.closest(".jp-Cell, .cell");
+    while ((cell = cell && cell.nextElementSibling) && cell.matches(ANSWER)) cells.push(cell);
+    for (const folded of cells) {
+      if (folded.matches("details")) folded.open = true;
+      folded.querySelectorAll(".jp-InputPlaceholder, .jp-OutputPlaceholder").forEach((bar) =>
         (bar.querySelector(".jp-Placeholder-content") || bar).click());
     }
   }
