@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-import numpy as np
-
 from lesson_code.chapters import draws
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
+from lesson_code.course.isolation.inside.vectors import vector
 from lesson_code.formulas import bounce, reflect
 
 LEVEL_NORMALS = ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
@@ -99,8 +98,8 @@ def speed_before_and_after(arguments: Arguments, answer: Any) -> str:
 
 def parts_of_the_answer(arguments: Arguments, answer: Any) -> str:
     """Say which parts of the velocity the answer has changed."""
-    velocity, normal = np.array(arguments[0]), np.array(arguments[1])
-    tangent = np.array([-normal[1], normal[0]])
+    velocity, normal = vector(arguments[0]), vector(arguments[1])
+    tangent = vector([-normal[1], normal[0]])
     if not _is_vector(answer):
         return "A velocity with two components was asked for."
     return (
@@ -109,9 +108,9 @@ def parts_of_the_answer(arguments: Arguments, answer: Any) -> str:
     )
 
 
-def _along(vector: Any, direction: Any) -> str:
-    """Return a vector's part along a unit direction, written."""
-    return written(float(np.dot(vector, direction)))
+def _along(velocity: Any, direction: Any) -> str:
+    """Return a velocity's part along a unit direction, written."""
+    return written(float(vector(velocity) @ direction))
 
 
 def _speed(velocity: Any) -> str:

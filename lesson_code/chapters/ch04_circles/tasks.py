@@ -12,6 +12,7 @@ import numpy as np
 from lesson_code.chapters import draws
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
+from lesson_code.course.isolation.inside.vectors import vector
 from lesson_code.formulas.smooth_pair import separating_push, smooth_impulse
 
 DIAGONAL = (math.sqrt(0.5), -math.sqrt(0.5))
@@ -257,7 +258,7 @@ def positions_and_velocities(arguments: Arguments, answer: Any) -> str:
 
 def _relative(a: Any, b: Any, normal: Any) -> str:
     """Return how far b - a reaches along the normal, written."""
-    return written(float(np.dot(np.subtract(b, a), normal)))
+    return written(float((vector(b) - vector(a)) @ vector(normal)))
 
 
 TASKS = (

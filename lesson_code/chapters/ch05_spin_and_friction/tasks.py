@@ -13,6 +13,7 @@ from lesson_code.chapters import draws
 from lesson_code.chapters.ch05_spin_and_friction.scenes import bounce_with_spin, coulomb
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
+from lesson_code.course.isolation.inside.vectors import vector
 from lesson_code.formulas import (
     contact_velocity,
     effective_mass,
@@ -84,8 +85,8 @@ def _velocity(stream: Random) -> draws.Vector:
 def part_of_the_spin(arguments: Arguments, answer: Any) -> str:
     """Say how long the part from the spin is, and at which angle to the lever it stands."""
     v, w, r = arguments
-    added, distance = np.subtract(answer, v), math.hypot(*r)
-    along = round(float(np.dot(added, r)) / distance, 9) + 0.0  # + 0.0 takes the sign off a zero
+    added, distance = vector(answer) - vector(v), math.hypot(*r)
+    along = round(float(added @ vector(r)) / distance, 9) + 0.0  # + 0.0 takes the sign off a zero
     return (
         f"What you added to v is {written(math.hypot(*added))} m/s long, {written(along)} of it"
         f" along r. The spin adds {written(abs(w) * distance)} m/s, none of it along r."
@@ -150,8 +151,13 @@ def _inverse_effective_mass(
 def lever_arms(arguments: Arguments, _answer: Any) -> str:
     """Say what the lever arms are."""
     _, _, r_a, _, _, r_b, direction = arguments
-    arms = (written(float(cross(r, direction))) for r in (r_a, r_b))
+    arms = (written(_across(r, direction)) for r in (r_a, r_b))
     return "The lever arms r x n are {} m and {} m.".format(*arms)
+
+
+def _across(a: Any, b: Any) -> float:
+    """Return the cross product of two vectors of plain numbers."""
+    return float(a[0] * b[1] - a[1] * b[0])
 
 
 # 5.4 Coulomb friction
@@ -243,7 +249,7 @@ def turning_about_the_contact(arguments: Arguments, answer: Any) -> str:
     """Say what the angular momentum about the contact is, before and after."""
     velocity, w, radius, normal = arguments[:4]
     before, after = (
-        radius * float(cross(normal, v)) + radius**2 / 2 * spin
+        radius * _across(normal, v) + radius**2 / 2 * spin
         for v, spin in ((velocity, w), (answer[0], float(answer[1])))
     )
     return (

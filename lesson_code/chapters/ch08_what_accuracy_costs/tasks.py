@@ -257,8 +257,8 @@ def _cheapest(table: Any, allowed: float) -> int | None:
 
 def distances(arguments: Arguments, _answer: Any) -> str:
     """Say how far the body is off at each time."""
-    places, right = (np.array(values, dtype=float) for values in arguments)
-    return f"Distances, m: {written(np.hypot(*(places - right).T).tolist())}."
+    distances = [math.dist(place, right) for place, right in zip(*arguments, strict=True)]
+    return f"Distances, m: {written(distances)}."
 
 
 def predicted(arguments: Arguments, answer: Any) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 from lesson_code.chapters import draws
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
+from lesson_code.course.isolation.inside.vectors import vector
 
 # 9.1: a tower
 
@@ -256,9 +257,8 @@ def velocity_of_the_tip(arguments: Arguments, answer: Any) -> str:
 
 def momentum_and_energy(arguments: Arguments, answer: Any) -> str:
     """Say what becomes of momentum and energy."""
-    masses, velocities = (np.asarray(values, dtype=float) for values in arguments)
-    v = np.asarray(answer, dtype=float)
-    if v.shape != masses.shape:
+    masses, velocities, v = map(vector, (*arguments, answer))
+    if len(v) != len(masses):
         return ""
     momenta = [written(float(masses @ u)) for u in (velocities, v)]
     energies = [written(float(masses @ u**2) / 2) for u in (velocities, v)]

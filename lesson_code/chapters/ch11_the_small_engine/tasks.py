@@ -13,6 +13,7 @@ from lesson_code.chapters import draws
 from lesson_code.chapters.draws import Vector
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
+from lesson_code.course.isolation.inside.vectors import vector
 
 Box: TypeAlias = tuple[float, float, float, float]
 
@@ -431,9 +432,9 @@ def momentum_of_both(arguments: Arguments, answer: Any) -> str:
     v_a, _, v_b, _ = answer
     if math.inf in (a[0], b[0]):
         return "A wall takes up any momentum, and keeps its velocity."
-    before = np.array(a[2:4]) * a[0] + np.array(b[2:4]) * b[0]
-    after = np.array(v_a) * a[0] + np.array(v_b) * b[0]
-    return f"Momentum {written(before.tolist())} kg m/s before and {written(after.tolist())} after."
+    before = vector(a[2:4]) * a[0] + vector(b[2:4]) * b[0]
+    after = vector(v_a) * a[0] + vector(v_b) * b[0]
+    return f"Momentum {written(list(before))} kg m/s before and {written(list(after))} after."
 
 
 TASKS = (

@@ -6,9 +6,8 @@ Only what holds of the whole answer is said: another form, another sign, another
 from __future__ import annotations
 
 import math
+import struct
 from typing import Any
-
-import numpy as np
 
 from lesson_code.course.grading.compare import agrees
 
@@ -120,9 +119,17 @@ def _of_digits(mine: list[float], right: list[float]) -> str:
     errors = [abs(a - b) / max(1.0, abs(b)) for a, b in zip(mine, right, strict=True)]
     if max(errors) > ALMOST:
         return ""
-    if all(number == float(np.float32(number)) for number in mine):
+    if all(map(_is_float32, mine)):
         return "That is right to the 7 digits of a float32. Use float64, which Python's float is."
     return f"That is right to {int(-math.log10(max(errors)))} digits. Is something rounded?"
+
+
+def _is_float32(number: float) -> bool:
+    """Return whether a number has no more digits than a float32 holds."""
+    try:
+        return struct.unpack("f", struct.pack("f", number)) == (number,)
+    except OverflowError:
+        return False
 
 
 def _is_column(value: Any) -> bool:

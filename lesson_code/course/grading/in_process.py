@@ -19,11 +19,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, cast
 
-import numpy as np
-
 from lesson_code.course.grading.task import Arguments
 from lesson_code.course.isolation.call_outcome import CallOutcome, call_outcome
 from lesson_code.course.isolation.inside import answers
+from lesson_code.course.isolation.inside.vectors import used_modules
 from lesson_code.course.isolation.limits import PATIENCE
 
 
@@ -47,12 +46,13 @@ def kept_apart() -> Iterator[None]:
     in the modules that the checks are made of is put back.
     """
     own = {name: m for name, m in sys.modules.items() if name.partition(".")[0] == "lesson_code"}
-    used = [(vars(module), dict(vars(module))) for module in (builtins, json, math, np)]
+    used = (builtins, json, math, *used_modules())
+    kept = [(vars(module), dict(vars(module))) for module in used]
     sys.modules.update(dict.fromkeys(own, cast("ModuleType", None)))
     try:
         yield
     finally:
-        for names, before in used:
+        for names, before in kept:
             names.update(before)
         sys.modules.update(own)
 

@@ -20,10 +20,9 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-import numpy as np
-
 from lesson_code.course.grading.task import Arguments, Criterion, Function, Task, WrongModel
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
+from lesson_code.course.isolation.inside.vectors import unwarned
 
 DRAWS = 8
 """Draws of each criterion, of which a check cell picks one."""
@@ -65,7 +64,7 @@ def practice_draws(task: Task, criterion: Criterion) -> list[list[list[Any]]]:
 def _made_of(function: Function, arguments: Arguments) -> Any:
     """Return what a right or wrong formula makes of a call; FAILED where it fails."""
     try:
-        with np.errstate(all="ignore"):
+        with unwarned():
             return plain(function(*arguments_from(arguments)))
     except Exception:  # a wrong model may fail in any way
         return FAILED

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
 from lesson_code.course.grading.compare import agrees
 from lesson_code.course.grading.task import Arguments, Criterion, Part
 from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.inside.answers import plain
+from lesson_code.course.isolation.inside.vectors import unwarned
 
 
 @dataclass(frozen=True)
@@ -58,7 +57,7 @@ def of_any_answer(look: Callable[[], Any], otherwise: Any) -> Any:
     'beyond all floats'
     """
     try:
-        with np.errstate(all="ignore"), warnings.catch_warnings():
+        with unwarned(), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return look()
     except Exception:  # another form can make it fail in any way

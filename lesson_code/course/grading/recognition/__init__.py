@@ -16,13 +16,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from lesson_code.course.grading.compare import agrees
 from lesson_code.course.grading.recognition.candidates import in_general, listed, pairs, slips
 from lesson_code.course.grading.task import Arguments, Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
+from lesson_code.course.isolation.inside.vectors import numbers, places_near, unwarned
 
 ENOUGH_TELLING_CALLS = 2
 """Wrong calls with telling numbers that a listed model must explain if it explains a part."""
@@ -142,10 +141,9 @@ class Evidence:
         key = id(models), number
         if key not in self._made:
             answers = (signature(self._answer(model, number, call)) for model in models)
-            self._made[key] = np.fromiter(answers, float, len(models))
+            self._made[key] = numbers(answers, len(models))
         mine = signature(call.got)
-        with np.errstate(all="ignore"):
-            return np.flatnonzero(np.abs(self._made[key] - mine) <= NEAR * max(1.0, abs(mine)))
+        return places_near(self._made[key], mine, NEAR * max(1.0, abs(mine)))
 
     def _explained(self, model: WrongModel, criteria: Sequence[str]) -> tuple[str, ...]:
         """Return in which of some criteria a model gives the student's own numbers.
@@ -213,7 +211,7 @@ def answer_of(model: WrongModel, call: TriedCall) -> Any:
     """Return what a criterion looks at of a model's answer to a call, or NO_ANSWER."""
     part = call.criterion.part
     try:
-        with np.errstate(all="ignore"), contextlib.redirect_stdout(None):
+        with unwarned(), contextlib.redirect_stdout(None):
             answer = plain(model(*arguments_from(call.arguments)))
             return answer if part is None else plain(part(answer))
     except Exception:  # a wrong model may fail in any way
@@ -269,9 +267,9 @@ def is_degenerate(arguments: Arguments) -> bool:
     """
     values = plain(list(arguments))
     vectors = [value for value in values if isinstance(value, list)]
-    numbers = leaves([value for value in values if not isinstance(value, list)])
+    single = leaves([value for value in values if not isinstance(value, list)])
     return (
-        any(number == 0 or math.isinf(number) for number in numbers)
+        any(number == 0 or math.isinf(number) for number in single)
         or any(not any(leaves(vector)) for vector in vectors)
         or any(a == b for i, a in enumerate(vectors) for b in vectors[:i])
     )

@@ -8,12 +8,11 @@ from functools import partial
 from itertools import combinations, permutations, product
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from lesson_code.course.grading.recognition.edits import others_of
 from lesson_code.course.grading.recognition.in_source import model
 from lesson_code.course.grading.task import Function, WrongModel
 from lesson_code.course.isolation.inside.answers import plain
+from lesson_code.course.isolation.inside.vectors import shape_of, vector
 
 Change: TypeAlias = Callable[[Any], Any]
 
@@ -38,10 +37,10 @@ ARGUMENTS: tuple[tuple[str, Change], ...] = (
     ("factor", lambda x: 2 * x),
     ("factor", lambda x: x / 2),
     ("absolute", abs),
-    ("degrees", np.degrees),
-    ("degrees", np.radians),
+    ("degrees", lambda x: x * (180 / math.pi)),
+    ("degrees", lambda x: x * (math.pi / 180)),
     ("power", lambda x: x * x),
-    ("power", np.sqrt),
+    ("power", lambda x: x**0.5),
     ("upside_down", lambda x: 1 / x),
     ("index", lambda x: x[::-1]),
 )
@@ -120,12 +119,12 @@ def _by_parts(
 
     def answer(*given: Any) -> Any:
         value = plain(right(*given))
-        before, n = (np.asarray(given[names.index(name)], float) for name in (velocity, "normal"))
+        before, n = (vector(given[names.index(name)]) for name in (velocity, "normal"))
         e = given[names.index("restitution")] if "restitution" in names else 1.0
         after = value if place is None else value[place[1]]
-        if (place is not None and len(value) != place[0]) or np.shape(after) != np.shape(before):
+        if (place is not None and len(value) != place[0]) or shape_of(after) != shape_of(before):
             raise ValueError("value must hold a velocity in that place")
-        if not np.allclose(after, before, rtol=0, atol=1e-12):
+        if max(map(abs, plain(vector(after) - before))) > 1e-12:
             part = before @ n * n
             after = plain(across(part, e) + along(before - part, e))
         return after if place is None else [*value[: place[1]], after, *value[place[1] + 1 :]]
@@ -196,7 +195,7 @@ def _with_both_one(right: Function, i: int, k: int) -> Function:
     """Return a function that takes 1 for two of its arguments, where they are numbers."""
 
     def answer(*given: Any) -> Any:
-        if np.ndim(given[i]) or np.ndim(given[k]):
+        if shape_of(given[i]) or shape_of(given[k]):
             raise ValueError("given must be a number for each of the two")
         return right(*(1.0 if place in (i, k) else value for place, value in enumerate(given)))
 
@@ -208,7 +207,7 @@ def _with_argument_returned(right: Function, count: int, part: int, place: int) 
 
     def answer(*given: Any) -> Any:
         value = plain(right(*given))
-        if len(value) != count or np.shape(value[part]) != np.shape(given[place]):
+        if len(value) != count or shape_of(value[part]) != shape_of(given[place]):
             raise ValueError(f"value must have {count} parts like the argument, got {value}")
         return [*value[:part], given[place], *value[part + 1 :]]
 

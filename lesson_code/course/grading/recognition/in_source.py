@@ -18,10 +18,9 @@ from functools import partial
 from types import CodeType
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from lesson_code.course.grading.recognition.edits import OPPOSITE, edits, parts_of
 from lesson_code.course.grading.task import Function, WrongModel
+from lesson_code.course.isolation.inside.vectors import unwarned
 
 HINTS = {
     "sign": "a sign is turned round. What is added there, what taken away, and which way is plus?",
@@ -123,7 +122,7 @@ class RightAnswer:
 
         def slip(*arguments: Any) -> Any:
             self.rounds = 0
-            with np.errstate(invalid="raise", divide="raise"):  # LAPACK prints what it cannot use
+            with unwarned(invalid="raise", divide="raise"):  # LAPACK prints what it cannot use
                 return made["slip"](*arguments)
 
         return slip

@@ -31,9 +31,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any, BinaryIO
 
-import numpy as np
-
 from .reading import compiled, parsed, read
+from .vectors import is_vector, vector
 
 MOST_NUMBERS = 10_000
 """Numbers and letters in an answer at most; no task asks for more than a thousand."""
@@ -123,10 +122,7 @@ def arguments_from(values: Iterable[Any]) -> list[Any]:
     >>> arguments_from([2.0, (3.0, 4.0)])
     [2.0, array([3., 4.])]
     """
-    return [
-        np.array(value, dtype=float) if isinstance(value, list | tuple) else value
-        for value in values
-    ]
+    return [vector(value) if isinstance(value, list | tuple) else value for value in values]
 
 
 def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[list[Any]]:
@@ -197,10 +193,10 @@ def together(groups: list[list[Any]], namespace: dict[str, Any]) -> list[list[di
 def lendable(value: Any) -> Any:
     """Return a value so that JSON tells its arrays, and the vectors in its tuples, from tuples.
 
-    >>> lendable((1.0, 2.0)), lendable((np.array([1.0, 2.0]), 3.0))
+    >>> lendable((1.0, 2.0)), lendable((vector([1.0, 2.0]), 3.0))
     ([1.0, 2.0], [{'array': [1.0, 2.0]}, 3.0])
     """
-    if isinstance(value, np.ndarray):
+    if is_vector(value):
         return {"array": plain(value)}
     if isinstance(value, list | tuple):
         return [{"array": plain(item)} if _is_vector(item) else lendable(item) for item in value]
@@ -219,7 +215,7 @@ def _is_vector(value: Any) -> bool:
 def _lent(value: Any) -> Any:
     """Return the value that was lent in such a form."""
     if isinstance(value, dict):
-        return np.array(value["array"], dtype=float)
+        return vector(value["array"])
     return tuple(map(_lent, value)) if isinstance(value, list) else value
 
 
