@@ -10,6 +10,7 @@ from urllib.parse import quote, unquote
 import pytest
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, formulas, simulate
+from lesson_code.course.chapters import chapters
 from lesson_code.engine.core.run import Run
 from lesson_code.view.browser import lab_still
 from lesson_code.view.browser.lab import lab_html
@@ -26,6 +27,8 @@ SHEET = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Lab</titl
 
 FEW = ["Oblique hit", "Head on, equal masses", "Heavy on light", "They stay together"]
 FEW += ["Row of five", "Friction makes spin", "Polygons and discs that fall"]
+FEW += ["Ball that bounces", "Ball between mirrors", "Fast ball, thin plate"]
+FEW += ["Heavy on a light box"]
 MANY = ["Rack of fifteen", "Gas of 500"]
 
 TWO_FRAMES = """() => new Promise(
@@ -69,14 +72,14 @@ def words_of(lab: Locator) -> str:
     return lab.locator(".lab-words").inner_text()
 
 
-def shape_of(name: str, size: float) -> Circle | Polygon:
-    """Return a shape by its name: a regular polygon has a corner at the angle 0."""
-    if name == "disc":
+def shape_of(body: dict[str, Any]) -> Circle | Polygon:
+    """Return the shape of a body: a regular polygon has a corner at the angle 0."""
+    size = body["size"]
+    if body["shape"] == "disc":
         return Circle(size)
-    if name == "box":
+    if body["shape"] == "box":
         return Polygon.box(2 * size, 2 * size)
-    count = {"triangle": 3, "pentagon": 5, "hexagon": 6, "octagon": 8}[name]
-    turns = [2 * pi * k / count for k in range(count)]
+    turns = [2 * pi * k / body["corners"] for k in range(body["corners"])]
     return Polygon([(size * cos(turn), size * sin(turn)) for turn in turns])
 
 
@@ -87,8 +90,7 @@ def simulated(set_up: dict[str, Any], steps: int) -> Run:
     surface = Material(set_up["elasticity"] / 100, friction)
     bodies = []
     for b in set_up["bodies"]:
-        size = b["size"]
-        shape = shape_of(b["shape"], size)
+        shape = shape_of(b)
         given: dict[str, Any] = {"mass": b["mass"], "material": surface}
         if is_track:
             given |= {"position": (b["x"], 0), "velocity": (b["vx"], 0), "inertia": float("inf")}
@@ -312,7 +314,7 @@ def test_code_that_has_just_run_says_what_the_engine_gave(
     lab = opened(page, tmp_path)
     lab.get_by_label("Begin with").select_option(preset)
     lab.get_by_text("The code that has just run").click()
-    part = lab.locator("details").last
+    part = lab.locator("details").filter(has_text="The code that has just run")
     part.get_by_text("No two bodies have met yet.").wait_for()
     steps = 0
     while "That is what the formulas say." not in part.inner_text():
@@ -326,17 +328,74 @@ def test_code_that_has_just_run_says_what_the_engine_gave(
     assert values.get("jt", 0.0) == pytest.approx(contacts.tangent_impulse[-1], rel=1e-5)
 
 
-@pytest.mark.parametrize(("friction", "verb"), [("1", "sticks"), ("0.05", "slips")])
+@pytest.mark.parametrize(("friction", "verb"), [("1", "sticks"), ("0.05", "slips on at")])
 def test_contact_sticks_within_the_cone_and_slips_at_its_edge(
     page: Page, tmp_path: Path, friction: str, verb: str
 ) -> None:
-    """The same oblique hit with much friction and with little."""
+    """The same oblique hit, with much friction and with little; the slip is that of Python."""
     lab = opened(page, tmp_path)
     lab.get_by_label("Begin with").select_option("Friction makes spin")
     lab.get_by_role("slider", name="Friction").fill(friction)
     press(lab, "Step", 70)
     contact = lab.locator("li").filter(has_text="Contact").first.inner_text()
-    assert contact.endswith(f"{verb}.")
+    run = simulated(set_up_of(lab), 70)
+    first, second = set_up_of(lab)["bodies"]
+    nx, ny = run.contacts.normal[-1]
+    v, w = run.velocities[-1], run.angular_velocities[-1]
+    along = (v[1] - v[0]) @ (-ny, nx)
+    slip = abs(along - w[1] * second["size"] - w[0] * first["size"])
+    assert verb in contact
+    if verb == "sticks":
+        assert slip < 1e-9
+    else:
+        assert contact.endswith(f"slips on at {slip:.2f} m/s.")
+
+
+@pytest.mark.parametrize("preset", [*FEW, "Rack of fifteen"])
+def test_python_of_a_set_up_makes_the_same_run_and_has_its_plan(
+    page: Page, tmp_path: Path, capsys: pytest.CaptureFixture[str], preset: str
+) -> None:
+    """The lines that are shown, run: the places of the lab, and the engine's plan of effects."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option(preset)
+    press(lab, "Step", 40)
+    lab.get_by_text("This set-up in Python").click()
+    lab.get_by_text("print(run.plan)").wait_for()
+    names: dict[str, Any] = {}
+    exec(lab.locator("pre").last.inner_text(), names)  # noqa: S102 - our own text
+    expected = simulated(set_up_of(lab), 40)
+    assert (names["run"].positions[-1] == expected.positions[-1]).all()
+    assert capsys.readouterr().out == f"{expected.plan}\n"
+    assert {*expected.plan.used, *expected.plan.left_out} >= {"gravity", "friction", "rotation"}
+    shown = numbers_of(lab, "x")
+    assert shown == pytest.approx(expected.positions[-1, : len(shown), 0], abs=SHOWN)
+
+
+@pytest.mark.parametrize("corners", [3, 7, 20])
+def test_polygon_has_as_many_corners_as_are_typed(page: Page, tmp_path: Path, corners: int) -> None:
+    """It hits another body as it does in Python; three and a half corners are refused."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("shape").first.select_option("polygon")
+    box = lab.get_by_label("corners, of body 1")
+    box.fill(str(corners))
+    box.fill("3.5")
+    box.press("Tab")
+    assert box.input_value() == str(corners)
+    assert set_up_of(lab)["bodies"][0]["corners"] == corners
+    press(lab, "Step", 80)
+    run = simulated(set_up_of(lab), 80)
+    assert run.contacts.time.size
+    assert numbers_of(lab, "x") == pytest.approx(run.positions[-1, :2, 0], abs=SHOWN)
+    assert numbers_of(lab, "angle") == pytest.approx(run.angles[-1, :2], abs=SHOWN)
+
+
+def test_every_chapter_of_physics_has_a_preset(page: Page, tmp_path: Path) -> None:
+    """Chapters 01 to 10, each by its title; all presets stand under a chapter."""
+    lab = opened(page, tmp_path)
+    groups = lab.get_by_label("Begin with").locator("optgroup")
+    titles = [f"{each.number} {each.title}" for each in chapters() if each.number not in ("", "00")]
+    assert [group.get_attribute("label") for group in groups.all()] == titles[:10]
+    assert {*FEW, *MANY} <= set(groups.locator("option").all_inner_texts())
 
 
 def test_values_of_every_step_are_saved_as_csv(page: Page, tmp_path: Path) -> None:

@@ -1,7 +1,8 @@
 // The collision lab: bodies to throw at each other. The stepped engine of the course moves them
 // (world.js). What it begins with is in lab_setup.js; lab_picture.js draws it, lab_hold.js lets it be
 // dragged, lab_controls.js set by number, lab_account.js adds up momenta, impulses and
-// energy, and lab_code.js shows the formulas with the numbers of a contact.
+// energy, lab_code.js shows the formulas with the numbers of a contact, and lab_python.js
+// writes the set-up as Python.
 
 /** Bring the lab to life in its place, with the engine, the formulas, and the text of their functions. */
 export function startLab(program, formulas, functions) {
@@ -18,6 +19,7 @@ class Lab {
     this.controls = new Controls(this);
     this.account = new Account(this);
     this.code = new Code(this, formulas, functions);
+    this.python = new AsPython(this);
     this.picture = new Picture(this, this.canvas);
     this.hold = new Hold(this);
     const draw = () => this.draw();
@@ -47,6 +49,7 @@ class Lab {
     this.picture.draw();
     this.account.show();
     this.code.show();
+    this.python.show();
   }
 
   // What happens
@@ -141,7 +144,16 @@ class Lab {
       return { x, y, vx, vy, angle, w, px: mass * vx, py: mass * vy };
     });
     this.history[count] = { ...world.totals(), bodies };
-    if (world.impulses.length > 0) this.hit = { count, contacts: world.impulses.map((one) => ({ ...one, row: this.rowOf(one) })) };
+    if (world.impulses.length > 0) this.hit = { count, contacts: world.impulses.map((one) => this.noted(one)) };
+  }
+
+  /** Return a contact with its row, and how fast its bodies slide there after the step, m/s. */
+  noted(contact) {
+    const row = this.rowOf(contact);
+    if (!row) return { ...contact, row, slip: 0 };
+    const [a, b] = [row.a, row.b].map((k) => this.world.bodies[k]);
+    const slip = (a.vx - b.vx) * row.ny + (b.vy - a.vy) * row.nx + b.w * row.rb_x_t - a.w * row.ra_x_t;
+    return { ...contact, row, slip };
   }
 
   /** Return a copy of the engine's row of a contact: the pair's own, of two points that with this impulse. */

@@ -28,6 +28,7 @@ MODULES = (
     "lab_controls.js",
     "lab_account.js",
     "lab_code.js",
+    "lab_python.js",
     "lab.js",
 )
 """What makes the lab, in the order in which one uses the other."""

@@ -7,7 +7,7 @@ const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]]; // a cue beside colour
 const EDGE = { left: 52, right: 60, top: 34, bottom: 30 }; // pixels around a graph
 const NARROW = 480; // pixels
 const BELOW = 16; // pixels from one arrow to the next, where all lie on a line
-const SLIPS = 1e-9; // of Coulomb's limit: rounding, where friction stands at it
+const SLIPS = 1e-9; // of Coulomb's limit, and m/s: rounding, where friction stands at it, or nothing slides
 
 const each = (name, letter) => ({ bodies }) => (bodies ?? []).slice(0, MOST_WITH_NUMBERS).map((one, k) => [`${letter}${k + 1}`, one[name]]);
 const GRAPHS = {
@@ -58,11 +58,12 @@ class Account {
     return `${name(a)} and ${name(b)} gave each other ${decimal(normal_impulse)} N s${rubbed}`;
   }
 
-  /** Return whether a contact sticks or slips: friction at Coulomb's limit slips. */
-  grip({ row: { friction }, normal_impulse, tangent_impulse }) {
-    if (friction === 0) return "";
-    const limit = friction * normal_impulse;
-    return Math.abs(tangent_impulse) < limit * (1 - SLIPS) ? ", sticks" : ", slips";
+  /** Return whether a contact sticks, or slips on: then friction stands at Coulomb's limit, and the bodies
+   *  still slide. */
+  grip({ row, normal_impulse, tangent_impulse, slip }) {
+    if (!row?.friction) return "";
+    const isSpent = Math.abs(tangent_impulse) >= row.friction * normal_impulse * (1 - SLIPS);
+    return isSpent && Math.abs(slip) > SLIPS ? `, slips on at ${decimal(Math.abs(slip))} m/s` : ", sticks";
   }
 
   /** Return the momenta of the bodies before the last impact and after it, or only those of now. */

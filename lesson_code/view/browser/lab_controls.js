@@ -41,7 +41,10 @@ function check(parent, label, isOn, changed) {
 function select(parent, label, options, changed) {
   const whole = put(parent, "label", {}, `${label} `);
   const box = put(whole, "select", FREE_KEYS);
-  for (const option of options) put(box, "option", {}, option);
+  for (const [kind, names] of Array.isArray(options) ? [["", options]] : Object.entries(options)) {
+    const group = kind ? put(box, "optgroup", { label: kind }) : box;
+    for (const name of names) put(group, "option", {}, name);
+  }
   box.addEventListener("change", () => changed(box.value));
   return { whole, box };
 }
@@ -76,7 +79,7 @@ class Controls {
     box.addEventListener("input", () => {
       const value = box.valueAsNumber;
       this.lab.typing = box;
-      if (value >= min && value <= max) changed(value);
+      if (fits(value, range)) changed(value);
     });
     box.addEventListener("change", () => {
       this.lab.typing = null;
@@ -95,7 +98,7 @@ class Controls {
   }
 
   settings(row) {
-    this.preset = select(row, "Begin with", ["Choose", ...Object.keys(PRESETS)], (name) => {
+    this.preset = select(row, "Begin with", { "": ["Choose"], ...CHAPTERS }, (name) => {
       if (PRESETS[name]) this.lab.open(PRESETS[name]());
     });
     this.ways = select(row, "Motion", ["on a line", "in the plane"], (value) =>
@@ -158,8 +161,8 @@ class Controls {
     }
     this.boxes.forEach(({ shape, numbers }, k) => {
       shape.box.value = this.lab.setup.bodies[k].shape;
-      for (const { name, box, whole, isPlane, isFixed } of numbers) {
-        whole.hidden = isPlane && isTrack;
+      for (const { name, box, whole, isPlane, isFixed, isPolygon } of numbers) {
+        whole.hidden = (isPlane && isTrack) || (isPolygon && this.lab.setup.bodies[k].shape !== "polygon");
         const now = (isFixed ? this.lab.setup : this.lab.world).bodies[k][name];
         if (box !== this.lab.typing) box.value = Number(now.toFixed(4));
       }

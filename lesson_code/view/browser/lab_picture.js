@@ -52,7 +52,8 @@ class Picture {
     pen.globalAlpha = 1;
   }
 
-  drawBody({ shape, size }, { x, y, angle }, k) {
+  drawBody(body, { x, y, angle }, k) {
+    const { shape, size } = body;
     const { pen } = this;
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
     const at = (a, b) => [x + cos * a - sin * b, y + sin * a + cos * b];
@@ -61,7 +62,7 @@ class Picture {
       pen.arc(x, y, size, angle, angle + 2 * Math.PI);
       if (this.lab.setup.dimensions === 2) pen.lineTo(...at(0.6 * size, 0)); // shows how it turns
     } else {
-      for (const [a, b] of outline(shape, size)) pen.lineTo(...at(a, b));
+      for (const [a, b] of outline(body)) pen.lineTo(...at(a, b));
       pen.closePath();
     }
     pen.fillStyle = this.colors[LAB_COLORS[k % LAB_COLORS.length]];

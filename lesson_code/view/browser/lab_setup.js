@@ -24,12 +24,13 @@ const LAB_COLORS = ["blue", "orange", "green", "vermilion", "purple", "sky"];
 const FIELDS = {
   mass: { label: "mass, kg", low: 0.1, high: 100, step: 0.1, isFixed: true },
   size: { label: "size, m", low: 0.02, high: 1, step: 0.05, isFixed: true },
+  corners: { label: "corners", low: 3, high: 20, step: 1, start: 5, isFixed: true, isPolygon: true },
   x: { label: "x, m", low: -100, high: 100, step: 0.1 },
   y: { label: "y, m", low: -100, high: 100, step: 0.1, isPlane: true },
   vx: { label: "velocity x, m/s", low: -50, high: 50, step: 0.1 },
   vy: { label: "velocity y, m/s", low: -50, high: 50, step: 0.1, isPlane: true },
-  angle: { low: -1e9, high: 1e9 },
-  w: { low: -1e9, high: 1e9 },
+  angle: { label: "angle, rad", low: -1e9, high: 1e9, step: 0.1, isPlane: true },
+  w: { label: "spin, rad/s", low: -1e9, high: 1e9, step: 0.1, isPlane: true },
 };
 const SETTINGS = {
   elasticity: { label: "Elasticity, %", low: 0, high: 100, step: 5, start: 100 },
@@ -40,10 +41,9 @@ const SWITCHES = {
   walls: { label: "Walls" },
 };
 const SHOWN = { velocities: "Velocities", momenta: "Momenta", centre: "Centre of mass", paths: "Paths" };
-const CORNERS = { triangle: 3, box: 4, pentagon: 5, hexagon: 6, octagon: 8 };
-const SHAPE_NAMES = ["disc", ...Object.keys(CORNERS)];
+const SHAPE_NAMES = ["disc", "box", "polygon"];
 
-const body = (x, y, vx, vy, more = {}) => ({ shape: "disc", mass: 1, size: 0.4, x, y, vx, vy, angle: 0, w: 0, ...more });
+const body = (x, y, vx, vy, more = {}) => ({ shape: "disc", mass: 1, size: 0.4, corners: 5, x, y, vx, vy, angle: 0, w: 0, ...more });
 const track = (elasticity, bodies) => ({ dimensions: 1, elasticity, friction: 0, gravity: false, walls: true, bodies });
 const plane = (elasticity, friction, gravity, bodies) => ({ dimensions: 2, elasticity, friction, gravity, walls: true, bodies });
 
@@ -56,9 +56,29 @@ const PRESETS = {
   "Friction makes spin": () => plane(60, 0.5, false, [body(-2.5, -0.4, 3, 0), body(0.5, 0, 0, 0, { size: 0.5 })]),
   "Polygons and discs that fall": () =>
     plane(30, 0.5, true, [0, 1, 2, 3, 4, 5].map((k) =>
-      body(1.1 * (k % 3) - 1 + 0.2 * (k > 2), k > 2 ? 1.6 : 0, 0, 0, { shape: ["box", "disc", "triangle", "hexagon", "disc", "pentagon"][k], size: 0.3, angle: 0.3 * k }))),
+      body(1.1 * (k % 3) - 1 + 0.2 * (k > 2), k > 2 ? 1.6 : 0, 0, 0, { shape: ["box", "disc", "polygon"][k % 3], corners: 2 * k - 1 || 3, size: 0.3, angle: 0.3 * k }))),
+  "Ball that bounces": () => plane(80, 0, true, [body(0, 1.8, 0, 0, { size: 0.2 })]),
+  "Ball between mirrors": () => plane(100, 0, false, [body(-3, -1, 3, 2, { size: 0.15 })]),
+  "Fast ball, thin plate": () =>
+    plane(50, 0, false, [body(-3.5, 0, 50, 0, { size: 0.05 }), body(0, 0, 0, 0, { shape: "polygon", corners: 3, size: 0.1, mass: 5 })]),
+  "Heavy on a light box": () =>
+    plane(0, 0.6, true, [body(0, -2.2, 0, 0, { shape: "box", size: 0.3 }), body(0, -1.4, 0, 0, { shape: "box", size: 0.5, mass: 50 })]),
   "Rack of fifteen": () => plane(95, 0, false, [body(-3, 0.02, 8, 0, { size: 0.15 }), ...rack()]),
   "Gas of 500": () => plane(100, 0, false, gas(500)),
+};
+
+/** The presets by the chapter that is about them. */
+const CHAPTERS = {
+  "01 One dimension": ["Head on, equal masses", "Heavy on light", "They stay together"],
+  "02 Restitution": ["Ball that bounces"],
+  "03 Reflection": ["Ball between mirrors"],
+  "04 Circles": ["Oblique hit", "Row of five"],
+  "05 Spin and friction": ["Friction makes spin"],
+  "06 SAT and manifolds": ["Polygons and discs that fall"],
+  "07 Time of impact": ["Fast ball, thin plate"],
+  "08 What accuracy costs": ["Rack of fifteen"],
+  "09 Hard cases": ["Heavy on a light box"],
+  "10 Only what the scene needs": ["Gas of 500"],
 };
 
 function rack() {
@@ -77,10 +97,11 @@ function gas(count) {
 /** Return a set-up with nothing in it that the lab does not know, or say what is wrong. */
 function understood(given) {
   const flag = (name) => given[name] === true;
-  const number = (name, value, { low, high, start = 0 }) => {
-    const taken = value ?? start;
-    if (typeof taken === "number" && taken >= low && taken <= high) return taken;
-    throw new RangeError(`${name} must lie between ${low} and ${high}, got ${JSON.stringify(value)}`);
+  const number = (name, value, range) => {
+    const taken = value ?? range.start ?? 0;
+    if (fits(taken, range)) return taken;
+    const kind = range.isPolygon ? "be a whole number" : "lie";
+    throw new RangeError(`${name} must ${kind} between ${range.low} and ${range.high}, got ${JSON.stringify(value)}`);
   };
   if (!Array.isArray(given?.bodies) || given.bodies.length > MOST_BODIES)
     throw new RangeError(`bodies must be a list of at most ${MOST_BODIES}`);
@@ -91,18 +112,22 @@ function understood(given) {
     gravity: flag("gravity"),
     walls: flag("walls"),
     bodies: given.bodies.map((one, k) => ({
-      shape: one.shape in CORNERS ? one.shape : "disc",
+      shape: SHAPE_NAMES.includes(one.shape) ? one.shape : "disc",
       ...Object.fromEntries(Object.entries(FIELDS).map(([name, range]) => [name, number(`bodies[${k}].${name}`, one[name], range)])),
     })),
   };
 }
 
-/** Return the corners of a regular polygon. The size of a box is half its width; that of any other
- *  polygon is the distance from its centre to a corner. */
-function outline(shape, size) {
+/** Return whether a value is a number that a range allows; corners are whole. */
+const fits = (value, { low, high, isPolygon }) =>
+  typeof value === "number" && value >= low && value <= high && (!isPolygon || Number.isInteger(value));
+
+/** Return the corners of a body. The size of a box is half its width; that of a regular polygon is
+ *  the distance from its centre to a corner. */
+function outline({ shape, size, corners }) {
   if (shape === "box") return [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => [a * size, b * size]);
-  const turn = (2 * Math.PI) / CORNERS[shape];
-  return Array.from({ length: CORNERS[shape] }, (_, k) => [size * Math.cos(k * turn), size * Math.sin(k * turn)]);
+  const turn = (2 * Math.PI) / corners;
+  return Array.from({ length: corners }, (_, k) => [size * Math.cos(k * turn), size * Math.sin(k * turn)]);
 }
 
 /** Return a set-up as the description of a scene; the walls come last. */
@@ -116,8 +141,8 @@ function sceneOf({ dimensions, elasticity, friction, gravity, walls, bodies }) {
     gravity: [0, gravity && !isTrack ? -GRAVITY : 0],
     dt: DT,
     bodies: [
-      ...bodies.map(({ shape, mass, size: s, x, y, vx, vy, angle, w: spin }) => ({
-        ...(shape === "disc" ? { circle: s } : { polygon: outline(shape, s) }),
+      ...bodies.map(({ shape, mass, size, corners, x, y, vx, vy, angle, w: spin }) => ({
+        ...(shape === "disc" ? { circle: size } : { polygon: outline({ shape, size, corners }) }),
         ...(isTrack
           ? { position: [x, 0], velocity: [vx, 0], inertia: Infinity }
           : { position: [x, y], velocity: [vx, vy], angle, angular_velocity: spin }),
