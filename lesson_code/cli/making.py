@@ -21,14 +21,23 @@ making = typer.Typer()
 @making.command(rich_help_panel=INSTRUCTORS)
 def site(
     folder: Annotated[Path, typer.Argument(help="Where the pages go: new, empty or a site.")],
+    pyodide: Annotated[
+        Path | None,
+        typer.Option(
+            help="The npm package pyodide, unpacked: exercises in the pages then need no network."
+        ),
+    ] = None,
 ) -> None:
-    """Make the workbook's pages: a folder that needs no server and no network."""
+    """Make the workbook's pages: a folder that needs no server and no network.
+
+    Only exercises that are answered in a page load Python, from the network or as --pyodide says.
+    """
     from lesson_code.course.notebooks.root import find_root
     from lesson_code.course.site.build import build
     from lesson_code.view.browser.lab import lab_html
 
     with clear_errors():
-        pages = build(find_root(), folder, lab=lab_html())
+        pages = build(find_root(), folder, lab=lab_html(), pyodide=pyodide)
     console.print(f"{pages} pages. Open {folder / 'index.html'}", soft_wrap=True, highlight=False)
 
 

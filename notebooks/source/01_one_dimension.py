@@ -110,8 +110,8 @@ check("the course's own function", inelastic_1d(1, 4, 3, 0), (1, 1))
 #
 # $$v_1' = 2V - v_1 \qquad v_2' = 2V - v_2$$
 #
-# This is called **elastic**. Textbooks write the same thing as $v_1' = \frac{(m_1 - m_2) v_1 + 2
-# m_2 v_2}{m_1 + m_2}$.
+# This is called **elastic**. Textbooks write the same thing as
+# $v_1' = \frac{(m_1 - m_2) v_1 + 2 m_2 v_2}{m_1 + m_2}$.
 
 # %%
 predict("01-elastic")

@@ -178,8 +178,8 @@ show(
 # $r \times n$ along n. So each body adds $1/m + (r \times n)^2/I$ to the change of relative
 # velocity:
 #
-# $$\frac{1}{m_\text{eff}} = \frac{1}{m_a} + \frac{1}{m_b}
-# + \frac{(r_a \times n)^2}{I_a} + \frac{(r_b \times n)^2}{I_b}$$
+# $$\frac{1}{m_\text{eff}} = \frac{1}{m_a} + \frac{1}{m_b} +
+# \frac{(r_a \times n)^2}{I_a} + \frac{(r_b \times n)^2}{I_b}$$
 #
 # Chapter 01 had the first two terms. The new ones are never negative: **a hit off centre meets a
 # smaller effective mass**. It pushes less and spins more. The same formula with t in place of n

@@ -25,6 +25,8 @@ PAGES = [
     "lab",
     "exercises",
     "search",
+    "exercises/01_one_dimension",
+    "exercises/03_reflection",
     *HANDBOOK,
     *(f"notebooks/{name}" for name in CHAPTERS),
 ]
@@ -105,19 +107,77 @@ def test_dark_and_light_follow_the_reader(site: Path, page: Page) -> None:
     assert page.evaluate("document.body.dataset.theme") != before
 
 
-def test_search_finds_a_word_of_one_chapter(site: Path, page: Page, faults: list[str]) -> None:
-    """What is typed into the box of any page is found, from a folder too."""
+@pytest.mark.parametrize(
+    ("asked", "page_found", "answer"),
+    [
+        ("Zeno", "02 Restitution", "zeno"),
+        ("bounce height", "02 Restitution", "height"),
+        ("separating axis", "06 SAT and manifolds", "separat"),
+        ("Coulomb's limit", "05 Spin and friction", "coulomb"),
+        ("tunnelling", "07 Time of impact", "tunnel"),
+    ],
+)
+def test_search_answers_with_a_sentence_of_the_page(
+    site: Path, page: Page, faults: list[str], asked: str, page_found: str, answer: str
+) -> None:
+    """What is typed is found, from a folder too, and said in a sentence of that page."""
     open_page(page, site, "index")
-    page.get_by_role("textbox", name="Search").fill("Zeno")
+    page.get_by_role("textbox", name="Search").fill(asked)
     page.keyboard.press("Enter")
-    page.locator("#search-results a", has_text="02 Restitution").wait_for(timeout=SOON)
+    result = page.locator("#search-results li", has_text=page_found).first
+    sentence = result.locator(".sentence")
+    sentence.wait_for(timeout=SOON)
+    said = sentence.inner_text()
+    assert answer in said.lower()
+    assert len(said.split()) >= 3
+    result.locator("a").first.click()
+    text = " ".join(page.locator("article").inner_text().split())
+    assert said.split(",")[0][:20] in text
     assert faults == []
+
+
+def test_code_that_only_imports_or_shows_is_folded(site: Path, page: Page) -> None:
+    """It opens by keyboard; what computes or checks is seen from the start."""
+    open_page(page, site, "notebooks/01_one_dimension")
+    folded = page.locator("details.hide")
+    assert folded.count() >= 3
+    assert not page.get_by_text("import numpy as np").first.is_visible()
+    assert page.get_by_text("equal masses exchange velocities").first.is_visible()
+    folded.first.locator("summary").focus()
+    page.keyboard.press("Enter")
+    assert page.get_by_text("import numpy as np").first.is_visible()
+
+
+def test_exercise_is_one_click_from_its_chapter(site: Path, page: Page) -> None:
+    """From the top of the chapter to its first task."""
+    open_page(page, site, "notebooks/03_reflection")
+    page.get_by_role("link", name="write it and have it checked").click()
+    assert page.get_by_role("heading", name="Task 3.1").is_visible()
+
+
+def test_pages_weigh_little(site: Path, page: Page) -> None:
+    """All files that one of them asks for, before a server packs them: 1 MB at most."""
+    for name in (
+        "index",
+        "lab",
+        "notebooks/01_one_dimension",
+        "exercises/01_one_dimension",
+        "search",
+    ):
+        files: list[Path] = []
+        page.on("request", lambda request, to=files: to.append(Path(urlsplit(request.url).path)))
+        open_page(page, site, name)
+        page.wait_for_load_state()
+        weight = sum(path.stat().st_size for path in set(files) if path.is_file())
+        assert 0 < weight <= 1_000_000, f"{name}: {weight}"
 
 
 def test_exercises_come_as_files(site: Path, page: Page) -> None:
     """Each link leads to the student copy, byte for byte, and one brings all of them."""
     open_page(page, site, "exercises")
-    links = page.locator("article td a").evaluate_all("all => all.map((link) => link.href)")
+    links = page.locator("article td a[download]").evaluate_all(
+        "all => all.map((link) => link.href)"
+    )
     given = {path.name: path.read_bytes() for path in (ROOT / "exercises").glob("[!._]*.*")}
     linked = [Path(urlsplit(link).path) for link in links]
     assert {path.name: path.read_bytes() for path in linked} == given

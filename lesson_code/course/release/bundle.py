@@ -115,7 +115,16 @@ def _taken_apart(root: Path, files: Files) -> Iterator[tuple[str, str]]:
     for code in (*_notebook_code(files), *gaps):
         _add(shown, used_names(code, answers))
     yield from _sliced_modules(answers, shown)
-    tasks = {_tasks_module(exercise): exercise.tasks for exercise in exercises()}
+    yield from practice_modules(root, exercises())
+
+
+def practice_modules(root: Path, chosen: Iterable[Exercise]) -> Iterator[tuple[str, str]]:
+    """Yield path and text of the tasks of some exercises, with practice checks in them.
+
+    What these use of other tasks, and of what draws inputs, comes with them.
+    """
+    inside = (path.relative_to(root) for path in sorted((root / CHAPTERS).rglob("*.py")))
+    tasks = {_tasks_module(exercise): exercise.tasks for exercise in chosen}
     said: Names = {module: set() for module in tasks}
     for task in (task for of_chapter in tasks.values() for task in of_chapter):
         _add(said, _said_of(task))

@@ -7,17 +7,22 @@ import io
 import shutil
 import tempfile
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
+from lesson_code.course.fresh_copies import Files
+from lesson_code.course.grading.exercises import Exercise
 from lesson_code.course.notebooks.root import how_to_install
 from lesson_code.course.site.api_pages import MODULES, write_api_pages
 from lesson_code.course.site.finishing import finish
-from lesson_code.course.site.front_pages import PAGES, TITLE, exercise_page, front_page, lab_page
+from lesson_code.course.site.front_pages import PAGES, TITLE, exercise_list, front_page, lab_page
 from lesson_code.course.site.mathml import write_font
 from lesson_code.course.site.notebook_page import NotebookPage
+from lesson_code.course.site.page_exercises import exercise_page as page_to_answer
+from lesson_code.course.site.page_exercises import offered, python_script
+from lesson_code.course.site.pyodide import BESIDE, PUBLIC, NoPyodideError, copy_pyodide
 
 NEEDS = ("sphinx", "furo", "myst_nb", "math_core", "ziamath")
 """What builds the pages, by import name."""
@@ -72,7 +77,7 @@ class MissingToolsError(SiteError):
     """What builds the pages is not installed."""
 
 
-def build(root: Path, site: Path, *, lab: str = "") -> int:
+def build(root: Path, site: Path, *, lab: str = "", pyodide: Path | None = None) -> int:
     """Make the workbook's pages.
 
     Parameters
@@ -84,6 +89,9 @@ def build(root: Path, site: Path, *, lab: str = "") -> int:
         of the latter that are made again are replaced; others stay.
     lab : str, optional
         The collision lab as HTML, for the home page and a page of its own.
+    pyodide : Path, optional
+        The npm package ``pyodide``, whose files the site then holds. By default the pages load them
+        from the public network, when an answer is run.
 
     Returns
     -------
@@ -93,16 +101,18 @@ def build(root: Path, site: Path, *, lab: str = "") -> int:
     Raises
     ------
     SiteError
-        Sphinx is not installed or finds a fault, or the folder holds something else.
+        Sphinx is not installed or finds a fault, or a folder holds something else.
     """
     _require_tools()
     _require_own(site)
     notebooks = sorted((root / "notebooks").glob("*.ipynb"))
     with tempfile.TemporaryDirectory(prefix="workbook-site-") as folder:
-        _write_sources(root, Path(folder), notebooks, lab)
+        pages = offered(root)
+        _write_sources(root, Path(folder), notebooks, lab, pages)
+        _write_exercises(root, Path(folder), pages, pyodide)
         _run_sphinx(Path(folder), site)
     finish(site)
-    return len(notebooks) + len(PAGES) + len(MODULES) + 2 + bool(lab)
+    return len(notebooks) + len(PAGES) + len(MODULES) + len(pages) + 2 + bool(lab)
 
 
 def missing_tools() -> list[str]:
@@ -124,7 +134,13 @@ def _require_own(site: Path) -> None:
         raise SiteError(f"the site's folder must be new, empty or a site, got {site} with files")
 
 
-def _write_sources(root: Path, folder: Path, notebooks: Iterable[Path], lab: str) -> None:
+def _write_sources(
+    root: Path,
+    folder: Path,
+    notebooks: Iterable[Path],
+    lab: str,
+    pages: Mapping[Exercise, Files],
+) -> None:
     """Write what Sphinx reads."""
     import nbformat
 
@@ -140,15 +156,37 @@ def _write_sources(root: Path, folder: Path, notebooks: Iterable[Path], lab: str
         (path.stem, nbformat.read(path, as_version=4))  # type: ignore[no-untyped-call]
         for path in notebooks
     ]
+    answered = {exercise.name for exercise in pages}
     for name, notebook in read:
-        page = NotebookPage(name, folder).page_of(notebook)
+        page = NotebookPage(name, folder, answered).page_of(notebook)
         text = nbformat.writes(page)  # type: ignore[no-untyped-call]
         (folder / "notebooks" / f"{name}.ipynb").write_text(text, encoding="utf-8")
     reference = write_api_pages(folder)
-    (folder / "index.md").write_text(front_page(read, reference, lab), encoding="utf-8")
+    readme = root / "README.md"
+    told = readme.read_text(encoding="utf-8") if readme.is_file() else ""
+    (folder / "index.md").write_text(front_page(read, reference, lab, told), encoding="utf-8")
     if lab:
         (folder / "lab.md").write_text(lab_page(lab), encoding="utf-8")
-    (folder / "exercises.md").write_text(exercise_page(root), encoding="utf-8")
+
+
+def _write_exercises(
+    root: Path, folder: Path, pages: Mapping[Exercise, Files], pyodide: Path | None
+) -> None:
+    """Write the pages in which exercises are answered, and the list of all exercises."""
+    scripts = folder / "_static" / "exercises"
+    for place in (scripts, folder / "exercises"):
+        place.mkdir(exist_ok=True)
+    if pyodide is not None:
+        try:
+            copy_pyodide(pyodide, folder / "_static" / BESIDE)
+        except NoPyodideError as error:
+            raise SiteError(str(error)) from error
+    address = PUBLIC if pyodide is None else f"../_static/{BESIDE}/"
+    for exercise, part in pages.items():
+        text = page_to_answer(exercise, root, address)
+        (folder / "exercises" / f"{exercise.name}.md").write_text(text, encoding="utf-8")
+        (scripts / f"{exercise.name}.js").write_text(python_script(part), encoding="utf-8")
+    (folder / "exercises.md").write_text(exercise_list(root, pages), encoding="utf-8")
 
 
 def _run_sphinx(sources: Path, site: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,22 +14,27 @@ TITLE = "Collision workbook"
 
 FRONT = """# {title}
 
+{promise}
+
 {lab}
 
-Two-dimensional collision response, from two carts on a line to piles of polygons: how to find a
-collision, how to compute what happens in it, and how to know that the answer is right. Every
-formula is compared with a physics engine that is not ours, with closed forms and with the
-conservation laws.
+{level}
 
-**In these pages** you can throw bodies at each other, read everything, play the animations, drag
-what the figures show and take the quizzes. **To run and change the code**, get the workbook's
-folder and follow its README: the pages are its notebooks.
+In these pages you throw bodies at each other, read everything, drag what the figures show, take the
+quizzes, and write [exercises](exercises.md) that are checked as you go. To run and change the code,
+get the workbook's folder and follow its README: the pages are its notebooks.
 
 ## Chapters
 
 After each of them you will be able to do what stands below it.
 
 {contents}
+
+## For instructors
+
+`workbook release` hands out the course without its solutions, `workbook grade` marks a submission
+or a whole class behind a wall, with a reason for every lost point and a hint where a mistake is
+known: [grading and isolation](pages/instructors.md).
 
 ```{{toctree}}
 :hidden:
@@ -77,22 +82,38 @@ opens the same bodies for somebody else.
 
 EXERCISE_PAGE = """# Exercises
 
-Each exercise is a file to complete. Every task is a function with an empty body; the cell below it
-checks your answer with new numbers every time, and gives a hint where an answer is a known mistake.
-The checks need the workbook's package: put the file into the folder `exercises` of the workbook,
-and open it there. `workbook grade FILE` marks a whole exercise.
+Every task is a function with an empty body. Its check calls it with new numbers every time, and
+gives a hint where an answer is a known mistake. Exercises with a link **in the page** are written
+and checked right here: Python is loaded when you press **Check**. The others, and all of them with
+NumPy, are files: put one into the folder `exercises` of the workbook, and open it there.
+`workbook grade FILE` marks a whole exercise, wherever it was written.
 
-All of them together: <a href="exercises.zip" download>exercises.zip</a>.
+All files together: <a href="exercises.zip" download>exercises.zip</a>.
 
 {table}
+
+```{{toctree}}
+:hidden:
+
+{pages}
+```
 """
+
+PROMISE = re.compile(r"^# .*\n\n((?:[^\n#!].*\n)+)")
+"""The first paragraph of the README."""
+
+LEVEL = re.compile(r"^\*\*Level:\*\*.*(?:\n.+)*", re.MULTILINE)
+"""Its lines on level and hours."""
 
 ABLE = re.compile(r"\*\*After this notebook you will be able to\*\*\s+(.*?)\n\n\S", re.DOTALL)
 """The list of what a notebook teaches, in its first cell."""
 
 
 def front_page(
-    notebooks: Sequence[tuple[str, Any]], reference: Sequence[str] = (), lab: str = ""
+    notebooks: Sequence[tuple[str, Any]],
+    reference: Sequence[str] = (),
+    lab: str = "",
+    readme: str = "",
 ) -> str:
     """Return the front page: what this is, and each chapter with what it teaches.
 
@@ -104,11 +125,16 @@ def front_page(
         The names of the pages about the public names.
     lab : str
         The collision lab as HTML; without it the page has none.
+    readme : str
+        The workbook's README, whose promise, level and hours the page repeats.
     """
     contents = "\n\n".join(_entry(name, notebook) for name, notebook in notebooks)
     documents = "\n".join(f"notebooks/{name}" for name, _ in notebooks)
+    promise, level = PROMISE.search(readme), LEVEL.search(readme)
     return FRONT.format(
         title=TITLE,
+        promise=promise[1] if promise else "",
+        level=level[0] if level else "",
         contents=contents,
         documents=documents,
         pages="\n".join(f"pages/{name}" for name in PAGES),
@@ -128,11 +154,12 @@ def as_html(text: str) -> str:
     return f"``````{{raw}} html\n{text}\n``````"
 
 
-def exercise_page(root: Path) -> str:
-    """Return the page of the exercises, each a file to download."""
-    rows = "\n".join(_row(exercise, root) for exercise in exercises())
-    head = "| exercise | tasks | points | file |\n|---|---|---|---|"
-    return EXERCISE_PAGE.format(table=f"{head}\n{rows}")
+def exercise_list(root: Path, pages: Collection[Exercise]) -> str:
+    """Return the page that lists the exercises: a file each, and a page for some."""
+    rows = "\n".join(_row(exercise, root, has_page=exercise in pages) for exercise in exercises())
+    head = "| exercise | tasks | points | here | file |\n|---|---|---|---|---|"
+    documents = "\n".join(f"exercises/{exercise.name}" for exercise in pages)
+    return EXERCISE_PAGE.format(table=f"{head}\n{rows}", pages=documents)
 
 
 def _entry(name: str, notebook: Any) -> str:
@@ -144,10 +171,11 @@ def _entry(name: str, notebook: Any) -> str:
     return f"### [{title}](notebooks/{name}.ipynb)\n\n{goals}".rstrip()
 
 
-def _row(exercise: Exercise, root: Path) -> str:
+def _row(exercise: Exercise, root: Path, *, has_page: bool) -> str:
     """Return an exercise's line of the table."""
     file = exercise.student_copy(root).name
     link = download(file, f"exercises/{file}")
+    page = f"[in the page](exercises/{exercise.name}.md)" if has_page else ""
     chapter = exercise.name[:2] if exercise.name[:2].isdigit() else ""
     title = f"{chapter} {exercise.title}".strip()
-    return f"| {title} | {len(exercise.tasks)} | {exercise.points} | {link} |"
+    return f"| {title} | {len(exercise.tasks)} | {exercise.points} | {page} | {link} |"

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 import base64
 import copy
 import itertools
 import re
 import struct
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 FIGURES = "_static/figures"
 """Where the files of figures are put, from the root of the site."""
@@ -25,6 +26,14 @@ BEGIN_ANSWER = '<details class="answer">\n<summary>Open the answer</summary>'
 END_ANSWER = "</details>"
 """What stands around the cells that answer a prediction."""
 
+IN_THE_PAGE = "write it and have it checked in the browser"
+
+SHOWING = {"show", "live", "lab", "animate", "show_quiz", "predict"}
+"""What a cell calls to show something."""
+
+TELLING = {"check", "print", "simulate"}
+"""What a cell calls that its reader should see."""
+
 
 class NotebookPage:
     """Makes one notebook's page, and writes the files of its figures.
@@ -35,9 +44,12 @@ class NotebookPage:
         The notebook's name without its suffix.
     folder : Path
         The root of the site's sources.
+    answered : collection of str
+        The exercises that have a page of their own, by name.
     """
 
-    def __init__(self, name: str, folder: Path) -> None:
+    def __init__(self, name: str, folder: Path, answered: Collection[str] = ()) -> None:
+        self._answered = answered
         self._name, self._folder, self._count = name, folder / FIGURES, 0
         self._folder.mkdir(parents=True, exist_ok=True)
 
@@ -46,14 +58,23 @@ class NotebookPage:
         page = copy.deepcopy(notebook)
         for cell in page.cells:
             if cell.cell_type == "markdown":
-                cell.source = EXERCISE.sub(
-                    lambda link: download(link[1], f"../exercises/{link[2]}"), cell.source
-                )
+                cell.source = EXERCISE.sub(self._exercise, cell.source)
             else:
                 shown = map(self._shown, cell.outputs)
                 cell.outputs = [output for output in shown if output is not None]
+        if self._name in self._answered:
+            link = f"[{IN_THE_PAGE}](../exercises/{self._name}.md)"
+            page.cells[0].source += f"\n\n**Exercise:** {link}."
         page.cells = list(_folded(page.cells))
         return page
+
+    def _exercise(self, link: re.Match[str]) -> str:
+        """Return a link to an exercise: to its page, if it has one, or to its file."""
+        words, file = link.groups()
+        stem = file.partition(".")[0]
+        if stem in self._answered:
+            return f"[{words}](../exercises/{stem}.md)"
+        return download(words, f"../exercises/{file}")
 
     def _shown(self, output: Any) -> Any:
         """Return what a page shows of an output; None for a figure's text, which its image has."""
@@ -79,8 +100,8 @@ def _folded(cells: Iterable[Any]) -> Iterator[Any]:
         if is_answer:
             yield _markdown(BEGIN_ANSWER)
         for cell in group:
-            if has_tag(cell, "plumbing"):
-                cell.metadata.tags.append("hide-input")
+            if has_tag(cell, "plumbing") or (cell.cell_type == "code" and is_plumbing(cell.source)):
+                cell.metadata["tags"] = [*cell.metadata.get("tags", ()), "hide-input"]
             yield cell
         if is_answer:
             yield _markdown(END_ANSWER)
@@ -96,6 +117,25 @@ def _markdown(text: str) -> Any:
 def has_tag(cell: Any, tag: str) -> bool:
     """Return whether a notebook's cell has a tag."""
     return tag in cell.metadata.get("tags", [])
+
+
+def is_plumbing(source: str) -> bool:
+    """Return whether a cell teaches nothing by itself: it imports, or shows what was made.
+
+    >>> is_plumbing("import numpy as np"), is_plumbing("show(figure, 'A ball.')")
+    (True, True)
+    >>> is_plumbing("check('a ball', 1, 1)"), is_plumbing("show(drawn(simulate(scene, 1.0)))")
+    (False, False)
+    """
+    tree = ast.parse(source)
+    called = {n.func.id for n in ast.walk(tree) if isinstance(n, ast.Call) and _is_named(n.func)}
+    only_imports = all(isinstance(part, ast.Import | ast.ImportFrom) for part in tree.body)
+    return only_imports or bool(called & SHOWING and not called & TELLING)
+
+
+def _is_named(function: ast.expr) -> TypeGuard[ast.Name]:
+    """Return whether a function is called by its bare name."""
+    return isinstance(function, ast.Name)
 
 
 def download(words: str, address: str) -> str:

@@ -8,7 +8,7 @@ import nbformat
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from lesson_code.course.grading.exercises import exercises
-from lesson_code.course.site.front_pages import exercise_page, front_page, lab_page
+from lesson_code.course.site.front_pages import exercise_list, front_page, lab_page
 
 ROOT = Path(__file__).parents[3]
 
@@ -24,13 +24,22 @@ def test_front_page_says_what_each_chapter_teaches() -> None:
 
 
 def test_lab_stands_first_and_alone() -> None:
-    """As it is given, on the front page above all text and on a page of its own; or nowhere."""
+    """As it is given, on the front page under its promise and on a page of its own; or nowhere."""
     lab = "<div>`A` {lab}</div>"
     page = front_page([], lab=lab)
-    assert page.index(lab) < page.index("Two-dimensional collision response")
+    assert page.index(lab) < page.index("In these pages")
     assert "\nlab\n" in page
     assert lab in lab_page(lab)
     assert "\nlab\n" not in front_page([])
+
+
+def test_front_page_opens_with_the_promise_of_the_readme_and_its_hours() -> None:
+    """The README's first paragraph stands above the lab, level and hours below it."""
+    page = front_page([], lab="<div>lab</div>", readme=(ROOT / "README.md").read_text("utf-8"))
+    parts = ("You write the formulas", "<div>lab</div>", "**Level:**", "**Time:** twelve notebooks")
+    places = [page.index(part) for part in (*parts, "## Chapters", "## For instructors")]
+    assert places == sorted(places)
+    assert "Two commands" not in page
 
 
 def test_chapter_without_goals_stands_by_its_title() -> None:
@@ -39,11 +48,14 @@ def test_chapter_without_goals_stands_by_its_title() -> None:
     assert "### [10 New](notebooks/10_new.ipynb)" in page
 
 
-def test_exercises_are_listed_with_tasks_points_and_file() -> None:
-    """Each exercise that the grader knows has a line and a link."""
-    page = exercise_page(ROOT)
-    for exercise in exercises():
+def test_exercises_are_listed_with_tasks_points_file_and_page() -> None:
+    """Each exercise that the grader knows has a line; those with a page of their own lead there."""
+    first, *others = exercises()
+    page = exercise_list(ROOT, [first])
+    for exercise in (first, *others):
         file = exercise.student_copy(ROOT).name
         line = next(line for line in page.splitlines() if file in line)
         assert f"| {len(exercise.tasks)} | {exercise.points} |" in line
         assert f'<a href="exercises/{file}" download>' in line
+        assert ("[in the page]" in line) is (exercise == first)
+    assert f"\nexercises/{first.name}\n" in page
