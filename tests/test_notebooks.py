@@ -25,7 +25,7 @@ ALL = [*CHAPTERS, *SOLUTIONS, *STUDENT_COPIES]
 CONVERTED = [path for path in CHAPTERS if "@gap(" in path.read_text(encoding="utf-8")]
 """Notebooks in which the reader predicts and writes.
 
-The others still ask in prose: this list grows to all of them.
+All chapters that have a gap; notebook 00 has no formula to write.
 """
 
 MOST_LINES_IN_A_CELL = 15

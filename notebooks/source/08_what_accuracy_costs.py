@@ -9,9 +9,9 @@
 # %% [markdown]
 # # 08 What accuracy costs
 #
-# A simulation is wrong, by a little or by a lot, and it takes time. This chapter measures both.
-# "How accurate is this program?" has no answer. "How wrong may it be, and what does that cost?"
-# has one.
+# Every simulation is wrong, by a little or by a lot, and every simulation takes time. "How accurate
+# is this program?" has no answer. "How wrong may it be, and what does that cost?" has one, and here
+# you learn to find it: you pay for a millimetre.
 #
 # **After this notebook you will be able to**
 #
@@ -19,17 +19,21 @@
 # 2. say what a shorter step, more iterations and more sub-steps buy, each in its place;
 # 3. choose the method and the setting that are good enough, and know their price.
 #
-# **You need** notebooks 00 to 07. **Time:** about 60 minutes to read, ten seconds to run.
+# **You need** notebooks 00 to 07. **Time:** about 55 minutes to read and to write two lines,
+# ten seconds to run.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
-from lesson_code import simulate
+from lesson_code import Body, Circle, Scene, Segment, simulate
 from lesson_code.chapters.ch08_what_accuracy_costs import figures as precision_plots
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.evidence import check, hard_cases
 from lesson_code.evidence import work_precision as wp
 from lesson_code.evidence.scenes import events as exact_scenes
+
+# %% tags=["plumbing"]
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.rigid_body_closed_forms import rolling_begins
 from lesson_code.view.browser.live import live
@@ -45,17 +49,21 @@ from lesson_code.view.matplotlib import plots, style
 #
 # $$E = \max_k\; \lvert\, p(t_k) - p_{\text{right}}(t_k)\,\rvert$$
 #
-# The mean would hide a bad moment, and a single time may be a lucky one. **Predict:** a ball is
-# stepped for 10 s. How does its error change in that time: evenly, or in jumps?
+# The mean would hide a bad moment, and a single time may be a lucky one.
 
 # %%
+predict("08-jumps")
+
+# %% tags=["answer"]
+# ten seconds of a ball in a box
 times = np.linspace(0, 10, 101)
 scene = exact_scenes.ball_in_a_box()
 run = simulate(scene, 10, solver="pymunk", dt=1 / 120, sample=times)
 off = exact_scenes.error_in_the_box(run)
 print(f"largest {off.max():.3f} m, mean {off.mean():.3f} m, after 8.8 s {off[88]:.3f} m")
 
-# %%
+# %% tags=["answer", "plumbing"]
+# ten seconds of a ball in a box
 fig, ax = style.figure(width=7, height=2.8)
 plots.curves(ax, {"": (times, off)}, "time, s", "distance from the right place, m")
 show(
@@ -65,22 +73,30 @@ show(
 )
 
 # %% [markdown]
-# Between two bounces the error does not change: there the ball flies straight on, and steps do
-# that without a fault. Each bounce adds to it. In the dips one of the two balls has turned round
-# and the other one has not yet: they fly towards each other. Whoever looks after 8.8 s alone finds
-# a program three times as good as it is.
+# In the dips one of the two balls has turned round and the other one has not yet: they fly towards
+# each other. Look after 8.8 s alone, and the program seems three times as good as it is.
 #
 # ## 2 Half the step, half the error
 #
-# Let us make the step half as long, again and again. If the errors follow a power of the step,
+# Make the step half as long, again and again. If the errors follow a power of the step,
 #
 # $$E = C\,dt^{\,p} \qquad\Longrightarrow\qquad \ln E = \ln C + p\,\ln dt,$$
 #
 # the exponent p is called the **order** of the method. On axes in powers of ten it is the slope of
-# a straight line. Two errors are enough to see it: $p = \ln(E_1/E_2)\,/\,\ln(dt_1/dt_2)$.
-# **Predict** the order of pymunk, and that of our own solver.
+# a straight line. Two errors are enough to see it. Write it; `math.log` is the natural logarithm.
+
 
 # %%
+@gap("08-order-of")
+def order_of(dt_1, error_1, dt_2, error_2):
+    return ...
+
+
+# %%
+predict("08-halved")
+
+# %% tags=["answer"]
+# the errors of two programs
 rates = np.array([30, 60, 120, 240, 480, 960])
 found = {}
 for solver in ("pymunk", "sequential"):
@@ -88,6 +104,8 @@ for solver in ("pymunk", "sequential"):
     found[solver] = [float(exact_scenes.error_in_the_box(run).max()) for run in runs]
 for rate, one, other in zip(rates.tolist(), *found.values(), strict=True):
     print(f"{rate:4} steps a second: pymunk {one:.4f} m, ours {other:.4f} m")
+first, last = found["pymunk"][0], found["pymunk"][-1]
+print(f"order from the first and the last: {order_of(1 / 30, first, 1 / 960, last):.2f}")
 
 # %% [markdown]
 # The two programs share no line of code, and their errors are equal to the last digit shown. So
@@ -104,7 +122,7 @@ for solver, fit in fits.items():
     print(f"{solver}: order {fit}")
 check("first order", [fit.order for fit in fits.values()], 1, tolerance=0.25)
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3.2)
 precision_plots.errors_over_steps(ax, steps, {"pymunk": found["pymunk"]}, fits)
 show(
@@ -117,18 +135,22 @@ show(
 # ## 3 Why the first order: an impact is seen late
 #
 # An engine that steps looks for overlaps at the ends of steps. If the ball has reached the wall a
-# time $\tau$ before the end, it is by $v\tau$ too deep when it is turned round. It should be as far
-# on the other side already. From then on it is wrong by
-#
-# $$E = (1 + e)\,v\,\tau \qquad 0 < \tau \le dt.$$
-#
-# Where in the step the impact falls is chance, so $\tau$ is dt/2 on average. Half the step, half
-# the delay: the order is 1. We let a ball of 1 m/s hit a wall, starting a little further away each
-# time.
+# time $\tau$ before the end, it is by $v\tau$ too deep when it is turned round. By then it should
+# be back on the other side, at e times its speed. By how much is it wrong from then on?
+
 
 # %%
-from lesson_code import Body, Circle, Scene, Segment
+@gap("08-late")
+def late_by(e, v, tau):
+    return ...
 
+
+# %% [markdown]
+# Where in the step the impact falls is chance, $0 < \tau \le dt$, so $\tau$ is dt/2 on average.
+# Half the step, half the delay: the order is 1. Let a ball of 1 m/s hit a wall, starting a little
+# further away each time.
+
+# %%
 ball, wall = Circle(0.5), Body(Segment((0, -1), (0, 1)), material=exact_scenes.ELASTIC)
 
 
@@ -144,7 +166,8 @@ def late(gap, dt):
 # %%
 dt, phases = 1 / 50, np.arange(0.05, 1, 0.1)
 errors = [late(0.5 + phase * dt, dt) for phase in phases.tolist()]
-check("(1 + e) v tau, at ten phases, m", errors, 2 * (1 - phases) * dt, tolerance=1e-12)
+law = [late_by(1.0, 1.0, (1 - phase) * dt) for phase in phases.tolist()]
+check("your law, at ten phases, m", errors, law, tolerance=1e-12)
 check("their mean: v dt, m", np.mean(errors), dt, tolerance=1e-12)
 
 # %% [markdown]
@@ -155,10 +178,12 @@ check("their mean: v dt, m", np.mean(errors), dt, tolerance=1e-12)
 # after that. So it is always a little too slow: after a time t it has fallen
 #
 # $$\tfrac{1}{2} g\,t^2 - \tfrac{1}{2} g\,t\,dt.$$
-#
-# **Predict** the error of a fall of 1 s at 60 steps a second, g = 10 m/s².
 
 # %%
+predict("08-fall")
+
+# %% tags=["answer"]
+# a fall of one second
 falling = Scene([Body(ball, mass=1.0, position=(0, 0))], gravity=(0, -10))
 for solver in ("pymunk", "sequential"):
     run = simulate(falling, 1, dt=1 / 60, solver=solver, sample="end")
@@ -167,16 +192,19 @@ run = simulate(falling, 1, solver="exact", sample="end")
 check("exact: too high by, m", run.positions[-1, 0, 1] + 5, 0, tolerance=1e-15)
 
 # %% [markdown]
-# Eight centimetres in one second, and nobody has ever complained: everything on the screen is
-# late by half a step. There are better rules for the fall, of the second order and higher. They
+# There are better rules for the fall, of the second order and higher. They
 # would not help: at the first impact the first order is back.
 #
 # ## 5 What you look at matters
 #
 # A disc slides on a rough floor until it rolls. It is left with two thirds of its speed, whatever
-# the friction. **Predict:** at thirty steps a second, how wrong are its place and its speed?
+# the friction.
 
 # %%
+predict("08-roll")
+
+# %% tags=["answer"]
+# place and speed of the disc
 rolling = rolling_begins(3.0, 0.0, 1.0, 0.5, friction=0.2, gravity=10.0)
 right = rolling.distance + rolling.velocity * (1 - rolling.time)
 for rate in (30, 120, 480):
@@ -186,9 +214,7 @@ for rate in (30, 120, 480):
     check("speed, m/s", v, rolling.velocity, tolerance=1e-12)
 
 # %% [markdown]
-# The speed is right to the last digit even with the longest step: Coulomb's rule stops exactly
-# when the slip is gone. Only the place is of the first order. So a game that asks *who wins* may
-# be right with steps that would be useless for *where*.
+# So a game that asks *who wins* may be right with steps that would be useless for *where*.
 #
 # ## 6 Accuracy against time
 #
@@ -201,7 +227,7 @@ for rate in (30, 120, 480):
 # that none of them has given; no drawing and no recording; the first run does not count; all take
 # turns, seven times; of each the shortest time.
 
-# %%
+# %% tags=["plumbing"]
 result = wp.stored()
 fig, ax = style.figure(width=9, height=3.8)
 precision_plots.work_precision(ax, result, "ball in a box")
@@ -219,8 +245,8 @@ show(
 # order; the gap between them is a factor in time. Plain Python and compiled code are one program
 # here, and give the same errors to the last bit; what lies between them is the price of the
 # language. C is pymunk's and Box2D's. A **cross** is a failure: the naive solver treats a
-# wall as a ball at its middle, and loses the ball. It is not left out, for who leaves out failures
-# finds every method good.
+# wall as a ball at its middle, and loses the ball. It is not left out: without the failures every
+# method looks good.
 
 # %%
 for line, fit in wp.orders(result, "ball in a box").items():
@@ -238,10 +264,13 @@ for point in result.lines("ball in a box")["box2d", "C"]:
 # %% [markdown]
 # Times differ from machine to machine, and from language to language. The number of **visits to a
 # contact** does not: each contact counts once in each sweep. The exact solver makes one visit for
-# each collision. Box2D has no such figure: it does not tell how many contacts it has. **Predict**
-# how the visits grow in a gas when the step gets shorter.
+# each collision. Box2D has no such figure: it does not tell how many contacts it has.
 
 # %%
+predict("08-visits")
+
+# %% tags=["answer", "plumbing"]
+# error against visits
 fig, ax = style.figure(width=9, height=3.6)
 precision_plots.work_precision(ax, result, "gas", work=True)
 precision_plots.legend_beside(ax, [p for p in result.of("gas") if p.method != "box2d"])
@@ -252,9 +281,8 @@ show(
 )
 
 # %% [markdown]
-# That is strange at first: the error falls, and the visits do not grow. In a gas each collision is
-# one contact in one step, however short that is. A shorter step only adds steps in which *nothing*
-# is found; what costs time there is the search. Each measure of work hides something.
+# What costs time in the steps without a contact is the search. Each measure of work hides
+# something.
 #
 # In "slide to roll" the naive solver is no better for shorter steps. It has no friction: a rule
 # that is missing, not an error of the step. An order of 0 says: **look for a fault that is no
@@ -267,7 +295,7 @@ check("the naive solver's order", naive.order, 0, tolerance=1e-3)
 # %% [markdown]
 # ## 7 All scenes
 
-# %%
+# %% tags=["plumbing"]
 fig = precision_plots.all_scenes(result)
 show(
     fig,
@@ -279,9 +307,13 @@ show(
 # %% [markdown]
 # In the first five scenes the **exact** solver is right to the last digits. How long would pymunk
 # take for a millionth of a millimetre? An error that is k times smaller needs $k^{1/p}$ times as
-# many steps, and so much more time. **Predict:** seconds, minutes, hours?
+# many steps, and so much more time.
 
 # %%
+predict("08-millionth")
+
+# %% tags=["answer"]
+# times at the order of each scene
 for name in ("ball in a box", "drop", "slide to roll", "gas", "pi blocks"):
     (exact,), finest = result.lines(name)["exact", "Python"], result.lines(name)["pymunk", "C"][-1]
     p = wp.orders(result, name)["pymunk", "C"].order
@@ -290,8 +322,7 @@ for name in ("ball in a box", "drop", "slide to roll", "gas", "pi blocks"):
     check("error of the exact one, m", exact.error, 0, tolerance=1e-12)
 
 # %% [markdown]
-# Minutes, hours, decades: the lower the order, the worse. Nobody has run that. The law is carried
-# far beyond the steps that it was fitted on, and rounding would come in before.
+# The law is carried far beyond the steps that it was fitted on, and rounding would come in before.
 #
 # But the exact solver *refuses* the last two scenes: boxes in a pile have contacts all the time,
 # and no next collision. There the **direct** solver plays its part. It writes down all contacts as
@@ -302,9 +333,13 @@ for name in ("ball in a box", "drop", "slide to roll", "gas", "pi blocks"):
 #
 # A pile is solved by sweeps, and a hundred sweeps a step can be spent in different ways: one step
 # with 100 iterations, 100 sub-steps with one, or something between. The number of visits is the
-# same. **Predict** which is best for a tower of twenty boxes.
+# same.
 
 # %%
+predict("08-split")
+
+# %% tags=["answer", "plumbing"]
+# both towers
 fig, axes = style.figure(2, width=10, height=3.6)
 for ax, name in zip(axes, ("stack of 20", "heavy on light"), strict=True):
     precision_plots.split_of_sweeps(ax, result, name, 100)
@@ -318,10 +353,9 @@ show(
 )
 
 # %% [markdown]
-# Two of the three want as many sub-steps as they can get. Each sub-step begins with the impulses
-# of the one before it, and so has little to mend: gravity adds no more than g h to a velocity in
-# the time h. And what a sweep leaves over moves the boxes only for that time. The errors are
-# roughly in proportion to h.
+# Two of the three want as many sub-steps as they can get: gravity adds no more than g h to a
+# velocity in the time h, and what a sweep leaves over moves the boxes only for that time. The
+# errors are roughly in proportion to h.
 #
 # The solver with springs is another matter. Its springs are the stiffer the shorter the sub-step
 # is, and one sweep carries a change by one box only. So with one sweep for each of 50 sub-steps the
@@ -368,8 +402,9 @@ for error in (1e-2, 1e-3, 1e-4):
 # enough too. Otherwise one lucky hit would win.
 #
 # The engine runs in this figure, at all its steps. One method is new: it ends a step where an
-# impact falls, and makes the rest of it after that, as the engine does for fast bodies. **Predict**
-# in which of the four scenes that helps, and by how much. Sections 3 and 4 tell why.
+# impact falls, and makes the rest of it after that, as the engine does for fast bodies. In which of
+# the four scenes does that help, and by how much? Say it before you drag; sections 3 and 4 tell
+# why.
 
 # %%
 live(
@@ -405,18 +440,21 @@ for name in ("drop", "gas", "stack of 20"):
 # keep; here is the price.
 #
 # Both ran drawn scenes, in plain Python, in the families of `workbook measure hard-cases`; the
-# sweeps ran the first few of those that the default call ran. **Predict:** in how many of the
-# families do sweeps keep the law in every draw, and how many times as long does the default call
-# take in a typical one?
+# sweeps ran the first few of those that the default call ran.
 
 # %%
+predict("08-law")
+
+# %% tags=["answer"]
+# what the families cost
 families = hard_cases.stored()
 price = {name: families.price(name) for name in families.names}
 for engine, called in (("ours", "default call"), ("sequential", "sweeps")):
     print(f"{called}: {families.holds(engine)} of {len(price)} families hold in every draw")
 print(f"time of the default call over that of sweeps: median {np.median(list(price.values())):.2g}")
 
-# %%
+# %% tags=["answer", "plumbing"]
+# what the families cost
 fig, ax = style.figure(width=9, height=4.6)
 precision_plots.prices_of_laws(ax, families)
 show(
@@ -427,9 +465,8 @@ show(
 )
 
 # %% [markdown]
-# A mark to the left of 1 is a law that costs less than nothing: what stands still soon sleeps, and
-# what is solved at once needs no ten sweeps. A full mark far to the right is money spent for
-# nothing, as far as these draws can tell. The dearest and the cheapest laws:
+# A mark to the left of 1 is a law that costs less than nothing. A full mark far to the right is
+# money spent for nothing, as far as these draws can tell. The dearest and the cheapest laws:
 
 # %%
 dearest = sorted(price, key=price.__getitem__)
@@ -462,10 +499,13 @@ print(f"pymunk at 240 steps a second is wrong by up to {step.error:.3f} m")
 # ## 12 Break it on purpose: two ways to fool yourself
 #
 # **A method as its own judge.** Often no answer is known. Then it is tempting to take the finest
-# run of a method as the right answer. **Predict** what that says of the naive solver, which knows
-# no friction, when a disc slides until it should roll.
+# run of a method as the right answer. Try it on a method that is plainly wrong.
 
 # %%
+predict("08-own-judge-first")
+
+# %% tags=["answer"]
+# off itself, and off the truth
 disc = scenes.sliding_disc(3.0, 0.2)
 ends = {
     rate: simulate(disc, 1, dt=1 / rate, solver="naive", sample="end").positions[-1, 1, 0]
@@ -476,9 +516,8 @@ for rate in (30, 60, 120):
     print(f"{rate:3} steps a second: off its own finest by {own:.4f} m, off the truth {true:.3f} m")
 
 # %% [markdown]
-# It agrees with itself to millimetres, and is three quarters of a metre off. Convergence says that
-# a program solves *some* problem ever better. Whether it is yours, only an answer from elsewhere
-# can say: a closed form, a conserved quantity, another program.
+# Convergence says that a program solves *some* problem ever better. Whether it is yours, only an
+# answer from elsewhere can say: a closed form, a conserved quantity, another program.
 #
 # **A lucky hit.** Take the error at the end alone, and look for the step that makes it least.
 
@@ -503,6 +542,15 @@ check("at the next rate four times worse", bool(ends[lucky + 1] > 4 * ends[lucky
 show_quiz("08")
 
 # %% [markdown]
+# ## Key takeaways
+#
+# - Say which number is the error before you compare: the largest distance, at many times.
+# - Stepping is of the first order, because an impact is seen late: half the step, half the error.
+# - Sub-steps and iterations buy different things. Many sub-steps with few iterations hold a tower.
+# - The exact solver has no step and no such error; it needs motion that a formula describes.
+# - Pay for what your question needs. And never let a method be its own judge.
+
+# %% [markdown]
 # ## What was checked, and what comes next
 #
 # **Checked here:** the first order of two engines; the delay of a bounce and the delay of a fall
@@ -518,8 +566,8 @@ show_quiz("08")
 # result in the place of the one drawn here.
 #
 # **Do now:** the exercise [08 What accuracy costs](../exercises/08_what_accuracy_costs.ipynb): five
-# tasks, twenty points. **Next:** [09 Hard cases](09_hard_cases.ipynb): scenes in which engines fall
-# over, and what holds them up.
+# tasks, twenty points. `workbook watch` checks it whenever you save. **Next:** [09 Hard
+# cases](09_hard_cases.ipynb): scenes in which engines fall over, and what holds them up.
 #
 # **Sources.** Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I* (2nd edition,
 # 1993): orders, and work-precision diagrams. Macklin and others, *Small Steps in Physics

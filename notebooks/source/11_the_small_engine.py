@@ -22,15 +22,18 @@
 # **You need** notebooks 00 to 07, and your solved exercises 04, 05, 06 and 11; what you have not
 # solved yet is lent. **Time:** about 50 minutes to read, fifteen seconds to run.
 
-# %%
+# %% tags=["plumbing"]
 import numpy as np
 
 from lesson_code import Body, Circle, Material, Scene, Segment, simulate
 from lesson_code.chapters.ch08_what_accuracy_costs import figures
 from lesson_code.chapters.ch11_the_small_engine import after_impacts, near_places, own_engine
 from lesson_code.chapters.ch11_the_small_engine.scenes import demo
-from lesson_code.course.quiz.notebook import show_quiz
+from lesson_code.course.grading.gaps import gap
+from lesson_code.course.quiz.notebook import predict, show_quiz
 from lesson_code.engine import small_engine
+
+# %% tags=["plumbing"]
 from lesson_code.evidence import check, work_precision
 from lesson_code.evidence.scenes import discs, events, rigid_bodies
 from lesson_code.view.browser.live import live
@@ -94,10 +97,20 @@ print(listing(small_engine, "hit", "_approach", "push", "separate"))
 #
 # ## 3 Who is near? Three ways, counted and timed
 #
+# How many pairs do N bodies make? Write it:
+
+
+# %%
+@gap("11-pairs-of")
+def pairs_of(n):
+    return ...
+
+
+# %% [markdown]
 # A thousand bodies make half a million pairs, and hardly any of them touch. A broad phase finds the
-# few that may. Comparing **every pair** costs N²/2. A **sweep** sorts the bodies from left to right
-# and compares each with those that have not ended yet: about N to the power 1.5 in a square. A
-# **grid** looks only into neighbouring cells: about N.
+# few that may. Comparing **every pair** costs about N²/2. A **sweep** sorts the bodies from left to
+# right and compares each with those that have not ended yet: about N to the power 1.5 in a square.
+# A **grid** looks only into neighbouring cells: about N.
 
 # %%
 counts = [100, 200, 400, 800, 1600]
@@ -109,8 +122,9 @@ for (name, way), power in zip(near_places.WAYS.items(), (2, 1.5, 1), strict=True
     check(f"{name}: the same pairs", list(pairs) == every, True)
     order = work_precision.fit_order(counts, compared[name]).order
     check(f"{name}: comparisons grow like N to the power", order, power, tolerance=0.1)
+check("every pair: so many, as you say", compared["every pair"], [pairs_of(n) for n in counts])
 
-# %%
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3.4)
 plots.curves(ax, {n: (counts, c) for n, c in compared.items()}, "bodies", "comparisons")
 ax.set_xscale("log")
@@ -123,9 +137,13 @@ show(
 
 # %% [markdown]
 # All three find the same pairs. A comparison is not all they do, though: sorting and cells cost
-# time, too. So who wins for few bodies? **Predict**, then look at the clock.
+# time, too.
 
-# %% tags=["nbval-ignore-output"]
+# %%
+predict("11-few-bodies")
+
+# %% tags=["nbval-ignore-output", "answer"]
+# the clock
 for count in (20, 200, 2000):
     places = near_places.crowd(count)
     for name, way in near_places.WAYS.items():
@@ -155,10 +173,21 @@ check("40 hits, all velocities after: largest difference", worst, 0.0, tolerance
 # %% [markdown]
 # ## 5 Many hits: what a step costs
 #
-# A ball in a box, without friction: chapter 07 has its path in closed form. **Predict:** how does
-# the small engine's error change when the step is halved?
+# A ball in a box, without friction: chapter 07 has its path in closed form. Which error do you
+# expect at a step of `dt_2`, if you know that at `dt_1`? The method is of the first order.
+
 
 # %%
+@gap("11-error-at")
+def error_at(dt_2, dt_1, error_1):
+    return ...
+
+
+# %%
+predict("11-half-a-step")
+
+# %% tags=["answer"]
+# six steps, each half of the one before
 times, rates = np.linspace(0, 10, 101), [30, 60, 120, 240, 480, 960]
 ball = events.ball_in_a_box()
 errors = []
@@ -169,8 +198,11 @@ steps = [1 / rate for rate in rates]
 fit = work_precision.fit_order(steps, errors)
 print(f"order {fit}")
 check("first order", fit.order, 1, tolerance=0.3)
+expected = error_at(1 / 960, 1 / 30, errors[0])
+print(f"at 1/960 s: {errors[-1]:.3f} m; you expected {expected:.3f} m")
 
-# %%
+# %% tags=["answer", "plumbing"]
+# six steps, each half of the one before
 fig, ax = style.figure(width=7, height=3.2)
 label = "small engine"
 figures.errors_over_steps(ax, steps, {label: errors}, {label: fit})
@@ -254,10 +286,14 @@ live(
 # %% [markdown]
 # ## 7 Break it on purpose: where a page is not enough
 #
-# Every engine has an edge. **Predict** for each of these three scenes what the small engine makes
-# of it, and why.
+# Every engine has an edge. Let it build a tower, stop a fast ball with a thin wall, and break a
+# rack.
 
 # %%
+predict("11-edges")
+
+# %% tags=["answer"]
+# three scenes in both engines
 hard = Material(restitution=1.0)
 fast = Body(Circle(0.1), mass=1.0, position=(-1, 0), velocity=(40, 0), material=hard)
 edges = {

@@ -20,6 +20,8 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             (1 + F(1, 2)) * 6 * F(1, 50) / 2,
         ],
     ),
+    "08-halved": (F(1), [F(2), F(1, 2)]),
+    "08-fall": (F(10) / 60 / 2, [F(10) / 60, F(10) / 60**2 / 2]),
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
 
