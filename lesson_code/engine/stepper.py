@@ -297,8 +297,9 @@ class EngineStepper(Stepper):
     def _advance(self, steps: int) -> None:
         """Make `steps` steps of dt with the stages as they are."""
         self.world.state.steps_left = steps * self._steps_a_step
-        while not self._run():
-            self._clear_the_way()
+        with one_thread() if self._solver.has_matrices else nullcontext():
+            while not self._run():
+                self._clear_the_way()
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
@@ -375,8 +376,7 @@ class EngineStepper(Stepper):
         """Make the steps that are left; return whether all are made."""
         if self._entry is not None:
             return bool(self._entry(self.world))
-        with one_thread() if self._solver.has_matrices else nullcontext():
-            return advance(self.world, self.pipeline)
+        return advance(self.world, self.pipeline)
 
     def _clear_the_way(self) -> None:
         """Remove the obstacle that has stopped a run."""

@@ -169,6 +169,9 @@ def _largest(values: Floats) -> float:
 
 def _solution(matrix: Floats, right: Floats) -> Floats:
     """Return the solution of linear equations; where chance has made them singular, the nearest."""
+    if len(right) == 1 and matrix[0, 0] != 0.0:
+        alone: Floats = right / matrix[0]
+        return alone
     try:
         solution: Floats = np.linalg.solve(matrix, right).astype(float)
     except np.linalg.LinAlgError:
