@@ -1,16 +1,18 @@
 """The complete demo: circles and polygons of all masses in one box, through one engine.
 
 Everything of the course meets here: detection, impulses with spin and friction, position
-correction, walls, and post-processing that lights up what touches.
+correction, walls, and post-processing that lights up what touches. Each scene asks a question,
+and gives the answer when it has been seen.
 """
 
 from __future__ import annotations
 
 import math
 
+from lesson_code.chapters.demo.scenes import ANSWER_STEPS, SCENES
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
-from lesson_code.geometry.shapes import Circle, Polygon, Shape
+from lesson_code.geometry.shapes import Circle, Shape
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.picture import COLOURS, FLASH, Picture
 from lesson_code.view.pygame.program import (
@@ -25,6 +27,7 @@ from lesson_code.view.pygame.program import (
     short,
 )
 from lesson_code.view.pygame.sound import Sounds
+from lesson_code.view.pygame.window import YELLOW
 
 WIDTH, HEIGHT = 8.0, 6.0
 """m: 800 x 600 px."""
@@ -35,42 +38,34 @@ GRID_SPACING = 0.5
 DENSITY = 10.0
 """kg/m^2."""
 
-FRICTION = 0.2
-RESTITUTION, RESTITUTION_STEP = 0.8, 0.05
+RESTITUTION_STEP = 0.05
 MOST_BODIES = 60
 """More do not fit into the box side by side."""
 
 KICK = 2.0
 """m/s: the most that a random impulse changes a velocity by, and a rim's speed."""
 
-START: tuple[tuple[Shape, XY, XY], ...] = (
-    (Circle(0.30), (1.2, 4.8), (1.6, -0.7)),
-    (Circle(0.40), (3.0, 4.6), (-0.9, 1.1)),
-    (Circle(0.25), (5.0, 4.9), (1.2, 0.8)),
-    (Circle(0.35), (6.6, 4.4), (-1.5, -0.4)),
-    (Circle(0.20), (1.4, 2.6), (2.0, 1.5)),
-    (Polygon.regular(3, 0.55), (3.4, 2.0), (0.8, 0.9)),
-    (Polygon.box(0.8, 0.8), (6.0, 1.8), (-1.0, 0.6)),
-)
-"""Shape, position in m and velocity in m/s of the seven bodies at the start."""
-
 
 class Demo(Game):
-    """Seven bodies in a box, and as many more as are clicked in."""
+    """The bodies of a scene in a box, and as many more as are clicked in."""
+
+    def __init__(self, seed: int = 0) -> None:
+        self.scene = SCENES["1"]
+        super().__init__(seed)
 
     def reset(self) -> None:
-        """Start again with the seven bodies, and nothing else."""
+        """Start again with the bodies of the scene, and nothing else."""
         self.random.seed(self.seed)
-        self.restitution = RESTITUTION
+        self.restitution = self.scene.restitution
         self.world = LiveWorld(room(0, 0, WIDTH, HEIGHT, self._material), callbacks=self.callbacks)
         self.walls = self.world.numbers
-        for shape, position, velocity in START:
+        for shape, position, velocity in self.scene.bodies:
             self._add(shape, position, velocity)
 
     @property
     def _material(self) -> Material:
         """The surface of all bodies."""
-        return Material(self.restitution, FRICTION)
+        return Material(self.restitution, self.scene.friction)
 
     @property
     def bodies(self) -> tuple[int, ...]:
@@ -92,7 +87,10 @@ class Demo(Game):
     def press(self, key: str) -> None:
         """Clear, reset, kick everything, or change the restitution."""
         super().press(key)
-        if key == "c":
+        if key in SCENES:
+            self.scene = SCENES[key]
+            self.reset()
+        elif key == "c":
             for number in self.bodies:
                 self.world.remove(number)
         elif key == "space":
@@ -140,6 +138,9 @@ class Demo(Game):
 def draw(game: Demo, picture: Picture, effects: ImpactEffects) -> None:
     """Draw grid and bodies, white while they touch."""
     picture.grid(GRID_SPACING)
+    picture.text(game.scene.question, (0.25, 5.75), colour=YELLOW, anchor="midleft")
+    if game.world.steps >= ANSWER_STEPS:
+        picture.text(game.scene.answer, (0.25, 5.45), anchor="midleft")
     touching = game.world.touching()
     draw_bodies(
         game.world,
@@ -166,12 +167,20 @@ PROGRAM = Program(
     draw=draw,
     readings=readings,
     keys=(
+        ("1 ... 4", "a scene and its question"),
         ("click", "add a circle"),
         ("SPACE", "random impulses"),
         ("arrows", "restitution up, down"),
         ("C", "clear"),
     ),
-    tour=((0, Input("press", "v")), (60, Input("press", "space"))),
+    tour=(
+        (0, Input("press", "v")),
+        (300, Input("press", "space")),
+        (480, Input("press", "2")),
+        (840, Input("press", "3")),
+        (1200, Input("press", "4")),
+        (1560, Input("press", "1")),
+    ),
     effects=lambda: ImpactEffects(
         sparks=Sparks(least_impulse=2.0), sounds=Sounds("wood", 0.3, 15.0)
     ),

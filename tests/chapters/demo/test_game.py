@@ -6,7 +6,9 @@ import pytest
 
 from lesson_code.chapters.demo import game as demo
 from lesson_code.chapters.demo.game import Demo
+from lesson_code.view.pygame.picture import Picture
 from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.window import Window
 
 from ..conftest import run
 
@@ -85,3 +87,42 @@ def test_demo_bodies_flash_while_they_touch() -> None:
     game.world.throw(first, (1.0, 0.0))
     run(game, 1)
     assert game.world.touching() == {first, second}
+
+
+def after(key: str) -> tuple[list[float], float]:
+    """Return the velocities along x of the first two bodies after they have met, and the energy."""
+    game = Demo(0)
+    game.press(key)
+    before = game.world.kinetic_energy()
+    run(game, 100)
+    first, second = game.bodies[:2]
+    speeds = [game.world.velocity(n)[0] for n in (first, second)]
+    return speeds, game.world.kinetic_energy() / before
+
+
+def test_demo_answers_are_what_is_seen() -> None:
+    """-3/5 and 2/5 of 2 m/s; the plank moves and turns; half of the energy."""
+    assert after("2")[0] == pytest.approx([-1.2, 0.8], rel=ROUNDING)
+    game = Demo(0)
+    game.press("3")
+    run(game, 100)
+    plank = game.bodies[1]
+    assert game.world.velocity(plank)[0] > 0.1
+    assert abs(game.world.spin(plank)) > 0.1
+    speeds, kept = after("4")
+    assert speeds == pytest.approx([1.0, 1.0], rel=ROUNDING)
+    assert kept == pytest.approx(0.5, rel=ROUNDING)
+
+
+def test_demo_answer_comes_after_the_scene(
+    program_window: Window, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The question at once, the answer four seconds later; R asks again."""
+    told: list[str] = []
+    monkeypatch.setattr(Picture, "text", lambda _, words, *__, **___: told.append(words))
+    game = Demo(0)
+    for steps, lines in ((0, 1), (240, 2)):
+        run(game, steps)
+        told.clear()
+        demo.draw(game, Picture(program_window, demo.PROGRAM.camera), demo.PROGRAM.effects())
+        assert told == [game.scene.question, game.scene.answer][:lines]
