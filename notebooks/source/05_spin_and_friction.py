@@ -282,13 +282,6 @@ check("no pressure, no friction", friction_impulse(3.0, 2.0, friction=0.5, norma
 # %%
 predict("05-sticks")
 
-# %% [markdown] tags=["answer"]
-# **The answer.**
-# Draw the impulse as an arrow: j_n up, j_t to the side. Coulomb's limit is a **cone**. The dashed
-# arrow is what would stop the sliding. If it points out of the cone, it is cut down at the same
-# height. On the right you see the friction impulse over the sliding: a ramp, with a floor and a
-# ceiling. Drag the tip of the dashed arrow into the cone and out of it.
-
 # %% tags=["answer"]
 # the cone
 live(
@@ -298,6 +291,13 @@ live(
     "Right: the friction impulse over the sliding, a ramp between two limits. You can drag the tip "
     "of the dashed arrow and the sliding, and change mu, the sliding and the normal impulse.",
 )
+
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
+# Draw the impulse as an arrow: j_n up, j_t to the side. Coulomb's limit is a **cone**. The dashed
+# arrow is what would stop the sliding. If it points out of the cone, it is cut down at the same
+# height. On the right you see the friction impulse over the sliding: a ramp, with a floor and a
+# ceiling. Drag the tip of the dashed arrow into the cone and out of it.
 
 # %% [markdown]
 # ## 5 The friction impulse turns the body
@@ -566,7 +566,7 @@ for v_x in (0.0, 0.5, 1.0):
         print(f"{solver:10}, sliding at {v_x} m/s: energy times {ratio:.3f}")
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # The floor's push turns the rod, and the tip swings to the left. Friction holds it, which turns the
 # rod back and drives the tip into the floor. So the floor has to push harder, until the tip leaves
 # with e times its approach: Newton's rule demands it, whatever it takes. Both engines agree, so no
@@ -613,7 +613,7 @@ show(
 )
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # A second wrong model has the right sign, but stops the sliding as if the disc could not turn. It
 # overshoots, again and again.
 

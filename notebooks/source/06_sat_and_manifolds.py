@@ -341,7 +341,7 @@ for name, with_plank in (("the plank is free", scene), ("the plank is a wall", w
     print(f"{name:19}: momentum {momentum[0]:+.2f} -> {momentum[1]:+.2f} kg m/s")
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # The wall gives the ball twice its momentum back. A wall may do that, for it is held by the whole
 # earth; a free plank of 1 kg may not.
 

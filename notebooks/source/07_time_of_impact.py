@@ -467,7 +467,7 @@ for digits in range(5):
     check("   energy left", energy, 1, tolerance=1e-10)
 
 # %% [markdown] tags=["answer"]
-# **The answer.**
+# <b class="answer">The answer.</b>
 # These are the digits of pi. Galperin's reason is a picture. Take $\sqrt{m_1}\,x_1$ and
 # $\sqrt{m_2}\,x_2$ as the coordinates of *one* point. The two sides of a wedge with the angle
 # $\theta$, where $\tan\theta = 1/\sqrt{M}$, are "the inner block is at the wall" and "the blocks
