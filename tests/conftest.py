@@ -18,8 +18,8 @@ from matplotlib.transforms import Bbox
 
 from lesson_code import Run, Scene
 from lesson_code.engine.compiled.library import FOLDER_VARIABLE
+from lesson_code.engine.core.impulse_table import EVENT_NUMBERS, ImpulseTable
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.run import ImpulseEvents
 from lesson_code.view.pygame.panel import PROGRAM_SIZE
 from lesson_code.view.pygame.window import Window, open_window, pygame
 
@@ -127,7 +127,8 @@ def run_made_by_hand(
     """
     shape = (len(times), len(scene.bodies))
     table = [(t, a, b, *point, *normal, jn, jt) for t, a, b, point, normal, jn, jt in contacts]
-    time, a, b, px, py, nx, ny, jn, jt = np.array(table, dtype=float).reshape(-1, 9).T
+    impulses = ImpulseTable()
+    impulses.add(np.array([(*row, 0.01) for row in table]).reshape(-1, EVENT_NUMBERS))
     return Run(
         scene=scene,
         times=np.array(times, dtype=float),
@@ -135,16 +136,7 @@ def run_made_by_hand(
         velocities=np.zeros((*shape, 2)) if velocities is None else np.array(velocities, float),
         angles=np.zeros(shape) if angles is None else np.array(angles, dtype=float),
         angular_velocities=np.zeros(shape) if spins is None else np.array(spins, dtype=float),
-        contacts=ImpulseEvents(
-            time=time,
-            body_a=a.astype(np.int64),
-            body_b=b.astype(np.int64),
-            point=np.stack((px, py), axis=-1),
-            normal=np.stack((nx, ny), axis=-1),
-            normal_impulse=jn,
-            tangent_impulse=jt,
-            penetration=np.full(len(time), 0.01),
-        ),
+        impulses=impulses,
         plan=Plan("by hand", "a test"),
     )
 

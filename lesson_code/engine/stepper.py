@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from contextlib import closing, nullcontext
 from copy import copy, deepcopy
 from dataclasses import replace
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled import (
     Code,
     Program,
+    another,
     as_arrays,
     as_rows,
     column,
@@ -31,9 +32,9 @@ from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.frames import (
     STATE_FIELDS,
     STATE_NUMBERS,
+    Frames,
     frames_at_once,
-    read_frames,
-    table_for,
+    given_back,
 )
 from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.mixing import MixingRule
@@ -309,32 +310,25 @@ class EngineStepper(Stepper):
         rows = [state_of(row) for row in self.world.bodies]
         return np.array(rows, dtype=float).reshape(-1, STATE_NUMBERS)
 
-    def states_of_steps(self, steps: int) -> Iterator[NDArray[np.float64]]:
-        """Advance by `steps` steps, and yield the states after each, shape (K, N, 6) for K steps.
-
-        The program notes them.
-        """
+    def note_steps(self, steps: int, frames: Frames, first: int) -> None:
+        """Advance by `steps` steps; the program notes the states after each, as frames."""
         if self.pipeline.listener is not None:  # callbacks may change what the scene calls for
-            yield from super().states_of_steps(steps)
+            super().note_steps(steps, frames, first)
             return
-        bodies = len(self.world.bodies)
-        at_once = min(steps, frames_at_once(bodies))
-        self._set_frames(at_once * bodies)
-        while steps > 0:
-            count = min(steps, at_once)
+        last, bodies = first + steps, len(self.world.bodies)
+        while first < last:
+            at_once = frames_at_once(bodies, is_plain=not self._compiled)
+            block = slice(first, min(first + at_once, last))
+            if not self.pipeline.effects.rotation:
+                frames.angles[block], frames.spins[block] = self.column("angle"), self.column("w")
+            self.world = frames.lend(block, self.world)
             self.world.state.steps_a_frame = self._steps_a_step
-            self.advance(count)
+            self.advance(block.stop - first)
             self.world.state.steps_a_frame = self.world.state.frame_rows = 0
-            states = np.repeat(self.states()[np.newaxis], count, axis=0)
-            noted, rotation = self.world.frames[: count * bodies], self.pipeline.effects.rotation
-            read_frames(noted, states, slice(None), rotation=rotation)
-            yield states
-            steps -= count
-        self._set_frames(0)
-
-    def _set_frames(self, rows: int) -> None:
-        """Make room for so many states that the program notes."""
-        self.world = self.world._replace(frames=table_for(self.world.frames[:0], rows))
+            frames.take(block, self.world, rotation=self.pipeline.effects.rotation)
+            frames.require_numbers(block)
+            self.world = given_back(self.world)
+            first = block.stop
 
     def states_after(self, duration: float) -> NDArray[np.float64]:
         """Return the states that a shorter step leads to, shape (N, 6); nothing else changes."""
@@ -363,8 +357,12 @@ class EngineStepper(Stepper):
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10)."""
+        return self.impulses().rows()
+
+    def impulses(self) -> ImpulseTable:
+        """Return the impulses of all steps so far, as they were written down."""
         self._take_impulses()
-        return self._impulses.rows()
+        return self._impulses
 
     def take_events(self) -> NDArray[np.float64]:
         """Return the impulses since they were last taken, shape (K, 10), and forget them."""
@@ -435,10 +433,11 @@ class EngineStepper(Stepper):
         self._entry = entry
 
     def _take_impulses(self) -> None:
-        """Take the impulses out of their table."""
-        state = self.world.state
+        """Take the impulses out of their table, and give the program another one."""
+        state, full = self.world.state, self.world.impulses
         if state.impulse_count > 0:
-            self._impulses.add(self.world.impulses[: state.impulse_count])
+            self._impulses.add(full[: state.impulse_count])
+            self.world = self.world._replace(impulses=another(full))
             state.impulse_count = 0
 
 

@@ -23,6 +23,7 @@ understand the engine, and without Numba everything runs, only more slowly.
 """
 
 from lesson_code.engine.compiled.arrays import (
+    another,
     as_arrays,
     as_rows,
     column,
@@ -38,6 +39,7 @@ from lesson_code.engine.compiled.program import Program, program_of
 __all__ = [
     "Code",
     "Program",
+    "another",
     "as_arrays",
     "as_rows",
     "column",

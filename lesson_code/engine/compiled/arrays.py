@@ -154,6 +154,14 @@ def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:
     return longer
 
 
+def another(table: Any) -> Any:
+    """Return a table as long as one that somebody else keeps, its rows not yet written.
+
+    A list is read before its rows are written again, and stays.
+    """
+    return lengthened(table[:0], len(table)) if isinstance(table, np.ndarray) else table
+
+
 def copy_of(tables: Tables) -> Tables:
     """Return a named tuple of tables, lists of rows or arrays, with rows of its own."""
     return type(tables)(*map(_copy, tables))

@@ -51,7 +51,7 @@ def add_capacity(world: World) -> World:
         static_contacts=longer(world.static_contacts, state.contacts_wanted, IndexRow),
         memory=longer(world.memory, state.contacts_wanted, MemoryRow),
         resting=longer(world.resting, state.contacts_wanted, RestingRow),
-        impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow),
+        impulses=longer(world.impulses, state.impulses_wanted, ImpulseRow, is_read=True),
     )
     state.pairs_wanted = state.contacts_wanted = state.impulses_wanted = 0
     return world
@@ -73,10 +73,13 @@ def rows_for(wanted: int) -> int:
     return max(FEWEST_ROWS, int((SPARE if wanted < LARGE else LARGE_SPARE) * wanted))
 
 
-def longer(table: Any, wanted: int, row: type) -> Any:
-    """Return a table with the rows that are wanted: the same list, or another array."""
+def longer(table: Any, wanted: int, row: type, *, is_read: bool = False) -> Any:
+    """Return a table with the rows that are wanted: the same list, or another array.
+
+    Of one that has been read nothing is copied.
+    """
     rows = rows_for(wanted)
     if isinstance(table, np.ndarray):
-        return lengthened(table, rows)
+        return lengthened(table[:0] if is_read and rows > len(table) else table, rows)
     table.extend(row() for _ in range(rows - len(table)))
     return table

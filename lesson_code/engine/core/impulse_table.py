@@ -1,4 +1,4 @@
-"""The impulses of a run so far, in one table that grows where it stands."""
+"""The impulses of a run so far, written down as they come and made numbers when somebody looks."""
 
 from __future__ import annotations
 
@@ -13,42 +13,60 @@ EVENT_NUMBERS = 10
 """Numbers of an impulse: those of :class:`lesson_code.engine.core.rows.ImpulseRow`."""
 
 
-SPARE = 1.25
-"""Times the rows that are wanted: the new length of a table that grows."""
-
-
 class ImpulseTable:
     """A table of impulses, shape (K, 10).
 
-    A pile of 3,000 discs has two million impulses in 5 s, which are 160 MB. To write them into new
-    memory, or to copy them once more in the end, takes as long as to reckon them: so the system
-    moves the table where it has to grow, without a copy.
+    A pile of 3,000 discs has two million impulses in 5 s, which are 160 MB. To copy them takes as
+    long as to reckon them, and few runs are asked for them. So the arrays that a program has
+    filled are kept as they are.
     """
 
     def __init__(self) -> None:
-        self._rows = np.empty((0, EVENT_NUMBERS))
-        self._is_seen = False
+        self._parts: list[Any] = []
         self._count = 0
 
     def __len__(self) -> int:
         return self._count
 
     def add(self, table: Any) -> None:
-        """Write down some rows: a list of ImpulseRow, or an array of such records."""
-        count = self._count + len(table)
-        if self._is_seen:
-            self._rows, self._is_seen = self._rows[: self._count].copy(), False
-        if count > len(self._rows):
-            rows = int(SPARE * count)
-            self._rows.resize((rows, EVENT_NUMBERS), refcheck=False)  # nobody has seen it
-        write_numbers(table, self._rows[self._count : count])
-        self._count = count
+        """Write down some rows: a list of ImpulseRow, or an array of such records or numbers.
+
+        An array is kept, and must not be written to any more.
+        """
+        self._parts.append(table if isinstance(table, np.ndarray) else _numbers(table))
+        self._count += len(table)
 
     def rows(self) -> Floats:
         """Return the impulses so far, shape (K, 10). What is added later is not in them."""
-        self._is_seen = True
-        return self._rows[: self._count]
+        if len(self._parts) != 1 or self._parts[0].dtype.names:
+            numbers = np.empty((self._count, EVENT_NUMBERS))
+            first = 0
+            for part in self._parts:
+                _write(part, numbers[first : first + len(part)])
+                first += len(part)
+            self._parts = [numbers]
+        (whole,) = self._parts
+        return np.asarray(whole)
 
     def forget_from(self, count: int) -> None:
-        """Forget all but so many of the first impulses, none of which anybody has seen since."""
-        self._count = count
+        """Forget all but so many of the first impulses."""
+        while self._count > count:
+            last = self._parts.pop()
+            self._count -= len(last)
+            if self._count < count:
+                self.add(last[: count - self._count])
+
+
+def _numbers(rows: list[Any]) -> Floats:
+    """Return rows as numbers."""
+    numbers = np.empty((len(rows), EVENT_NUMBERS))
+    write_numbers(rows, numbers)
+    return numbers
+
+
+def _write(part: Any, numbers: Floats) -> None:
+    """Write a part of the table as numbers."""
+    if part.dtype.names:
+        write_numbers(part, numbers)
+    else:
+        numbers[:] = part

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import Any, Literal, NamedTuple, Protocol, TypeAlias
+from typing import Any, Literal, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.columns import Floats
 from lesson_code.engine.core.frames import Frames
-from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
+from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.run import ImpulseEvents, Run
+from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
-from lesson_code.formulas.arithmetic import whole_parts
+from lesson_code.formulas.arithmetic import ROUNDING_OF_PARTS, whole_parts
 from lesson_code.formulas.validation import non_negative
 
 Sample: TypeAlias = Literal["end"] | Any
@@ -35,14 +35,15 @@ class Stepper(Protocol):
     def advance(self, steps: int) -> None:
         """Advance by `steps` steps of dt."""
 
-    def states_of_steps(self, steps: int) -> Iterator[NDArray[np.float64]]:
-        """Advance by `steps` steps, and yield the states after each, shape (K, N, 6) for K steps.
+    def note_steps(self, steps: int, frames: Frames, first: int) -> None:
+        """Advance by `steps` steps, and write down the states after each, as frames from one on.
 
         A solver of which only single states can be had takes them one by one.
         """
-        for _ in range(steps):
+        for frame in range(first, first + steps):
             self.advance(1)
-            yield self.states_after(0.0)[np.newaxis]
+            frames.put(frame, self.states_after(0.0))
+            frames.require_numbers(slice(frame, frame + 1))
 
     def states_after(self, duration: float) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6), a part of a step later, s.
@@ -53,16 +54,17 @@ class Stepper(Protocol):
     def events(self) -> NDArray[np.float64]:
         """Return the impulses of all steps so far, shape (K, 10); see :data:`Event`."""
 
+    def impulses(self) -> ImpulseTable:
+        """Return the same impulses as they were written down; to make numbers of them takes time.
+
+        A solver that has nothing but numbers gives those.
+        """
+        table = ImpulseTable()
+        table.add(self.events())
+        return table
+
     def plan(self, reason: str) -> Plan:
         """Return how the scene has been run so far; the reason is that for this solver."""
-
-
-class Moment(NamedTuple):
-    """A time at which the state is wanted: a number of whole steps, and a remainder, s."""
-
-    time: float
-    steps: int
-    rest: float
 
 
 def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reason: str) -> Run:
@@ -72,34 +74,40 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reas
     earlier one.
     """
     _require_few_steps(duration, stepper.dt)
-    moments = _moments(duration, stepper.dt, sample)
-    frames = Frames([moment.time for moment in moments], len(scene.bodies))
-    order = np.argsort(frames.times, kind="stable")
-    moments = [moments[frame] for frame in order]
-    done = at = 0
-    while at < len(moments):
-        if (ahead := _steps_in_turn(moments, at, done)) > 0:
-            for states in stepper.states_of_steps(ahead):
-                frames.put(order[at : at + len(states)], states)
-                at += len(states)
-            done += ahead
+    asked = _times(duration, stepper.dt, sample)
+    frames = Frames(sorted(asked), len(scene.bodies))
+    steps, rests = _moments(frames.times, stepper.dt)
+    ahead = _steps_in_turn(steps, rests)
+    at = done = 0
+    while at < len(steps):
+        if (count := int(ahead[at])) > 0:
+            stepper.note_steps(count, frames, at)
+            at, done = at + count, done + count
         else:
-            stepper.advance(max(moments[at].steps - done, 0))
-            frames.put(order[at], stepper.states_after(moments[at].rest))
-            done = max(done, moments[at].steps)
-            at += 1
+            stepper.advance(max(int(steps[at]) - done, 0))
+            frames.put(at, stepper.states_after(float(rests[at])))
+            frames.require_numbers(slice(at, at + 1))
+            at, done = at + 1, max(done, int(steps[at]))
     stepper.advance(whole_parts(duration, stepper.dt) - done)
-    return run_of(scene, frames, stepper.events(), stepper.plan(reason))
+    return run_of(scene, frames.in_order(asked), stepper.impulses(), stepper.plan(reason))
 
 
-def _steps_in_turn(moments: Sequence[Moment], at: int, done: int) -> int:
-    """Return how many of the moments from one on follow each other, a whole step after a step."""
-    count = 0
-    while at + count < len(moments) and moments[at + count].rest == 0.0:
-        if moments[at + count].steps != done + count + 1:
-            break
-        count += 1
-    return count
+def _moments(times: Floats, dt: float) -> tuple[NDArray[np.int64], Floats]:
+    """Return times as whole steps and rests, s; a rest that is only rounding is none."""
+    steps = np.floor(times / dt + ROUNDING_OF_PARTS)
+    return steps.astype(np.int64), np.maximum(times - steps * dt, 0.0)
+
+
+def _steps_in_turn(steps: NDArray[np.int64], rests: Floats) -> NDArray[np.int64]:
+    """Return how many of the moments from each one on follow each other, a whole step after a step.
+
+    >>> _steps_in_turn(np.array([0, 1, 2, 2, 3]), np.array([0, 0, 0, 0.5, 0])).tolist()
+    [0, 2, 1, 0, 1]
+    """
+    is_next = (rests == 0.0) & (np.diff(steps, prepend=0) == 1)
+    places = np.arange(len(steps))
+    stops = np.append(np.flatnonzero(~is_next), len(steps))
+    return np.asarray(stops[np.searchsorted(stops, places)] - places)
 
 
 def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
@@ -109,34 +117,23 @@ def moved_on(states: NDArray[np.float64], duration: float) -> NDArray[np.float64
     return later
 
 
-def run_of(scene: Scene, frames: Frames, events: Any, plan: Plan) -> Run:
-    """Return a run from the states of all bodies and from their impulses, shape (K, 10)."""
+def run_of(scene: Scene, frames: Frames, impulses: ImpulseTable, plan: Plan) -> Run:
+    """Return a run from the states of all bodies and from their impulses."""
     return Run(
         scene=scene,
         times=_frozen(frames.times),
         positions=_frozen(frames.positions),
         velocities=_frozen(frames.velocities),
         angles=_frozen(frames.angles),
-        angular_velocities=_frozen(frames.angular_velocities),
-        contacts=_events(events),
+        angular_velocities=_frozen(frames.spins),
+        impulses=impulses,
         plan=plan,
     )
 
 
-def _moments(duration: float, dt: float, sample: Sample) -> list[Moment]:
-    """Return the times at which the state is wanted."""
-    return [_moment(time, dt) for time in _times(duration, dt, sample)]
-
-
-def _moment(time: float, dt: float) -> Moment:
-    """Return a time as whole steps and a rest; a rest that is only rounding is none."""
-    steps = whole_parts(time, dt)
-    return Moment(time, steps, max(time - steps * dt, 0.0))
-
-
-def _times(duration: float, dt: float, sample: Sample) -> Iterator[float]:
-    """Yield the times at which the state is wanted, s."""
-    yield from step_times(duration, dt) if sample is None else given_times(duration, sample)
+def _times(duration: float, dt: float, sample: Sample) -> list[float]:
+    """Return the times at which the state is wanted, s."""
+    return step_times(duration, dt) if sample is None else given_times(duration, sample)
 
 
 def step_times(duration: float, dt: float) -> list[float]:
@@ -179,21 +176,6 @@ def given_times(duration: float, sample: Any) -> list[float]:
         raise ValueError(f"sample must be <= duration = {duration} s, got {times.max()}")
     given: list[float] = times.tolist()
     return given
-
-
-def _events(events: Any) -> ImpulseEvents:
-    """Return the impulses, shape (K, 10), as columns."""
-    table = _frozen(np.asarray(events, dtype=float).reshape(-1, EVENT_NUMBERS))
-    return ImpulseEvents(
-        time=table[:, 0],
-        body_a=_frozen(table[:, 1].astype(np.int64)),
-        body_b=_frozen(table[:, 2].astype(np.int64)),
-        point=table[:, 3:5],
-        normal=table[:, 5:7],
-        normal_impulse=table[:, 7],
-        tangent_impulse=table[:, 8],
-        penetration=table[:, 9],
-    )
 
 
 def _frozen(array: NDArray[Any]) -> NDArray[Any]:

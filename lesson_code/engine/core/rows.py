@@ -214,15 +214,18 @@ class ImpulseRow:
 
 
 @dataclass(slots=True)
-class FrameRow:
-    """The state of one body at a time that a run is wanted at."""
+class VectorRow:
+    """A body's place, m, or velocity, m/s, at a time that a run is wanted at."""
 
-    x: float = 0.0  # m
+    x: float = 0.0
     y: float = 0.0
-    angle: float = 0.0  # rad
-    vx: float = 0.0  # m/s
-    vy: float = 0.0
-    w: float = 0.0  # rad/s
+
+
+@dataclass(slots=True)
+class NumberRow:
+    """A body's angle, rad, or angular velocity, rad/s, at such a time."""
+
+    value: float = 0.0
 
 
 @dataclass(slots=True)
@@ -300,5 +303,8 @@ class World(NamedTuple):
     memory: list[MemoryRow]
     resting: list[RestingRow]  # the contacts of islands that sleep
     impulses: list[ImpulseRow]  # the record, until somebody takes it away
-    frames: list[FrameRow]  # the states after each step, until somebody takes them away
+    positions: list[VectorRow]  # the states after each step, a frame after the other
+    velocities: list[VectorRow]
+    angles: list[NumberRow]
+    spins: list[NumberRow]
     manifold: ManifoldRow  # scratch for the narrow phase

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.penetration import deepest_overlaps
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import Scene
@@ -73,8 +74,8 @@ class Run:
         Of the centres of mass, m and m/s.
     angles, angular_velocities : ndarray, shape (F, N)
         rad and rad/s, counter-clockwise.
-    contacts : ImpulseEvents
-        The impulses.
+    impulses : ImpulseTable
+        The impulses as they were written down; `contacts` reads them.
     plan : Plan
         How it was simulated.
     """
@@ -85,17 +86,35 @@ class Run:
     velocities: Floats
     angles: Floats
     angular_velocities: Floats
-    contacts: ImpulseEvents
+    impulses: ImpulseTable
     plan: Plan
 
     def __repr__(self) -> str:
         """Return what the run holds, in a line: the arrays would fill pages."""
-        bodies, states, impulses = len(self.scene.bodies), len(self.times), len(self.contacts)
+        bodies, states, impulses = len(self.scene.bodies), len(self.times), len(self.impulses)
         return f"<Run: bodies {bodies}, states {states}, impulses {impulses}; {self.plan.headline}>"
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take over what has come from another process, or from a file."""
         self.__dict__.update(_frozen_again(state))
+
+    @cached_property
+    def contacts(self) -> ImpulseEvents:
+        """The impulses in columns."""
+        table = self._floats(self.impulses.rows())
+        body_a, body_b = table[:, 1].astype(np.int64), table[:, 2].astype(np.int64)
+        body_a.setflags(write=False)
+        body_b.setflags(write=False)
+        return ImpulseEvents(
+            time=table[:, 0],
+            body_a=body_a,
+            body_b=body_b,
+            point=table[:, 3:5],
+            normal=table[:, 5:7],
+            normal_impulse=table[:, 7],
+            tangent_impulse=table[:, 8],
+            penetration=table[:, 9],
+        )
 
     @cached_property
     def momentum(self) -> Floats:

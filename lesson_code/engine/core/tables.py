@@ -101,7 +101,10 @@ def arrays_of(
         memory=[],
         resting=[],
         impulses=[],
-        frames=[],
+        positions=[],
+        velocities=[],
+        angles=[],
+        spins=[],
         manifold=ManifoldRow(),
     )
 

@@ -181,15 +181,17 @@ def go_on_along_face(tables: Tables, disc: DiscRow, effects: Effects) -> None:
 
 
 def note_frame(tables: Tables, time: float, effects: Effects) -> None:
-    """Note the states of all discs at a time, in the next rows of the table of frames."""
+    """Note the states of all discs at a time, each in the row of its body."""
     state = tables.state
     for i in range(len(tables.discs)):
-        disc, row = tables.discs[i], tables.frames[state.frame_rows]
-        row.x, row.y = place_at(disc, time, effects)
-        row.vx, row.vy = velocity_at(disc, time, effects)
+        disc = tables.discs[i]
+        k = state.frame_rows + disc.body
+        place, velocity = tables.positions[k], tables.velocities[k]
+        place.x, place.y = place_at(disc, time, effects)
+        velocity.x, velocity.y = velocity_at(disc, time, effects)
         if effects.rotation:
-            row.angle, row.w = turning_at(disc, time, effects)
-        state.frame_rows += 1
+            tables.angles[k].value, tables.spins[k].value = turning_at(disc, time, effects)
+    state.frame_rows += len(tables.discs) + len(tables.obstacles)
 
 
 def note_impulse(tables: Tables, i: int) -> None:

@@ -22,7 +22,7 @@ def record_exact(solver: ExactSolver, duration: float, sample: Sample, reason: s
         if sample is None
         else _at_times(solver, duration, given_times(duration, sample))
     )
-    return run_of(solver.scene, frames, solver.events(), solver.plan(reason))
+    return run_of(solver.scene, frames, solver.impulses(), solver.plan(reason))
 
 
 def _after_collisions(solver: ExactSolver, duration: float) -> Frames:
@@ -37,17 +37,14 @@ def _after_collisions(solver: ExactSolver, duration: float) -> Frames:
         times.append(duration)
         states.append(solver.states(duration))
     frames = Frames(times, len(solver.scene.bodies))
-    for frame, state in enumerate(states):
-        frames.put(frame, state)
+    frames.put(slice(None), np.array(states))
+    frames.require_numbers(slice(None))
     return frames
 
 
 def _at_times(solver: ExactSolver, duration: float, times: list[float]) -> Frames:
     """Return the states at given times, in the order in which they are given; go to the end."""
-    frames = Frames(times, len(solver.scene.bodies))
-    order = np.argsort(frames.times, kind="stable")
-    for states in solver.states_at(frames.times[order]):
-        frames.put(order[: len(states)], states)
-        order = order[len(states) :]
+    frames = Frames(sorted(times), len(solver.scene.bodies))
+    solver.note_frames(frames)
     solver.advance(duration)
-    return frames
+    return frames.in_order(times)

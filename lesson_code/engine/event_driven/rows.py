@@ -6,7 +6,14 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from lesson_code.engine.core.rows import BodyRow, ContactRow, FrameRow, ImpulseRow, IndexRow
+from lesson_code.engine.core.rows import (
+    BodyRow,
+    ContactRow,
+    ImpulseRow,
+    IndexRow,
+    NumberRow,
+    VectorRow,
+)
 from lesson_code.engine.event_driven.constants import EVENTS_A_CALL
 from lesson_code.geometry.rows import Corner
 
@@ -118,7 +125,7 @@ class ExactState:
     until: float = -math.inf  # s, later events are left alone
     moments: int = 0  # times before `until` at which states are noted
     moments_done: int = 0
-    frame_rows: int = 0  # rows in use
+    frame_rows: int = 0  # rows in use: those of all bodies at the moments that are done
     stops_at_collision: bool = False  # whether to stop after the next one, too
     stops_at_tie: bool = False  # whether to stop where two collisions of a disc come at one time
     ties: int = 0  # of those so far
@@ -148,4 +155,7 @@ class Tables(NamedTuple):
     contact: ContactRow  # scratch for a collision
     impulses: list[ImpulseRow]  # the record, until the driver takes it away
     moments: list[MomentRow]
-    frames: list[FrameRow]  # the states of the discs at those times
+    positions: list[VectorRow]  # of all bodies at those times; the program notes the discs'
+    velocities: list[VectorRow]
+    angles: list[NumberRow]
+    spins: list[NumberRow]

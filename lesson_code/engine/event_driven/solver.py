@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from copy import copy, deepcopy
 from functools import cache, partial
 from typing import Any
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled import (
     Code,
     Program,
+    another,
     as_arrays,
     copy_of,
     full_rows,
@@ -27,7 +28,7 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import longer
-from lesson_code.engine.core.frames import STATE_NUMBERS, frames_at_once, read_frames, table_for
+from lesson_code.engine.core.frames import STATE_NUMBERS, Frames, frames_at_once, given_back
 from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
@@ -134,8 +135,8 @@ class ExactSolver:
         self.tables.state.stops_at_tie = stops_at_tie
         c = scene.columns
         self._start = np.column_stack([c.x, c.y, c.angle, c.vx, c.vy, np.zeros(len(c))])
-        self._free = np.flatnonzero(c.is_free)
-        self._movers = np.flatnonzero(c.is_moving & ~c.is_free)
+        self._free, self._fixed = np.flatnonzero(c.is_free), np.flatnonzero(~c.is_free)
+        self._movers = np.flatnonzero(c.is_moving[self._fixed])
         self.collisions = 0
         self._impulses = ImpulseTable()
         self._source = partial(source_of, self._flags, record)
@@ -188,37 +189,41 @@ class ExactSolver:
 
         The shape is (N, 6).
         """
-        states: NDArray[np.float64] = self._start_at(np.array([time]))[0]
+        states = np.empty_like(self._start)
+        states[self._fixed] = self._obstacles_at(np.array([time]))[0]
         states[self._free] = self._disc_states(self._start[self._free, ANGLE], time)
         return states
 
-    def states_at(self, times: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
-        """Go on to some times, s, none before another, and yield the states at each.
+    def note_frames(self, frames: Frames) -> None:
+        """Go on to the times of some frames, which ascend; the program notes the states there."""
+        first, last = 0, len(frames.times)
+        while first < last:
+            at_once = frames_at_once(len(self._start), is_plain=isinstance(self.tables.discs, list))
+            block = slice(first, min(first + at_once, last))
+            times = frames.times[block]
+            frames.put(block, self._obstacles_at(times), self._fixed)
+            if not self._flags.rotation:
+                frames.angles[block], frames.spins[block] = self._start[:, ANGLE], 0.0
+            self._keep_frames(times, frames, block)
+            self.advance(times[-1])
+            frames.take(block, self.tables, rotation=self._flags.rotation)
+            frames.require_numbers(block)
+            self.tables = given_back(self.tables)
+            self.tables.state.moments = 0
+            first = block.stop
 
-        They come in blocks of shape (K, N, 6) for K of the times. The program notes them.
-        """
-        at_once = frames_at_once(len(self._free))
-        for first in range(0, len(times), at_once):
-            wanted = times[first : first + at_once]
-            self._keep_frames(wanted)
-            self.advance(wanted[-1])
-            states = self._start_at(wanted)
-            read_frames(self.tables.frames, states, self._free, rotation=self._flags.rotation)
-            self._keep_frames(wanted[:0])
-            yield states
-
-    def _keep_frames(self, times: NDArray[np.float64]) -> None:
+    def _keep_frames(self, times: NDArray[np.float64], frames: Frames, block: slice) -> None:
         """Have the states of all discs noted at some times."""
-        tables, rows = self.tables, len(times) * len(self._free)
         moments = new_table(MomentRow, len(times), time=times)
-        tables = tables._replace(moments=moments, frames=table_for(tables.frames[:0], rows))
+        tables = frames.lend(block, self.tables)._replace(moments=moments)
         self.tables = full_rows(tables) if isinstance(tables.discs, list) else tables
         state = self.tables.state
         state.moments, state.moments_done, state.frame_rows = len(times), 0, 0
 
-    def _start_at(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return states in which obstacles are where they are at some times, shape (K, N, 6)."""
-        states: NDArray[np.float64] = np.repeat(self._start[np.newaxis], len(times), axis=0)
+    def _obstacles_at(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the states of the M obstacles at some times, shape (K, M, 6)."""
+        start = self._start[self._fixed]
+        states: NDArray[np.float64] = np.repeat(start[np.newaxis], len(times), axis=0)
         if self._movers.size:
             ways = states[:, self._movers, 3:5] * times[:, np.newaxis, np.newaxis]
             states[:, self._movers, 0:2] += ways
@@ -226,8 +231,12 @@ class ExactSolver:
 
     def events(self) -> NDArray[np.float64]:
         """Return the impulses so far, shape (K, 10)."""
+        return self.impulses().rows()
+
+    def impulses(self) -> ImpulseTable:
+        """Return the impulses so far, as they were written down."""
         self._take_impulses()
-        return self._impulses.rows()
+        return self._impulses
 
     def take_events(self) -> NDArray[np.float64]:
         """Return the impulses since they were last taken, shape (K, 10), and forget them."""
@@ -310,10 +319,11 @@ class ExactSolver:
         self._advance = entry
 
     def _take_impulses(self) -> None:
-        """Take the impulses out of their table."""
-        state = self.tables.state
+        """Take the impulses out of their table, and give the program another one."""
+        state, full = self.tables.state, self.tables.impulses
         if state.impulse_count > 0:
-            self._impulses.add(self.tables.impulses[: state.impulse_count])
+            self._impulses.add(full[: state.impulse_count])
+            self.tables = self.tables._replace(impulses=another(full))
             state.impulse_count = 0
 
     def _make_room(self) -> None:

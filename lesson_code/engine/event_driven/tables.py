@@ -72,7 +72,10 @@ def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -
         contact=ContactRow(),
         impulses=[],
         moments=[],
-        frames=[],
+        positions=[],
+        velocities=[],
+        angles=[],
+        spins=[],
     )
 
 

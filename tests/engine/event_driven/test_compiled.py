@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -214,8 +215,11 @@ def test_compiled_run_that_was_asked_for_says_so() -> None:
     assert (plan.code, plan.code_reason) == ("compiled", "asked for")
 
 
-def test_compiling_without_a_compiler_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It says why."""
+def test_compiling_without_a_compiler_is_refused(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """It says why, where no program is kept either."""
+    monkeypatch.setenv(library.FOLDER_VARIABLE, str(tmp_path))
     monkeypatch.setattr(library.importlib.util, "find_spec", lambda _: None)
     library.forget_loaded()
     with pytest.raises(ValueError, match="compiled must be False or None here: Numba is not"):
