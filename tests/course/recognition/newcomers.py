@@ -1,6 +1,7 @@
 """Wrong answers of all chapters and programs, written from the texts of the tasks alone.
 
-Their author had not read the wrong models. Before models and slips were improved with the answers
+The author of FIRST and SECOND had not read the wrong models, that of THIRD and FOURTH those of some
+chapters. Before models and slips were improved with the answers
 at hand, 34 of 39 in FIRST were recognised, 14 of 20 in SECOND, 14 of 19 in THIRD and 15 of 20 in
 FOURTH, each written before the improvements that came of the one before it; none was explained
 falsely but one in FOURTH. (Two more earned full marks: the checks of 11.1 and B.5 were mended.)
