@@ -257,9 +257,9 @@ def velocity_of_the_tip(arguments: Arguments, answer: Any) -> str:
 
 def momentum_and_energy(arguments: Arguments, answer: Any) -> str:
     """Say what becomes of momentum and energy."""
-    masses, velocities, v = map(vector, (*arguments, answer))
-    if len(v) != len(masses):
+    if not isinstance(answer, list | tuple) or len(answer) != len(arguments[0]):
         return ""
+    masses, velocities, v = map(vector, (*arguments, answer))
     momenta = [written(float(masses @ u)) for u in (velocities, v)]
     energies = [written(float(masses @ u**2) / 2) for u in (velocities, v)]
     return (
