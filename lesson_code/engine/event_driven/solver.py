@@ -201,12 +201,12 @@ class ExactSolver:
             at_once = frames_at_once(len(self._start), is_plain=isinstance(self.tables.discs, list))
             block = slice(first, min(first + at_once, last))
             times = frames.times[block]
-            frames.put(block, self._obstacles_at(times), self._fixed)
             if not self._flags.rotation:
                 frames.angles[block], frames.spins[block] = self._start[:, ANGLE], 0.0
             self._keep_frames(times, frames, block)
             self.advance(times[-1])
             frames.take(block, self.tables, rotation=self._flags.rotation)
+            frames.put(block, self._obstacles_at(times), self._fixed)  # plain rows hold none
             frames.require_numbers(block)
             self.tables = given_back(self.tables)
             self.tables.state.moments = 0

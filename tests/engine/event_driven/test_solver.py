@@ -287,3 +287,20 @@ def test_collisions_and_impulses_are_counted_alike() -> None:
     assert len(kept.events()) == kept.collisions == other.collisions > 20
     assert len(other.events()) == 0
     assert kept.states(5.0).tolist() == other.states(5.0).tolist()
+
+
+@pytest.mark.parametrize("count", [3, 2500], ids=["few times", "more than are noted at once"])
+def test_obstacles_are_where_they_stand_and_move_at_any_given_times(count: int) -> None:
+    """A post off the origin, a turned block and a wall that moves, while a disc bounces."""
+    post = Body(Circle(0.4), position=(2.0, 1.5), angle=0.7, material=ELASTIC)
+    block = Body(Polygon.box(1, 1), position=(-3.0, 0.2), angle=0.3, material=ELASTIC)
+    wall = Body(Segment((5, -9), (5, 9)), velocity=(0.25, 0.0), material=ELASTIC)
+    disc = Body(Circle(0.3), mass=1.0, velocity=(1.0, 0.8), material=ELASTIC)
+    times = np.linspace(0.0, 2.0, count)
+    run = simulate(Scene([post, block, disc, wall]), 2.0, solver="exact", sample=times)
+    np.testing.assert_array_equal(run.positions[:, 0], np.tile((2.0, 1.5), (count, 1)))
+    np.testing.assert_array_equal(run.positions[:, 1], np.tile((-3.0, 0.2), (count, 1)))
+    np.testing.assert_array_equal(run.angles[:, :2], np.tile((0.7, 0.3), (count, 1)))
+    np.testing.assert_array_equal(run.positions[:, 3, 0], 0.25 * times)
+    np.testing.assert_array_equal(run.velocities[:, 3], np.tile((0.25, 0.0), (count, 1)))
+    assert run.max_penetration.max() < ROUNDING
