@@ -44,7 +44,7 @@ from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
-# ## 1 Break it on purpose: with a heavy load
+# ## 1 A heavy load on a light box
 #
 # A load of the mass M stands on a box of the mass m. The floor has to carry (M + m) g. Most engines
 # find the forces by **sweeps**: they visit one contact after the other. First the floor stops the
@@ -119,7 +119,7 @@ run = simulate(loads.tower((1.0, 1e6), gap=-SUNK), 10.0, solver="direct", sample
 check("1,000,000 : 1 after 10 s, overlap, m", run.max_penetration[-1], 0, tolerance=1e-3)
 
 # %% [markdown]
-# ## 2 Break it on purpose: with a tower
+# ## 2 A tower of equal boxes
 #
 # Twenty boxes of equal mass look harmless. But the weight of the highest has to get down to the
 # floor through twenty contacts, and a sweep takes it from one body to its neighbours. How many
@@ -169,7 +169,7 @@ check("pymunk has fallen: 10 sweeps after 11 s, 100 after 14 s", fallen, [True, 
 # contacts at once. So does a solver with many short steps, in which an error is passed on before it
 # grows.
 #
-# ## 3 Break it on purpose: with a floor made of tiles
+# ## 3 Break it on purpose: a floor made of tiles
 #
 # A level is built of tiles, side by side and all of one height. A disc without friction lands on
 # them and slides on at 5 m/s.
@@ -206,7 +206,7 @@ show(
 # **What helps.** Our engine compares the contacts of neighbouring pieces: where one piece already
 # carries the body, the end of the next one is no contact.
 #
-# ## 4 Break it on purpose: with friction
+# ## 4 Friction that makes energy
 #
 # Chapter 02 defined e by velocities: after the impact the bodies part at e times the approach.
 # Chapter 05 added friction. Each rule alone only loses energy.

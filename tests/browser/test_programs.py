@@ -16,6 +16,7 @@ from every_scene import DT, SCENES
 from lesson_code import Body, Circle, MixingRule, Scene
 from lesson_code.engine.compiled import as_arrays
 from lesson_code.engine.compiled.arrays import row_kinds
+from lesson_code.engine.core.frames import Frames
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.effects.choice import names_used
 from lesson_code.engine.event_driven import ExactSolver
@@ -443,17 +444,19 @@ MOMENTS = np.linspace(0.0, SECONDS, 5)
 EXACT = {name: build for name, build in SCENES.items() if not why_not(build())}
 
 GO_ON = """
-    const [tables, until, moments] = given;
+    const [tables, until, moments, bodies] = given;
     const world = await load(program_bytes);
     for (const table of world.tables) {
         const [rows, content] = tables[table.name];
         table.resize(rows);
         new Uint8Array(world.exports.memory.buffer, table.address).set(bytes(content));
     }
-    const discs = Array.from({ length: world.discs.length }, (_, k) => k);
+    const discs = Array.from({ length: world.discs.length }, (_, k) => world.discs.at(k).body);
+    discs.sort((a, b) => a - b);
     world.moments.resize(moments.length);
     moments.forEach((time, k) => (world.moments.at(k).time = time));
-    world.frames.resize(moments.length * discs.length);
+    const noted = ["positions", "velocities", "angles", "spins"].map((name) => world[name]);
+    for (const table of noted) table.resize(moments.length * bodies);
     world.state.moments = moments.length;
     const impulses = [];
     try {
@@ -466,8 +469,10 @@ GO_ON = """
     } catch (error) {
         return [error.message, "", ""];
     }
-    const frames = Array.from({ length: world.frames.length }, (_, k) => world.frames.at(k));
-    const states = frames.flatMap(({ x, y, angle, vx, vy, w }) => [x, y, angle, vx, vy, w]);
+    const states = moments.flatMap((_, k) => discs.flatMap((body) => {
+        const [place, velocity, angle, spin] = noted.map((table) => table.at(k * bodies + body));
+        return [place.x, place.y, angle.value, velocity.x, velocity.y, spin.value];
+    }));
     return ["", text(Float64Array.from(states).buffer), text(Float64Array.from(impulses).buffer)];
 """
 """Lets a world go on, and returns an error's words, the states at all moments, and impulses."""
@@ -488,12 +493,17 @@ def test_exact_solver_in_a_page_has_the_bits_of_python(
         name: [len(np.atleast_1d(table)), as_text(np.asarray(table).tobytes())]
         for name, table in start._asdict().items()
     }
-    error, states, impulses = in_page(page, "exact", GO_ON, tables, SECONDS, MOMENTS.tolist())
+    given = (tables, SECONDS, MOMENTS.tolist(), len(scene.bodies))
+    error, states, impulses = in_page(page, "exact", GO_ON, *given)
     if error:
         with pytest.raises(RuntimeError, match=error.partition(" at ")[0]):
             run.advance(SECONDS)
         return
-    expected = np.concatenate([*run.states_at(MOMENTS)])[:, scene.columns.is_free]
+    frames = Frames(MOMENTS.tolist(), len(scene.bodies))
+    run.note_frames(frames)
+    turning = np.stack([frames.angles, frames.spins], axis=-1)
+    noted = (frames.positions, turning[..., :1], frames.velocities, turning[..., 1:])
+    expected = np.concatenate(noted, axis=-1)[:, scene.columns.is_free]
     assert (np.frombuffer(states.encode("latin-1")) + 0.0).tobytes() == (expected + 0.0).tobytes()
     got = np.frombuffer(impulses.encode("latin-1")).reshape(-1, 10)
     assert (got + 0.0).tobytes() == (run.events() + 0.0).tobytes()
