@@ -257,15 +257,15 @@ def test_replay_that_is_too_long_for_a_film_is_refused(tmp_path: Path) -> None:
 def test_recording_says_what_it_is(tmp_path: Path) -> None:
     """One JSON object with version, program, seed, steps and inputs."""
     file = tmp_path / "played.json"
-    play(DEMO, seed=5, frames=70, headless=True, tour=True, record=file)
+    play(DEMO, seed=5, frames=310, headless=True, tour=True, record=file)
     stored = json.loads(file.read_text())
     assert (stored["version"], stored["program"], stored["seed"], stored["steps"]) == (
         1,
         "demo",
         5,
-        70,
+        310,
     )
-    assert [60, "press", "space", 0.0, 0.0] in stored["inputs"]
+    assert [300, "press", "space", 0.0, 0.0] in stored["inputs"]
 
 
 @pytest.mark.parametrize(
