@@ -430,7 +430,7 @@ def test_profile_shows_the_stages_of_a_step() -> None:
     profiled = profile_scene("settled-30")
     calls = {stage.name: stage.calls for stage in profiled.stages if stage.depth == 0}
     names = list(calls)
-    assert names.index("move") < names.index("find_contacts") < names.index("solve")
+    assert names.index("move") < names.index("see_contacts") < names.index("solve")
     assert (calls["move"], calls["solve"]) == (1, 10)
     assert profiled.contacts > 30
     json.dumps(profiled.as_dict(), allow_nan=False)

@@ -39,12 +39,7 @@ def write_sentences(site: Path) -> None:
 
 
 def sections_of(page: str) -> Sections:
-    """Return the sentences of a page.
-
-    >>> sections_of("<article><section id='a'><h1>Title of it</h1><p>One is. Two are here.</p>"
-    ...             "</section></article>")
-    {'a': ['Title of it', 'Two are here.']}
-    """
+    """Return the sentences of a page that have some words, section by section."""
     from bs4 import BeautifulSoup
 
     article: Any = BeautifulSoup(page, "html.parser").find("article")

@@ -69,9 +69,9 @@ def new_table(kind: type, rows: int, **columns: Any) -> Any:
 
     It stands for a list of such rows, and is typed as little as the arrays of :func:`as_arrays`.
 
-    >>> from lesson_code.engine.core.rows import PairRow
-    >>> new_table(PairRow, 2, b=[3, 4]).tolist()
-    [(0, 3), (0, 4)]
+    >>> from lesson_code.engine.core.rows import VectorRow
+    >>> new_table(VectorRow, 2, y=[3, 4]).tolist()
+    [(0.0, 3.0), (0.0, 4.0)]
     """
     array = _zeros(rows, dtype_of(kind))
     if rows > 0:
@@ -131,9 +131,9 @@ def column(table: Any, name: str) -> Any:
 def write_numbers(table: Any, numbers: NDArray[np.float64]) -> None:
     """Write a list of rows or an array of records into an array, one row of it for each row.
 
-    >>> from lesson_code.engine.core.rows import PairRow
+    >>> from lesson_code.engine.core.rows import VectorRow
     >>> numbers = np.empty((2, 2))
-    >>> write_numbers([PairRow(1, 2), PairRow(1, 3)], numbers)
+    >>> write_numbers([VectorRow(1, 2), VectorRow(1, 3)], numbers)
     >>> numbers.tolist()
     [[1.0, 2.0], [1.0, 3.0]]
     """
