@@ -63,10 +63,9 @@ AIR = 0.15
 """1/s, damping of all motion."""
 
 FALL = (0.0, -9.81)
-GRIPS = 0.5
-"""Friction of all contacts."""
+"""m/s^2, and the material of all bodies: as a slider finds them."""
 
-RUBBER = Material(restitution=0.0, friction=GRIPS)
+RUBBER = Material(restitution=0.0, friction=0.5)
 LEDGES = (Ledge((0.0, 0.9), (2.2, 0.5), 0.1), Ledge((6.0, 0.7), (8.0, 0.7), 0.1))
 PLACES: tuple[XY, ...] = ((2.4, 4.6), (4.3, 3.2), (5.9, 4.9))
 COLOURS: tuple[Colour, ...] = (SKY, ORANGE, GREEN, PURPLE, YELLOW)
@@ -108,9 +107,9 @@ class SoftBody(Game):
         self._p, self._v = np.empty((0, 2)), np.empty((0, 2))
         self._touching: set[tuple[int, int]] = set()
         for place in PLACES:
-            self.drop(place)
+            self.add_ring(place)
 
-    def drop(self, place: XY) -> None:
+    def add_ring(self, place: XY) -> None:
         """Add a soft body, round and at rest."""
         turns = [2 * math.pi * k / MASSES for k in range(MASSES)]
         points = np.array([(math.cos(t), math.sin(t)) for t in turns]) * RADIUS + place
@@ -127,7 +126,7 @@ class SoftBody(Game):
         """Start again, add a body, or kick them all."""
         super().press(key)
         if key == "b" and len(self.rings) < MOST_BODIES and self._has_room_above():
-            self.drop((WIDTH / 2, HEIGHT - 1.0))
+            self.add_ring((WIDTH / 2, HEIGHT - 1.0))
         elif key == "space":
             for k in range(len(self.rings)):
                 kick = self.random.uniform(-2, 2), self.random.uniform(2, 5)
@@ -155,16 +154,19 @@ class SoftBody(Game):
         """Release what is held."""
         self.grip = None
 
+    grab, pull, put, drop = down, drag, drag, let_go
+    """The right button holds a mass as the left one does: a hand on the world would hold a copy."""
+
     def step(self) -> None:
         """Make one step: forces, contacts, motion, in short parts."""
         h, pushes = TIME_STEP / SUBSTEPS, np.zeros((len(self._p), len(self.rings) + 1))
         for _ in range(SUBSTEPS):
-            self._v += h * (self.forces() / BEAD_MASS + FALL)
+            self._v += h * (self.forces() / BEAD_MASS + self.gravity)
             self._v *= math.exp(-AIR * h)
             reach = MARGIN + 2 * h * float(np.hypot(*self._v.T).max())
             contacts = self._skins.contacts(self._p, reach)
             walls = walls_at(self._p, (WIDTH, HEIGHT), BEAD, h)
-            impulses = resolve(contacts, self._v, walls, BEAD_MASS, GRIPS, h)
+            impulses = resolve(contacts, self._v, walls, BEAD_MASS, self.friction, h)
             self._p += h * self._v
             push_out(contacts, self._p)
             self._note(contacts, impulses, pushes)
@@ -208,7 +210,7 @@ class SoftBody(Game):
             points=(self.world.position(bead),),
             penetration=0.0,
             restitution=0.0,
-            friction=GRIPS,
+            friction=self.friction,
             normal_impulse=impulse,
         )
 
@@ -250,6 +252,11 @@ class SoftBody(Game):
         """Return the area of a body, m^2; without the rule it is not known."""
         return float(self.ask(ring_area, points, otherwise=math.nan))
 
+    @property
+    def friction(self) -> float:
+        """Coefficient of friction of all contacts."""
+        return self.world.body(self.rings[0][0]).material.friction or 0.0
+
     def points(self) -> Any:
         """Return where the masses of all bodies are, m, shape (bodies, MASSES, 2)."""
         return self._p.reshape(-1, MASSES, 2)
@@ -281,7 +288,7 @@ class SoftBody(Game):
         gas = PRESSURE * areas * (ratios - 1 - np.log(np.maximum(ratios, 1e-9)))
         return (
             BEAD_MASS * float((self._v**2).sum()) / 2,
-            -BEAD_MASS * FALL[1] * float((self._p[:, 1] - BEAD).sum()),
+            -BEAD_MASS * self.gravity[1] * float((self._p[:, 1] - BEAD).sum()),
             stored,
             float(np.nan_to_num(gas).sum()),
         )
@@ -342,6 +349,7 @@ PROGRAM = Program(
         ("SPACE", "kick them all"),
         ("B", "one more"),
     ),
+    forbids={"restitution": "soft bodies give way: nothing bounces", "mass": "all weigh the same"},
     camera=Camera(left=0.0, bottom=0.0, scale=100.0),
     tour=(
         (150, Input("press", "space")),

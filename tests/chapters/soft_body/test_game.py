@@ -52,6 +52,41 @@ def test_soft_body_follows_the_mouse() -> None:
     assert np.isfinite(game.world.states()).all()
 
 
+def test_right_button_holds_a_soft_body_as_the_left_one_does() -> None:
+    """It pulls, lets go, and adds nothing."""
+    games = [SoftBody(0), SoftBody(0)]
+    for game, (take, pull, leave) in zip(
+        games, (("down", "move", "up"), ("grab", "pull", "drop")), strict=True
+    ):
+        run(game, 100)
+        x, y = game.world.position(game.rings[0][0])
+        for kind, place in ((take, (x, y)), (pull, (x, y + 1.0))):
+            game.take(Input(kind, place=place))
+        run(game, 30)
+        game.take(Input(leave, place=(x, y + 1.0)))
+        run(game, 30)
+    assert np.array_equal(games[0].snapshot(), games[1].snapshot())
+    assert len(games[1].rings) == 3
+
+
+def test_sliders_reach_the_soft_bodies() -> None:
+    """Without gravity they stay where they are; without friction the floor takes less speed."""
+    game = SoftBody(0)
+    game.take(Input("set", "gravity", (0.0, 0.0)))
+    before = game.points().mean(axis=1)
+    run(game, 60)
+    assert game.points().mean(axis=1) == pytest.approx(before, abs=1e-9)
+    left = []
+    for friction in (0.0, 0.5):
+        game = SoftBody(0)
+        run(game, 300)
+        game.take(Input("set", "friction", (friction, 0.0)))
+        game._v[:, 0] = 1.0
+        run(game, 6)
+        left.append(game._v[:, 0].mean())
+    assert left[0] > 1.1 * left[1]
+
+
 def deepest(game: SoftBody) -> float:
     """Return how far a mass, or the end of a ledge, is in a body, as a part of its radius."""
     return float(-game.gaps().min() / RADIUS)
