@@ -48,8 +48,12 @@ def regenerate(
     ] = False,
     names: Annotated[list[str] | None, typer.Argument(help="Only files that begin so.")] = None,
 ) -> None:
-    """Make every notebook and student copy anew from its source, and programs that have changed."""
+    """Make every notebook and student copy anew from its source, and programs that have changed.
+
+    The README's table of notebooks, too.
+    """
     from lesson_code.course.grading.exercises import exercises
+    from lesson_code.course.notebooks import contents
     from lesson_code.course.notebooks.regenerate import derived_files, drifted
     from lesson_code.course.notebooks.root import find_root, require_instructors
     from lesson_code.view.browser import lab_still, programs, stills
@@ -60,7 +64,7 @@ def regenerate(
         root = find_root()
         require_instructors(root)
         if only_check:
-            lines = drifted(root, tasks)
+            lines = [*drifted(root, tasks), *contents.drifted(root)]
             lines += [line for kind in kinds for line in kind.drifted(root)]
             for line in lines:
                 say_error(line)
@@ -78,6 +82,8 @@ def regenerate(
                 file.write()
                 say_made(file.path, root)
                 made += 1
+        for path in contents.write(root):
+            say_made(path, root)
         if names and not made:
             raise ValueError(f"names must begin a file's name, such as 01, got {', '.join(begins)}")
 

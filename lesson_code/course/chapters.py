@@ -46,7 +46,7 @@ class Chapter:
 
     @property
     def summary(self) -> str:
-        """What a program shows, in a sentence; empty for others."""
+        """What one can do after a notebook, or what a program shows, in a sentence."""
         return " ".join(self._docstring.partition("\n")[2].split())
 
     @property

@@ -1,1 +1,4 @@
-"""Start here."""
+"""Start here.
+
+Name the stages of every collision; read a check.
+"""

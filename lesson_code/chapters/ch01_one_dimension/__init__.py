@@ -1,1 +1,4 @@
-"""One dimension."""
+"""One dimension.
+
+Compute any collision on a line.
+"""

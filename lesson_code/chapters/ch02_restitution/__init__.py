@@ -1,1 +1,4 @@
-"""Restitution."""
+"""Restitution.
+
+Predict how high and how long a ball bounces.
+"""

@@ -1,1 +1,4 @@
-"""Reflection."""
+"""Reflection.
+
+Bounce a ball off any wall.
+"""

@@ -1,1 +1,4 @@
-"""Circles."""
+"""Circles.
+
+Let discs of any mass meet at any angle.
+"""

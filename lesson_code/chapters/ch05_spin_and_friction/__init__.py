@@ -1,1 +1,4 @@
-"""Spin and friction."""
+"""Spin and friction.
+
+Compute an impact with spin and friction.
+"""

@@ -1,1 +1,4 @@
-"""SAT and manifolds."""
+"""SAT and manifolds.
+
+Find where polygons touch, and stack them.
+"""

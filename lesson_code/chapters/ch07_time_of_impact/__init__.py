@@ -1,1 +1,4 @@
-"""Time of impact."""
+"""Time of impact.
+
+Find when bodies meet, and go from collision to collision.
+"""

@@ -1,1 +1,4 @@
-"""What accuracy costs."""
+"""What accuracy costs.
+
+Choose a method and its settings by what they cost.
+"""

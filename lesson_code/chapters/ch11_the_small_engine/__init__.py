@@ -1,1 +1,4 @@
-"""The small engine."""
+"""The small engine.
+
+Put an engine together from your own functions, and test it.
+"""
