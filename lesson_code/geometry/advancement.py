@@ -132,12 +132,15 @@ def advance(
 ) -> tuple[float, bool]:
     """Return the time of :func:`advance_to_impact`, and whether the search came to its end."""
     motion = motion_of(corners, a, b)
-    t = 0.0
+    t = before = 0.0
     for _ in range(MOST_LOOKS):
         at = pose_at(a, b, t)
         gap, nx, ny = separation_rows(corners, a, b, at)
         if gap <= tolerance and is_closing(corners, a, b, at, motion, gap, nx, ny, tolerance):
+            if gap < -tolerance:
+                t = start_of_closing(corners, a, b, motion, before, t, tolerance)
             return t, True
+        before = t
         target = 0.5 * tolerance if gap > tolerance else gap - tolerance
         step = safe_time(corners, a, b, at, motion, gap, nx, ny, target, duration - t)
         if gap < -tolerance:  # not beyond the end of the overlap
@@ -148,6 +151,32 @@ def advance(
             return t, True  # as near as floats of this size can tell
         t = max(t + step, t * NEXT_FLOAT)
     return t, False
+
+
+def start_of_closing(
+    corners: Sequence[Corner],
+    a: SweptBody,
+    b: SweptBody,
+    motion: Motion,
+    before: float,
+    after: float,
+    tolerance: float,
+) -> float:
+    """Return when bodies that overlap come nearer again, s, by halving the time between two looks.
+
+    At the first look they part, at the second one they close: where their depth is least, it
+    hardly changes, and looks that follow the depth come too late by the root of the tolerance.
+    """
+    while True:
+        t = 0.5 * (before + after)
+        if t <= before or t >= after:
+            return after
+        at = pose_at(a, b, t)
+        gap, nx, ny = separation_rows(corners, a, b, at)
+        if is_closing(corners, a, b, at, motion, gap, nx, ny, tolerance):
+            after = t
+        else:
+            before = t
 
 
 def shortest_way_out(motion: Motion, depth: float) -> float:
