@@ -69,8 +69,10 @@ class Watched:
     Attributes
     ----------
     difference : str
-        The first answer that was not the lesson's, in words; "" while there is none.
+        The first answer that failed or was not the lesson's, in words; "" while there is none.
     """
+
+    is_own = True
 
     def __init__(self, own: Callable[..., Any], lesson: Callable[..., Any]) -> None:
         self._own, self._lesson, self.__name__ = own, lesson, own.__name__
@@ -85,16 +87,26 @@ class Watched:
     def __call__(self, *arguments: Any) -> Any:
         """Return the player's answer."""
         given = deepcopy(arguments)
-        self._is_written = False
-        answer = self._own(*arguments)
+        try:
+            answer = self._own(*arguments)
+        except NotImplementedError:
+            self._is_written = False
+            raise
+        except Exception as error:  # a player's code may raise anything
+            self._is_written = True
+            self._tell(given, f"fails with {type(error).__name__}: {error}")
+            raise
         self._is_written = True
         if self.is_compared and not self.difference:
             expected = self._lesson(*deepcopy(given))
             if not alike(answer, expected):
-                call = f"{self.__name__}({', '.join(map(in_short, given))})"
-                mine, theirs = in_short(answer), in_short(expected)
-                self.difference = f"{call} is {mine}; the lesson's is {theirs}"
+                self._tell(given, f"is {in_short(answer)}; the lesson's is {in_short(expected)}")
         return answer
+
+    def _tell(self, given: tuple[Any, ...], what: str) -> None:
+        """Say what is wrong with a call, if it is the first one."""
+        if not self.difference:
+            self.difference = f"{self.__name__}({', '.join(map(in_short, given))}) {what}"
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Watched:
         """Return itself: what it has seen is no part of a game's state."""
@@ -120,8 +132,8 @@ def alike(answer: Any, expected: Any) -> bool:
     if isinstance(expected, str) or not np.iterable(expected):
         try:
             return bool(np.isclose(answer, expected, rtol=1e-9, atol=1e-9))
-        except TypeError:
-            return bool(answer == expected)
+        except (TypeError, ValueError):  # no number, or many
+            return type(answer) is type(expected) and bool(answer == expected)
     if isinstance(answer, str) or not np.iterable(answer):
         return False
     mine, theirs = list(answer), list(expected)

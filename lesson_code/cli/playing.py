@@ -130,7 +130,7 @@ def _play(
         highlight=False,
     )
     for missing in outcome.game.missing.values():
-        console.print(f"Not written yet: {missing}", markup=False, highlight=False)
+        console.print(f"{missing[0].upper()}{missing[1:]}", markup=False, highlight=False)
     if outcome.film is not None:
         film = outcome.film
         end = ", the most that a film takes" if film.is_full else ""

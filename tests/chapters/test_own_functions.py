@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,11 +14,11 @@ from lesson_code.chapters.own_functions import Watched, alike, load_own
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.view.pygame.frame import play
 from lesson_code.view.pygame.painter import Painter
-from lesson_code.view.pygame.picture import Picture
+from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
 from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import Session
-from lesson_code.view.pygame.window import Window
+from lesson_code.view.pygame.window import Window, pygame
 
 EXERCISES = [name for name in program_summaries() if name not in ("simulator", "demo")]
 
@@ -100,6 +102,65 @@ def test_lesson_s_own_functions_differ_nowhere(name: str) -> None:
     shown = play(program, frames=40, headless=True, tour=True, settings=settings).game
     assert (plain.snapshot() == shown.snapshot()).all()
     assert [one.difference for one in watched] == [""] * len(watched)
+
+
+def raises(*arguments: Any) -> Any:
+    """Divide by zero."""
+    return 1 / 0
+
+
+def gives_nothing(*arguments: Any) -> Any:
+    """Forget to return."""
+
+
+def gives_words(*arguments: Any) -> Any:
+    """Return what is no number."""
+    return "forward"
+
+
+def gives_too_many(*arguments: Any) -> Any:
+    """Return more than was asked for."""
+    return [[1.0, 2.0, 3.0]] * 7
+
+
+def gives_nan(*arguments: Any) -> Any:
+    """Return a number that is none, where numbers are asked for."""
+    return float("nan")
+
+
+@pytest.mark.parametrize("bad", [raises, gives_nothing, gives_words, gives_too_many, gives_nan])
+@pytest.mark.parametrize("name", EXERCISES)
+def test_program_goes_on_whatever_a_function_does_and_says_what(
+    name: str, bad: Callable[..., Any]
+) -> None:
+    """Each of the seven plays its tour with functions that fail or give what is of no use."""
+    program = load_own(name).program
+    assert program.with_own is not None
+    watched = []
+    for one in program.own:
+        bad.__name__ = one.__name__
+        watched.append(Watched(bad, one))
+    game = play(
+        program, frames=60, headless=True, tour=True, settings=program.with_own(*watched)
+    ).game
+    assert np.isfinite(game.snapshot()).all()
+    assert game.missing
+    for one in watched:
+        if one in game.missing:
+            assert game.missing[one].startswith(f"{one.__name__} failed: ")
+            assert one.difference.startswith(f"{one.__name__}(")
+            assert one.reading()[1] == "yours, and not the lesson's"
+
+
+def test_notice_that_is_long_is_written_in_lines(program_window: Window) -> None:
+    """All of it is seen: a box as wide as the field at most."""
+    picture = Picture(program_window, load("pool").camera)
+    picture.notice(
+        "split failed: ValueError: answer must be 3 x 2 finite numbers, got " + "0, " * 40
+    )
+    drawn = np.argwhere(pygame.surfarray.array2d(program_window.surface))
+    assert drawn[:, 0].min() > 0
+    assert np.ptp(drawn[:, 0]) < FIELD_SIZE[0]
 
 
 def test_program_that_is_no_exercise_is_refused() -> None:

@@ -27,6 +27,7 @@ from lesson_code.view.pygame.program import (
     Input,
     Program,
     Readings,
+    numbers,
     short,
 )
 from lesson_code.view.pygame.sound import Sounds
@@ -254,7 +255,7 @@ class Asteroids(Game):
         angle = self.world.angle(self.ship)
         velocity = self.world.velocity(self.ship)
         guns = SHIP_MASS, SHOT_MASS, MUZZLE, angle
-        after = self.ask(self._fire, velocity, *guns, otherwise=None)
+        after = self.ask(self._fire, velocity, *guns, form=numbers(2, 2), otherwise=None)
         if after is None:
             return
         self._last_shot, (ship, shot) = self.world.steps, after
@@ -317,7 +318,9 @@ class Asteroids(Game):
         headings = [drawn + 2 * math.pi * k / HEADINGS for k in range(HEADINGS)]
         heading = min(headings, key=lambda h: self._overlap(around(place, reach, h), radii))
         burst = velocity, masses, BURST_SPEED, heading
-        velocities = np.asarray(self.ask(self._split, *burst, otherwise=[velocity] * PIECES))
+        velocities = self.ask(
+            self._split, *burst, form=numbers(PIECES, 2), otherwise=np.array([velocity] * PIECES)
+        )
         places = around(place, reach, heading)
         for away, radius, v in zip(places, radii, velocities.tolist(), strict=True):
             self._add_rock(away, radius, (v[0], v[1]))

@@ -62,9 +62,6 @@ MOST_LEFT_OVER = 0.25
 BALL, MASS = len(CUSHIONS), 1.0
 """The ball's number, after those of the cushions; and its mass, kg, for the sound of an impact."""
 
-NOTHING_MOVES = object()
-"""Stands for an answer while `advance` is not written; None would be a wrong one."""
-
 RAIL, CUSHION = 28.0, 12.0
 """px: width of the frame round the table, and of the cushions, its inner part."""
 
@@ -173,10 +170,10 @@ class Billiards(Game):
         elapsed = min(self.left_over, MOST_LEFT_OVER) + TIME_STEP
         before = self.velocity
         ball = self.position, self.velocity
-        answer = self.ask(self._advance, *ball, elapsed, otherwise=NOTHING_MOVES)
-        if answer is NOTHING_MOVES:
+        answer = self.ask(self._advance, *ball, elapsed, form=_checked_answer, otherwise=None)
+        if answer is None:
             return
-        self.position, self.velocity, hits, self.left_over = _checked_answer(answer)
+        self.position, self.velocity, hits, self.left_over = answer
         self.time += elapsed - self.left_over
         self.trail.append(as_place(self.position))
         self._count(hits, before)

@@ -21,7 +21,15 @@ from lesson_code.formulas import bounce
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.view.pygame.effects import Sparks, Trails
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
+from lesson_code.view.pygame.program import (
+    Game,
+    ImpactEffects,
+    Input,
+    Program,
+    Readings,
+    numbers,
+    room,
+)
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import GREEN, INK, ORANGE, PURPLE, SKY, VERMILION, YELLOW
 
@@ -187,8 +195,9 @@ class Breakout(Game):
     def _from_paddle(self, offset: float) -> XY:
         """Return the velocity of a ball that leaves the paddle: straight up without the rule."""
         straight = 0.0, self.speed
-        x, y = self.ask(self._paddle_bounce, offset, self.speed, otherwise=straight)
-        return x, y
+        leaving = offset, self.speed
+        x, y = self.ask(self._paddle_bounce, *leaving, form=numbers(2), otherwise=straight)
+        return float(x), float(y)
 
     def step(self) -> None:
         """Make one step: paddle, ball, and what it has hit."""

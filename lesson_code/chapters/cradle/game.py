@@ -19,7 +19,7 @@ from lesson_code.formulas import kinetic_energy, momentum
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import FADED_INK, INK, ORANGE, SKY, YELLOW
 
@@ -179,7 +179,8 @@ class Cradle(Game):
             masses: Sequence[float], velocities: Sequence[float], restitution: float
         ) -> list[float]:
             given = (masses, velocities, restitution)
-            return [float(v) for v in self.ask(LAWS[name], *given, otherwise=velocities)]
+            form = numbers(len(masses))
+            return [float(v) for v in self.ask(LAWS[name], *given, form=form, otherwise=velocities)]
 
         return law
 

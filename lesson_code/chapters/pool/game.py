@@ -22,7 +22,7 @@ from lesson_code.geometry import time_of_impact
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Flashes, Trails
 from lesson_code.view.pygame.picture import COLOURS, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import INK, ORANGE, SKY, Colour, blend
 
@@ -94,7 +94,8 @@ class Pool(Game):
         self.match, self.plays_itself, self.is_in_hand = Match(), False, False
         self._moves_cue, self._rested = False, 0
         self._labels = dict(enumerate(PLACES, start=1))
-        places = [HEAD, *self.ask(self._rack, FOOT, RADIUS, GAP, otherwise=())]
+        rack = self.ask(self._rack, FOOT, RADIUS, GAP, form=numbers(-1, 2), otherwise=())
+        places = [HEAD, *((float(x), float(y)) for x, y in rack)]
         self.world = LiveWorld(
             [self._ball(place) for place in places] + cushions(),
             callbacks=self.callbacks,
@@ -199,7 +200,7 @@ class Pool(Game):
     def strike(self, impulse: XY) -> None:
         """Strike the cue ball."""
         cue = impulse, self.offset * RADIUS, MASS, RADIUS
-        after = self.ask(self._strike, *cue, otherwise=None)
+        after = self.ask(self._strike, *cue, form=_struck, otherwise=None)
         if after is not None:
             self._begin_stroke()
             self.world.throw(self.cue, *after)
@@ -328,6 +329,13 @@ def ball_colour(number: int) -> Colour:
     if number == 8:
         return HOLE
     return INK if number == 0 or number > 15 else COLOURS[(number - 1) % 8]
+
+
+def _struck(answer: Any) -> tuple[XY, float]:
+    """Return velocity and spin of a ball that was struck, or raise a ValueError."""
+    velocity, spin = answer
+    (x, y), spin = numbers(2)(velocity).tolist(), numbers()(spin)
+    return (x, y), float(spin)
 
 
 def draw(game: Pool, picture: Picture, effects: ImpactEffects) -> None:

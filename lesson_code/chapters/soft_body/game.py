@@ -29,7 +29,15 @@ from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, room
+from lesson_code.view.pygame.program import (
+    Game,
+    ImpactEffects,
+    Input,
+    Program,
+    Readings,
+    numbers,
+    room,
+)
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -85,6 +93,9 @@ HEARD = 0.02
 STRIDES = (1, 3, 5)
 """Springs tie a mass to the next one, the third and the fifth: none of these divides 16, so that
 the masses in steps of each make one ring again."""
+
+EACH = numbers(MASSES, 2)
+"""What a rule gives for each mass of a ring."""
 
 SPRINGS = np.array([(k, (k + stride) % MASSES) for stride in STRIDES for k in range(MASSES)])
 """The masses that each spring of a body ties."""
@@ -239,18 +250,18 @@ class SoftBody(Game):
             order = stride * np.arange(MASSES) % MASSES
             spring = rest_length(stride), STIFFNESS, DAMPING
             ring = points[order], velocities[order]
-            forces[order] += self.ask(ring_forces, *ring, *spring, otherwise=0.0)
+            forces[order] += self.ask(ring_forces, *ring, *spring, form=EACH, otherwise=0.0)
         return forces
 
     def _push(self, points: Any, area: float) -> Any:
         """Return the forces of a body's gas; without the rules it has none."""
         if math.isnan(area):
             return 0.0
-        return np.asarray(self.ask(pressure_forces, points, area, PRESSURE, otherwise=0.0))
+        return self.ask(pressure_forces, points, area, PRESSURE, form=EACH, otherwise=0.0)
 
     def _area(self, points: Any) -> float:
         """Return the area of a body, m^2; without the rule it is not known."""
-        return float(self.ask(ring_area, points, otherwise=math.nan))
+        return float(self.ask(ring_area, points, form=numbers(), otherwise=math.nan))
 
     @property
     def friction(self) -> float:

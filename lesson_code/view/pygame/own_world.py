@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.live_world import TIME_STEP
-from lesson_code.view.pygame.program import Game, Readings
+from lesson_code.view.pygame.program import Game, Readings, numbers
 
 PARTS = 10
 """Of a step: a player's function makes this many at once; 600 in a second."""
@@ -59,6 +59,11 @@ class OwnWorld(Game):
     def moved(self, first: Any, second: Any) -> Any:
         """Return the state after one step."""
         raise NotImplementedError
+
+    def answered(self, first: Any, second: Any, *rest: Any) -> Any:
+        """Return the state that the function makes of this one, or this one."""
+        form = numbers(2, *np.shape(first))
+        return self.ask(self._move, first, second, *rest, form=form, otherwise=(first, second))
 
 
 def rate_readings(game: OwnWorld) -> Readings:

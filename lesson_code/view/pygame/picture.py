@@ -52,6 +52,9 @@ PANEL_WIDTH = 280
 FAR = 10_000.0
 """px: pygame cannot draw at any distance."""
 
+NOTICE_WIDTH, LINE = 0.8, 22
+"""Of the field's width, at most; points, from line to line."""
+
 SPOKE = 0.5
 """Of the radius: where a spoke begins."""
 
@@ -261,15 +264,23 @@ class Picture:
         self.window.text(words, place, colour=colour, size=size, anchor=anchor)
 
     def notice(self, words: str) -> None:
-        """Write a line in a box in the middle of the field, over everything; no words, no box."""
+        """Write words in a box in the middle of the field, over everything; no words, no box."""
         if not words:
             return
-        centre = self.seen.centerx, self.seen.top + self.seen.height / 3
+        lines = self.window.wrapped(words, NOTICE_WIDTH * self.seen.width)
+        x, y = self.seen.centerx, self.seen.top + self.seen.height / 3
+        places = [(x, y + self.window.px(LINE) * k) for k in range(len(lines))]
         rim = self.window.px(28), self.window.px(18)
-        box = self.window.text(words, centre, anchor="center").inflate(rim)
+
+        def write() -> list[pygame.Rect]:
+            pairs = zip(lines, places, strict=True)
+            return [self.window.text(line, place, anchor="center") for line, place in pairs]
+
+        first, *others = write()
+        box = first.unionall(others).inflate(rim)
         pygame.draw.rect(self._field, BACKGROUND, box)
         pygame.draw.rect(self._field, FADED_INK, box, 1)
-        self.window.text(words, centre, anchor="center")
+        write()
 
 
 def is_upright(corners: Sequence[Place]) -> bool:

@@ -8,6 +8,7 @@ without. A `Program` puts a title, a camera and a way of drawing beside it.
 from __future__ import annotations
 
 import math
+import reprlib
 from collections.abc import Callable, Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
@@ -120,7 +121,7 @@ class Game:
     listeners : list of callable
         Called for each touch that begins; effects and sound are among them.
     missing : dict
-        The rules that were asked and are not written yet, and what they say of it.
+        The rules that gave no answer to go on with, and why.
     """
 
     def __init__(self, seed: int = 0) -> None:
@@ -255,15 +256,38 @@ class Game:
         """Return the energy in springs and the like, J."""
         return 0.0
 
-    def ask(self, rule: Callable[..., Any], *arguments: Any, otherwise: Any) -> Any:
-        """Return what a rule says that a player may write; while it is not written, `otherwise`.
+    def ask(
+        self,
+        rule: Callable[..., Any],
+        *arguments: Any,
+        form: Callable[[Any], Any],
+        otherwise: Any,
+    ) -> Any:
+        """Return what a rule says that a player may write; `otherwise` where that is nothing.
 
-        As in a check, it is given vectors as NumPy arrays of its own.
+        It is nothing while the rule is not written, and where a player's fails or gives what is of
+        no use. As in a check, it is given vectors as NumPy arrays of its own.
+
+        Parameters
+        ----------
+        rule : callable
+            The lesson's, whose errors are raised; or a player's, which has an attribute `is_own`.
+        *arguments
+            What it is called with.
+        form : callable
+            Brings an answer to the form the game takes, and raises where it cannot.
+        otherwise
+            Returned as it is.
         """
         try:
-            answer = rule(*map(_own, arguments))
+            answer = form(rule(*map(_own, arguments)))
         except NotImplementedError as error:
-            self.missing[rule] = str(error) or rule.__name__
+            self.missing[rule] = f"not written yet: {str(error) or rule.__name__}"
+            return otherwise
+        except Exception as error:  # a player's code may raise anything
+            if not hasattr(rule, "is_own"):
+                raise
+            self.missing[rule] = f"{rule.__name__} failed: {type(error).__name__}: {error}"
             return otherwise
         self.missing.pop(rule, None)
         return answer
@@ -271,7 +295,7 @@ class Game:
     @property
     def notice(self) -> str:
         """Message to the player in the middle of the field: usually none, or what is missing."""
-        return next((f"not written yet: {rule}" for rule in self.missing.values()), "")
+        return next(iter(self.missing.values()), "")
 
     def step(self) -> None:
         """Let one time step pass."""
@@ -303,6 +327,34 @@ class Game:
 
     def touched(self, touch: Touch) -> None:
         """Handle two bodies that begin to touch."""
+
+
+def numbers(*shape: int) -> Callable[[Any], NDArray[np.float64]]:
+    """Return what makes an answer an array of finite numbers of a shape; -1 is any length.
+
+    >>> numbers(2, -1)([[1, 2, 3], [4, 5, 6]]).tolist()
+    [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]
+    >>> numbers(2)([1.0, None])
+    Traceback (most recent call last):
+    ...
+    ValueError: answer must be 2 finite numbers, got [1.0, None]
+    """
+
+    def form(answer: Any) -> NDArray[np.float64]:
+        try:
+            array = np.array(answer, dtype=float)
+        except (TypeError, ValueError):
+            array = np.array(np.nan)
+        fits = array.ndim == len(shape) and all(
+            wanted in (-1, length) for wanted, length in zip(shape, array.shape, strict=True)
+        )
+        if not fits or not np.isfinite(array).all():
+            size = " x ".join("N" if length < 0 else str(length) for length in shape)
+            asked = f"{size} finite numbers" if shape else "a finite number"
+            raise ValueError(f"answer must be {asked}, got {reprlib.repr(answer)}")
+        return array
+
+    return form
 
 
 def _own(argument: Any) -> Any:
