@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.scene import Scene
 from lesson_code.geometry.shapes import Circle, Shape
-from lesson_code.view import palette
 from lesson_code.view.matplotlib import style
+from lesson_code.view.palette import ON_WHITE
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -42,12 +42,12 @@ SLIMMEST = 0.7
 """A view is at least this many times as wide as it is high."""
 
 BODY_COLORS = (
-    palette.BLUE,
-    palette.VERMILION,
-    palette.GREEN,
-    palette.ORANGE,
-    palette.PURPLE,
-    palette.SKY,
+    ON_WHITE.blue,
+    ON_WHITE.vermilion,
+    ON_WHITE.green,
+    ON_WHITE.orange,
+    ON_WHITE.purple,
+    ON_WHITE.sky,
 )
 """Of the first, second, ... body that can be pushed; then from the beginning again."""
 
@@ -166,7 +166,7 @@ def body_colors(scene: Scene) -> list[str]:
 
     >>> from lesson_code import Body, Circle, Scene
     >>> body_colors(Scene([Body(Circle(1.0)), Body(Circle(1.0), mass=1.0)]))
-    ['#6E6E6E', '#0072B2']
+    ['#6E6E6E', '#0068A6']
     """
     colors, moving = [], 0
     for body in scene.bodies:

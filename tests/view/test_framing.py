@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Polygon, Scene, Segment
-from lesson_code.view import framing, palette
+from lesson_code.view import framing
 from lesson_code.view.framing import View, view_of
 from lesson_code.view.matplotlib import style
+from lesson_code.view.palette import ON_WHITE
 
 SAME: Any = {"rel": 1e-12, "abs": 1e-12}
 """The edges are a few sums and products of doubles."""
@@ -145,7 +146,7 @@ def test_static_bodies_are_grey_and_the_others_take_turns_at_the_palette() -> No
     scene = Scene([floor(1), *(ball() for _ in range(4)), floor(2), *(ball() for _ in range(3))])
     colors = framing.body_colors(scene)
     assert (colors[0], colors[5]) == (style.GREY, style.GREY)
-    assert colors[1:4] == [palette.BLUE, palette.VERMILION, palette.GREEN]
+    assert colors[1:4] == [ON_WHITE.blue, ON_WHITE.vermilion, ON_WHITE.green]
     assert len(set(colors[1:5] + colors[6:8])) == 6
     assert colors[8] == colors[1]
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import re
+from dataclasses import asdict
 from functools import cache
 from html import escape
 from importlib.resources import files
@@ -18,8 +19,8 @@ from pathlib import Path
 from IPython.display import display
 
 import lesson_code
-from lesson_code.view import palette
 from lesson_code.view.browser import programs
+from lesson_code.view.palette import PUBLISHED
 
 CHAPTERS = Path(lesson_code.__file__).parent / "chapters"
 
@@ -127,10 +128,9 @@ def _opening(named: str) -> str:
 
 
 def colors() -> str:
-    """Return the palette as the variables of a style.
+    """Return the palette as variables of a style; ``figure.js`` blends it with the text's colour.
 
     >>> colors().split(";")[0]
     '--blue:#0072B2'
     """
-    named = {name.lower(): value for name, value in vars(palette).items() if name.isupper()}
-    return ";".join(f"--{name}:{value}" for name, value in named.items())
+    return ";".join(f"--{name}:{value}" for name, value in asdict(PUBLISHED).items())

@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from lesson_code.view.palette import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
+from lesson_code.view.palette import ON_WHITE
 
 __all__ = [
     "BLUE",
@@ -24,6 +24,8 @@ __all__ = [
     "plain",
 ]
 
+BLUE, ORANGE, GREEN = ON_WHITE.blue, ON_WHITE.orange, ON_WHITE.green
+VERMILION, PURPLE, SKY = ON_WHITE.vermilion, ON_WHITE.purple, ON_WHITE.sky
 GREY = "#6E6E6E"
 INK = "#222222"
 

@@ -21,7 +21,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
-from lesson_code.view import palette
+from lesson_code.view.palette import PUBLISHED, rgb
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 try:
@@ -56,13 +56,13 @@ Colour: TypeAlias = tuple[int, int, int]
 Place: TypeAlias = tuple[float, float]
 """x to the right and y down, px."""
 
-ORANGE: Colour = palette.rgb(palette.ORANGE)
-SKY: Colour = palette.rgb(palette.SKY)
-GREEN: Colour = palette.rgb(palette.GREEN)
-YELLOW: Colour = palette.rgb(palette.YELLOW)
-BLUE: Colour = palette.rgb(palette.BLUE)
-VERMILION: Colour = palette.rgb(palette.VERMILION)
-PURPLE: Colour = palette.rgb(palette.PURPLE)
+ORANGE: Colour = rgb(PUBLISHED.orange)
+SKY: Colour = rgb(PUBLISHED.sky)
+GREEN: Colour = rgb(PUBLISHED.green)
+YELLOW: Colour = rgb(PUBLISHED.yellow)
+BLUE: Colour = rgb(PUBLISHED.blue)
+VERMILION: Colour = rgb(PUBLISHED.vermilion)
+PURPLE: Colour = rgb(PUBLISHED.purple)
 
 INK: Colour = (240, 240, 236)
 FADED_INK: Colour = (176, 184, 188)

@@ -5,42 +5,10 @@ from __future__ import annotations
 import subprocess
 import sys
 
-import numpy as np
-import pytest
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from lesson_code.view.matplotlib import style
-
-OKABE_AND_ITO = {
-    "BLUE": (0, 114, 178),
-    "ORANGE": (230, 159, 0),
-    "GREEN": (0, 158, 115),
-    "VERMILION": (213, 94, 0),
-    "PURPLE": (204, 121, 167),
-    "SKY": (86, 180, 233),
-}
-READABLE = 3.0
-"""Contrast that WCAG 2 asks of lines and large text (1.4.11)."""
-
-
-def luminance(color: str) -> float:
-    """Return the relative luminance of a colour, as WCAG defines it."""
-    parts = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(color)]
-    return float(np.dot(parts, (0.2126, 0.7152, 0.0722)))
-
-
-@pytest.mark.parametrize(("name", "expected"), OKABE_AND_ITO.items())
-def test_colours_are_those_of_okabe_and_ito(name: str, expected: tuple[int, int, int]) -> None:
-    """The palette is the published one, which the colour-blind can tell apart."""
-    assert tuple(round(255 * part) for part in to_rgb(getattr(style, name))) == expected
-
-
-@pytest.mark.parametrize("name", ["FIRST", "SECOND", "GREEN", "GREY", "INK"])
-def test_lines_and_words_can_be_read_on_white(name: str) -> None:
-    """Every colour that lines or words are drawn in stands out from the page."""
-    assert 1.05 / (luminance(getattr(style, name)) + 0.05) >= READABLE
 
 
 def test_roles_of_one_figure_have_different_colours() -> None:

@@ -11,7 +11,6 @@ import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from lesson_code.view.pygame.window import (
@@ -34,6 +33,8 @@ from lesson_code.view.pygame.window import (
     smooth_disc,
     warn_if_both_installed,
 )
+
+from ..colours import contrast
 
 LEAST_CONTRAST = 3.0
 """Of what is drawn to what it is drawn on, as WCAG 2.2 asks of graphics."""
@@ -202,16 +203,6 @@ def test_arrow_stands_out_from_whatever_it_is_drawn_on(
     assert colour in across
     assert max(contrast(one, ground) for one in across) >= LEAST_CONTRAST
     assert contrast(colour, BACKGROUND) >= LEAST_CONTRAST
-
-
-def contrast(a: tuple[int, ...], b: tuple[int, ...]) -> float:
-    """Return the contrast ratio of two colours as WCAG 2.2 defines it, 1 to 21."""
-    linear = [
-        [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in np.array(c) / 255]
-        for c in (a, b)
-    ]
-    dark, light = sorted(float(np.dot((0.2126, 0.7152, 0.0722), one)) for one in linear)
-    return (light + 0.05) / (dark + 0.05)
 
 
 def test_arrow_of_no_length_draws_nothing(window: Window) -> None:
