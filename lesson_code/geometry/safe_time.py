@@ -8,7 +8,7 @@ the rate s. The gap along it between a corner p of A and a corner q of B,
 (a dash: turned by +90 degrees; a corner turns against the axis at the difference of both rates),
 and a second derivative of at most
 
-    k = (w_a - s)^2 size_a + (w_b - s)^2 size_b + s^2 abs(d) + 2 abs(s) abs(v)
+    k = (w_a - s)^2 abs(p) + (w_b - s)^2 abs(q) + s^2 abs(d) + 2 abs(s) abs(v)
 
 in size. Hence the gap is never below gap + rate t - k t^2 / 2, and the time in which the lowest of
 these parabolas falls to a target is safe. Three axes are tried, and the longest time counts: the
@@ -200,14 +200,16 @@ def fall_time(
     First the two corners are taken that lead at the limit. If their parabola falls to the target
     before, the limit moves there, and others may lead; each choice of corners comes up once.
     """
-    gap, _ = leading_gap(corners, a, b, at, motion, axis, as_circle_a, as_circle_b, 0.0)
+    gap, _, _ = leading_gap(corners, a, b, at, motion, axis, as_circle_a, as_circle_b, 0.0)
     if gap <= target:
         return 0.0
-    bend = most_bend(at, motion, axis.turning, limit, as_circle_a, as_circle_b)
+    bend = bend_of_axis(at, motion, axis.turning, limit)
     time = limit
     for _ in range(a.corner_count + b.corner_count + 1):
-        gap, rate = leading_gap(corners, a, b, at, motion, axis, as_circle_a, as_circle_b, time)
-        fall = line_impact_time(gap - target, rate, -bend)
+        gap, rate, more = leading_gap(
+            corners, a, b, at, motion, axis, as_circle_a, as_circle_b, time
+        )
+        fall = line_impact_time(gap - target, rate, -(bend + more))
         if fall >= time:
             break
         time = fall
@@ -224,58 +226,53 @@ def leading_gap(
     as_circle_a: bool,
     as_circle_b: bool,
     after: float,
-) -> tuple[float, float]:
-    """Return the gap now, m, and its rate, m/s, of the corners whose gap is least after a time."""
+) -> tuple[float, float, float]:
+    """Return gap, rate and bend of the corners whose gap may be least after a time.
+
+    In m, m/s and m/s^2; the bend is the part of k that comes of the corners.
+    """
     nx, ny, turning = axis
+    bend = 0.0
     gap = at.dx * nx + at.dy * ny - a.radius - b.radius
     rate = motion.vx * nx + motion.vy * ny + turning * (at.dy * nx - at.dx * ny)
     if as_circle_a:
         gap -= motion.size_a
     else:
         mx, my = seen_turned(nx, ny, at.cos_a, at.sin_a)
-        height, rise = leading_corner(corners, a, mx, my, motion.w_a - turning, after)
-        gap, rate = gap - height, rate - rise
+        height, rise, more = leading_corner(corners, a, mx, my, motion.w_a - turning, after)
+        gap, rate, bend = gap - height, rate - rise, bend + more
     if as_circle_b:
         gap -= motion.size_b
     else:
         mx, my = seen_turned(-nx, -ny, at.cos_b, at.sin_b)
-        height, rise = leading_corner(corners, b, mx, my, motion.w_b - turning, after)
-        gap, rate = gap - height, rate - rise
-    return gap, rate
+        height, rise, more = leading_corner(corners, b, mx, my, motion.w_b - turning, after)
+        gap, rate, bend = gap - height, rate - rise, bend + more
+    return gap, rate, bend
 
 
-def most_bend(
-    at: RelativePose,
-    motion: Motion,
-    turning: float,
-    limit: float,
-    as_circle_a: bool,
-    as_circle_b: bool,
-) -> float:
-    """Return k, the most by which any gap along the axis is bent within the limit, m/s^2."""
+def bend_of_axis(at: RelativePose, motion: Motion, turning: float, limit: float) -> float:
+    """Return the part of k that comes of the axis' turning, within the limit, m/s^2."""
     end_x, end_y = at.dx + motion.vx * limit, at.dy + motion.vy * limit
     distance = math.sqrt(max(at.dx * at.dx + at.dy * at.dy, end_x * end_x + end_y * end_y))
     speed = math.sqrt(motion.vx * motion.vx + motion.vy * motion.vy)
-    bend = turning * turning * distance + 2.0 * abs(turning) * speed
-    if not as_circle_a:
-        bend += (motion.w_a - turning) * (motion.w_a - turning) * motion.size_a
-    if not as_circle_b:
-        bend += (motion.w_b - turning) * (motion.w_b - turning) * motion.size_b
-    return bend
+    return turning * turning * distance + 2.0 * abs(turning) * speed
 
 
 def leading_corner(
     corners: Sequence[Corner], body: Outline, mx: float, my: float, spin: float, after: float
-) -> tuple[float, float]:
-    """Return height and rate along m of the corner that leads after a time, m and m/s.
+) -> tuple[float, float, float]:
+    """Return height, rate and bend along m of the corner that may lead after a time: m, m/s, m/s^2.
 
-    Heights are taken to go on at their present rates, spin (p x m); for the body's centre 0.
+    Heights go on at their present rates, spin (p x m), and are bent by spin^2 abs(p) at the most;
+    for the body's centre 0.
     """
-    most, height, rise = -math.inf, 0.0, 0.0
+    most, height, rise, bent = -math.inf, 0.0, 0.0, 0.0
     for k in range(body.first_corner, body.first_corner + body.corner_count):
         c = corners[k]
         here = c.local_x * mx + c.local_y * my
         rate = spin * (c.local_x * my - c.local_y * mx)
-        if here + rate * after > most:
-            most, height, rise = here + rate * after, here, rate
-    return height, rise
+        bend = spin * spin * math.sqrt(c.local_x * c.local_x + c.local_y * c.local_y)
+        there = here + (rate + 0.5 * bend * after) * after
+        if there > most:
+            most, height, rise, bent = there, here, rate, bend
+    return height, rise, bent

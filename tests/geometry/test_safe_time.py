@@ -160,12 +160,28 @@ def test_axis_time_axis_without_a_gap_is_zero() -> None:
 def test_leading_corner_is_the_one_that_leads_later() -> None:
     """A rod at rest on its left end: the right one is lower now, but rises and leads after 1 s.
 
-    Heights of (-1, 0) and (1, -0.5): 0 and -0.5 m; rates at 1 rad/s: -1 and 1 m/s.
+    Heights of (-1, 0) and (1, -0.5): 0 and -0.5 m; rates at 1 rad/s: -1 and 1 m/s; bends: 1 m/s^2
+    times the distance from the rod's position.
     """
     corners = corner_rows([(-1.0, 0.0), (1.0, -0.5)])
     rod = Moving(first_corner=0, corner_count=2)
-    assert leading_corner(corners, rod, 0.0, 1.0, 1.0, 0.0) == (0.0, -1.0)
-    assert leading_corner(corners, rod, 0.0, 1.0, 1.0, 1.0) == (-0.5, 1.0)
+    assert leading_corner(corners, rod, 0.0, 1.0, 1.0, 0.0) == (0.0, -1.0, 1.0)
+    assert leading_corner(corners, rod, 0.0, 1.0, 1.0, 1.0) == (-0.5, 1.0, math.sqrt(1.25))
+
+
+def test_corner_at_its_body_s_position_does_not_bend_the_gap() -> None:
+    """A door turns about its hinge, which lies on a wall: safe until the door comes round.
+
+    The hinge stays where it is, for ever at the distance 0; the door's end is at height 2 and
+    falls as a parabola with 2 m/s^2 at first.
+    """
+    corners = corner_rows([(0.0, 0.0), (0.0, 2.0), (-9.0, 0.0), (9.0, 0.0)])
+    door = Moving(w=1.0, first_corner=0, corner_count=2)
+    wall = Moving(first_corner=2, corner_count=2)
+    at, motion = pose_at(wall, door, 0.0), motion_of(corners, wall, door)
+    axis = Axis(0.0, 1.0, 0.0)
+    time = axis_time(corners, wall, door, at, motion, axis, -1e-12, 3.0)
+    assert time == pytest.approx(math.sqrt(2.0), rel=1e-9)
 
 
 def test_bounds_that_overlap_give_nothing_to_wait_for() -> None:

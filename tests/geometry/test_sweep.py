@@ -324,6 +324,21 @@ def test_resolving_at_the_time_of_impact_always_changes_the_velocities() -> None
     assert 0.2 < no_overlap / resolved < 0.8
 
 
+@pytest.mark.parametrize("turning", [1.0, -2.0])
+def test_door_comes_round_to_its_wall(turning: float) -> None:
+    """Its hinge lies on the wall all the time; its end, 90 degrees away, gets there in time."""
+    door, wall = Segment((0, 0), (0, 2)), Polygon.box(18, 2)
+    time = time_of_impact(door, STILL, (0, 0, turning), wall, (0, -1, 0), STILL, DURATION)
+    assert time == pytest.approx(math.pi / 2 / abs(turning), abs=SAME)
+
+
+def test_corner_that_goes_along_a_face_is_no_impact() -> None:
+    """A pentagon turns in a box, always as deep: once a search of a million looks."""
+    pentagon = Polygon.regular(5, 1.3)
+    spinning = (pentagon, (-1, -1, 0), (0, 0, 5.0))
+    assert time_of_impact(BOX, STILL, STILL, *spinning, 0.1) is None
+
+
 def test_time_zero_is_a_time() -> None:
     """Touching and closing: 0.0, which is not None, though an `if` takes it for nothing."""
     time = time_of_impact(DISC, STILL, (1, 0, 0), DISC, (1, 0, 0), STILL, 1)
