@@ -53,9 +53,9 @@ export default {
   handles: [
     {
       label: "Height of the tower: up and down arrow keys",
-      at: ({ boxes }) => [0, Math.round(boxes) + 0.5],
-      moved: (_, [, y]) => ({ boxes: Math.round(y - 0.5) }),
-      says: ({ boxes }) => `${Math.round(boxes)} boxes below the load`,
+      at: ({ boxes }) => [0, Math.round(boxes)],
+      moved: (_, [, y]) => ({ boxes: Math.round(y) }),
+      says: ({ boxes }) => `${Math.round(boxes)} ${boxes > 1 ? "boxes" : "box"} below the load`,
       step: 1,
     },
   ],
