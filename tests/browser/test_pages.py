@@ -130,9 +130,13 @@ def test_search_answers_with_a_sentence_of_the_page(
     said = sentence.inner_text()
     assert answer in said.lower()
     assert len(said.split()) >= 3
-    result.locator("a").first.click()
+    with page.expect_navigation():  # to the end: a chapter is long
+        result.locator("a").first.click()
     text = " ".join(page.locator("article").inner_text().split())
     assert said.split(",")[0][:20] in text
+    marked = page.locator("article span.highlighted")
+    marked.first.wait_for(state="attached")
+    assert all(len(words) > 1 for words in marked.all_text_contents())
     assert faults == []
 
 

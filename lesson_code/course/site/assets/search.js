@@ -4,7 +4,7 @@
 "use strict";
 {
   const LEAST = 3; // letters of a word that are compared
-  const words = (new URLSearchParams(location.search).get("q") || "").toLowerCase().split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
+  const words = (new URLSearchParams(location.search).get("q") || "").toLowerCase().replace(/['\u2019]s\b/g, "").split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
   // "bounces" finds "bounce" and "bouncing", as the theme's own search does.
   const stems = words.map((word) => word.slice(0, Math.max(LEAST, word.length - (word.length > 7 ? 2 : word.length > 5 ? 1 : 0))));
   const results = document.getElementById("search-results");
@@ -42,7 +42,13 @@
     item.append(line);
   }
 
-  const all = () => results.querySelectorAll("li").forEach(put);
+  const MARKED = "sphinx_highlight_terms"; // what the theme marks in the page that is opened
+  const all = () => {
+    results.querySelectorAll("li").forEach(put);
+    const terms = (localStorage.getItem(MARKED) || "").split(" ");
+    // One letter, as the s of "Coulomb's", would be marked all over the page, and fails in a drawing.
+    localStorage.setItem(MARKED, terms.filter((term) => term.length > 1).join(" "));
+  };
   window.sentencesOfPages = (given) => {
     pages = given;
     all();
