@@ -43,8 +43,8 @@ def load(name: str) -> Program:
 def own_answer(exercise: str, function: str) -> Callable[..., Any]:
     """Return a function of a student's exercise; the file is read when it is first called.
 
-    It raises a NotImplementedError that names the file while the function is not written, and a
-    ValueError where the file cannot be read.
+    It raises a NotImplementedError that names the file while the function is not written, and an
+    UnreadableError where the file cannot be read.
     """
 
     def answer(*arguments: Any) -> Any:
@@ -69,5 +69,7 @@ def _module(path: Path) -> ModuleType:
     try:
         spec.loader.exec_module(module)
     except Exception as error:  # what a student writes may fail in any way
-        raise ValueError(f"{path}: cannot be read: {error!r}") from error
+        from lesson_code.view.pygame.program import UnreadableError
+
+        raise UnreadableError(f"{path}: cannot be read: {error!r}") from error
     return module

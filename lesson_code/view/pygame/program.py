@@ -77,6 +77,11 @@ NOT_SAVED = {"listeners", "_kept"}
 GRIP_RATE = 20.0
 """1/s: of the spring by which the mouse holds a body; it follows within a tenth of a second."""
 
+
+class UnreadableError(ValueError):
+    """A player's file cannot be read, so that no rule of it can be asked."""
+
+
 Matter: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
 
@@ -285,7 +290,7 @@ class Game:
             self.missing[rule] = f"not written yet: {str(error) or rule.__name__}"
             return otherwise
         except Exception as error:  # a player's code may raise anything
-            if not hasattr(rule, "is_own"):
+            if isinstance(error, UnreadableError) or not hasattr(rule, "is_own"):
                 raise
             self.missing[rule] = f"{rule.__name__} failed: {type(error).__name__}: {error}"
             return otherwise
