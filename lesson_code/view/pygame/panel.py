@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from lesson_code.engine.live_world import TIME_STEP
-from lesson_code.view.pygame.picture import GRID, PANEL_WIDTH
+from lesson_code.view.pygame.picture import GRID, LINE, PANEL_WIDTH
 from lesson_code.view.pygame.window import FADED_INK, INK, SKY, YELLOW, Colour, Window, pygame
 
 PROGRAM_SIZE = (1280, 720)
@@ -16,8 +16,8 @@ PANEL: Colour = (30, 36, 44)
 MARGIN = 16
 """Points, on all sides; lengths below are in points, too."""
 
-LINE, KEY_LINE = 22, 20
-"""From one line to the next, of read-outs and of keys."""
+KEY_LINE = 20
+"""From one line to the next, of keys."""
 
 TITLE_SIZE, READING_SIZE, KEY_SIZE = 28, 20, 18
 """Height of a line."""

@@ -52,8 +52,11 @@ PANEL_WIDTH = 280
 FAR = 10_000.0
 """px: pygame cannot draw at any distance."""
 
-NOTICE_WIDTH, LINE = 0.8, 22
-"""Of the field's width, at most; points, from line to line."""
+LINE = 22
+"""Points: from one line to the next, of read-outs and of a notice."""
+
+NOTICE_WIDTH = 0.8
+"""Of the field's width, at most."""
 
 SPOKE = 0.5
 """Of the radius: where a spoke begins."""
