@@ -177,7 +177,8 @@ def start_of_closing(
             return after
         at = pose_at(a, b, t)
         gap, nx, ny = separation_rows(corners, a, b, at)
-        if is_closing(corners, a, b, at, motion, gap, nx, ny, tolerance):
+        touching = gap <= tolerance  # a look on the way may find them apart
+        if touching and is_closing(corners, a, b, at, motion, gap, nx, ny, tolerance):
             after = t
         else:
             before = t
