@@ -49,17 +49,6 @@ def listing(source: str | ModuleType, *names: str) -> str:
     return "\n\n".join(found[name] for name in names)
 
 
-def lines_of_code(source: str) -> int:
-    r"""Return how many lines the functions of a program have, docstrings and empty ones left out.
-
-    >>> lines_of_code('LIMIT = 3\n\ndef f(x):\n    "Say why."\n\n    return x')
-    2
-    """
-    return sum(
-        1 for text in functions(source).values() for line in text.splitlines() if line.strip()
-    )
-
-
 def _text_of(node: ast.FunctionDef, lines: list[str]) -> str:
     """Return a function's text without its docstring."""
     kept = lines[node.lineno - 1 : node.body[0].lineno - 1]

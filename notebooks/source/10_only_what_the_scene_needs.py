@@ -10,9 +10,8 @@
 # # 10 Only what the scene needs
 #
 # Your phone runs a game at sixty frames a second, and its battery pays for everything the engine
-# works out, needed or not. Chapter by chapter our engine has learned more: spin, friction, corners,
-# fast bodies, loads. Smooth discs pay for friction, a handful of balls pays for a grid. Here you
-# guess what a scene needs, look at the engine's plan, and prove that the rest may go.
+# works out, needed or not. Smooth discs pay for friction, a ball in flight pays for stacks. Here
+# you guess what a scene needs before the engine tells you, and then you prove that the rest may go.
 #
 # **After this notebook you will be able to**
 #
@@ -20,25 +19,23 @@
 # 2. prove that what is left out changes nothing, not even the last digit;
 # 3. say what leaving it out saves, and where it saves nothing.
 #
-# **You need** notebooks 00 to 07. **Time:** about 45 minutes to read and to write two lines,
-# ten seconds to run.
+# **You need** notebooks 00 to 07. **Time:** about 35 minutes to read, to guess and to write two
+# lines; ten seconds to run.
 
 # %% tags=["plumbing"]
 import numpy as np
 
-from lesson_code import Callbacks, Circle, Polygon, simulate
+from lesson_code import Circle, Polygon, simulate
 from lesson_code.chapters.ch10_only_what_the_scene_needs import figures, plan_figures, scenes
 from lesson_code.course.grading.gaps import gap
 from lesson_code.course.quiz.notebook import predict, show_quiz
-from lesson_code.engine.effects.choice import OPTIONAL
 from lesson_code.engine.effects.collisions import can_meet
 from lesson_code.engine.effects.continuous import fastest_way
 from lesson_code.evidence import check
 from lesson_code.evidence.effect_costs import stored
-from lesson_code.evidence.hard_cases import loads
 
 # %% tags=["plumbing"]
-from lesson_code.evidence.scenes import discs, events, rigid_bodies
+from lesson_code.evidence.scenes import discs, rigid_bodies
 from lesson_code.evidence.scenes import gas as gas_scenes
 from lesson_code.evidence.speed.whole_runs import WholeRuns
 from lesson_code.view import listing
@@ -48,11 +45,11 @@ from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
-# ## 1 A scene has a plan
+# ## 1 Guess the plan
 #
 # An **effect** is something that a simulation may or may not reckon with: gravity, friction, bodies
-# that turn, bodies that bounce. It costs time wherever it is reckoned with. It changes something
-# only where it is there.
+# that turn, bodies that bounce. It costs time wherever the engine reckons with it. It changes
+# something only where it is there.
 
 # %%
 predict("10-gas")
@@ -64,45 +61,59 @@ run = simulate(gas, 3.0, solver="sequential")
 print(run.plan)
 
 # %% [markdown]
-# Each row is a rule, applied to this scene, with its verdict and its reason. The engine found them
-# before the first step, from masses, coefficients and velocities. Nobody had to say "this scene
-# has no friction".
+# That is a **plan**. Each row is a rule, applied to this scene, with its verdict and its reason.
+# The engine made it before the first step, from masses, coefficients and velocities. Nobody had to
+# tell it that this scene has no friction.
 #
-# The same for some other scenes:
+# Now guess yourself. Write behind each scene the effects that it needs, out of these six:
+#
+# - `gravity`, `friction` between two bodies, `restitution` (something bounces);
+# - `rotation` (something turns), `manifolds` (two bodies touch at two points, as boxes do);
+# - `continuous` (something may be so fast that a step jumps over a body).
+#
+# You learn how many of the six are right, but not which. Run the cell again until you have them
+# all.
 
-# %% tags=["plumbing"]
+# %%
+slope = rigid_bodies.disc_on_incline(0.3, 0.2)  # rough, restitution 0
+pool = discs.rack_break(0.95)  # smooth balls seen from above, a fast cue ball
+tower = rigid_bodies.box_stack(5)  # rough boxes on a floor, restitution 0
+
+print("a disc down a slope:", scenes.score({"gravity", "restitution"}, slope))
+print("a break at pool:    ", scenes.score({"restitution", "friction"}, pool))
+print("a tower of boxes:   ", scenes.score({"gravity"}, tower))
+
+# %%
+predict("10-needs-most")
+
+# %% tags=["plumbing", "answer"]
+# the plans of all of them
 planned = {
     "two discs,\nside by side": scenes.side_by_side(),
     "smooth\ngas": gas,
-    "drop on\na floor": events.bouncing_to_rest(0.8),
-    "disc down\na slope": rigid_bodies.disc_on_incline(0.3, 0.2),
-    "pool\nbreak": discs.rack_break(0.95),
-    "tower of\nfive boxes": rigid_bodies.box_stack(5),
+    "break\nat pool": pool,
+    "disc down\na slope": slope,
+    "tower of\nfive boxes": tower,
 }
-plans = {name: simulate(s, 2.0, solver="sequential").plan for name, s in planned.items()}
-
-# %% tags=["plumbing"]
 fig, ax = style.figure(width=8, height=5.2)
-plan_figures.plans(ax, plans)
+plan_figures.plans(
+    ax, {name: simulate(s, 2.0, solver="sequential").plan for name, s in planned.items()}
+)
 show(
     fig,
-    "A table with a row for each of sixteen effects and a column for each of six scenes; a full "
+    "A table with a row for each of sixteen effects and a column for each of five scenes; a full "
     "dot is an effect that is simulated, a small ring one that is left out. Two discs side by side "
-    "need nothing at all. The others need between seven and eleven of the sixteen, and no two "
-    "need the same.",
+    "need nothing at all. The gas needs seven effects, the break eight, the slope ten and the "
+    "tower eleven.",
 )
 
 # %% [markdown]
-# ## 2 This is all your scene needs
-#
-# A plan is more than a list. The program is *put together* from it: what is left out is not
-# skipped, it is **not there**. `run.plan.source()` is the program that is left over. Here is how
-# it treats a contact, once for the smooth gas, and once for the same gas with friction and
-# rotation forced on.
+# Whatever a plan leaves out is not skipped in the run, it is **not there**: the program is *put
+# together* from the plan. Here is how it treats a contact of the smooth gas, and then a contact of
+# the same gas with friction and rotation forced on.
 
 # %%
-small = run.plan.source()
-print(listing.listing(small, "solve_central", "central_velocity"))
+print(listing.listing(run.plan.source(), "solve_central", "central_velocity"))
 
 # %%
 forced = {"friction": True, "rotation": True}
@@ -110,52 +121,21 @@ more = simulate(gas, 3.0, solver="sequential", effects=forced).plan.source()
 print(listing.listing(more, "solve_contact", "tangent_velocity"))
 
 # %% [markdown]
-# In the smooth gas there is no `vt`, no lever arm, no angular velocity. There is not even an `if`
-# that asks for them, and so nothing that would have to be asked again at each contact. That is the
-# reason to decide *before* the run.
-#
-# How much is left of the program, scene by scene?
-
-# %% tags=["plumbing"]
-lines = {name: listing.lines_of_code(plan.source()) for name, plan in plans.items()}
-fig, ax = style.figure(width=8, height=3)
-ax.bar(list(lines), list(lines.values()), color=style.BLUE)
-ax.set_ylabel("lines of program that are left")
-ax.tick_params(axis="x", labelsize=8)
-show(
-    fig,
-    "Bars: the lines of the program that each of the six scenes leaves over. The shortest, of two "
-    "discs side by side, is some tens of lines. The smooth gas has several hundred; the pool break "
-    "and the tower of boxes have the most.",
-)
+# In the smooth gas you find no `vt`, no lever arm, no angular velocity, and not even an `if` that
+# asks for them. An `if` here would be asked at each contact, in each sweep, in each step. That is
+# why the engine decides *before* the run.
 
 # %% [markdown]
-# The pool break is the longest, though it has no friction. In it a ball was fast, and the lines
-# that split a step at an impact were added when it was first seen. What changes while a scene runs
-# may change the program.
-
-# %% [markdown]
-# ## 3 A rule for each effect
+# ## 2 A rule asks about pairs
 #
-# Each rule says when an effect is called for, and why nothing is lost without it otherwise.
+# Every plan gives its reasons, and each says the same in other words: here the effect would only
+# add 0 or multiply by 1. Friction with mu = 0 has an impulse of at most 0. A blow through the
+# centre of a disc has no lever arm, and turns nothing. Two effects are savings, and their rules ask
+# whether they pay: the **broad phase** finds the same pairs as comparing all, and **sleep** stops
+# nothing that moves.
 #
-# - **gravity, damping:** if it is not zero. Else it would add 0, or multiply by 1.
-# - **friction:** if a pair has mu > 0. Else its impulse, at most mu jn, is 0.
-# - **restitution:** if a pair has e > 0. Else the velocity to reach, e times the approach, is 0.
-# - **rotation:** if a body turns, has corners, or is a disc that rubs. Else no impulse has a lever
-#   arm.
-# - **outlines:** if a body has corners. **Manifolds:** if two such bodies can meet. A circle
-#   touches at one point.
-# - **internal_edges:** if two bodies are static. One alone has no seam.
-# - **continuous:** if a body may move by half its width in a step. A slower one cannot jump over
-#   anything.
-# - **collisions:** if two bodies can meet. **Warm starting** and **position correction** go with
-#   them, in every solver that makes steps.
-# - **callbacks:** if the scene has some. Else nobody would hear them.
-
-# %% [markdown]
-# Most of them need a *pair*. Material belongs to a body, but a contact has two. Its e is the
-# smaller of the two. Its mu is a mean of both that is 0 if one of them is: write it.
+# Most rules need a *pair*. Material belongs to a body, but a contact has two. Its e is the smaller
+# of the two. Its mu is a mean of both that is 0 if one of them is. Write it:
 
 
 # %%
@@ -182,10 +162,65 @@ for title, scene in {
     print(scenes.verdicts(scene, "friction", "rotation"))
 
 # %% [markdown]
-# **Two effects are savings.** The broad phase finds the same pairs as comparing all of them, and
-# sleep stops nothing that moves. They are asked another question: do they pay? Below 24 bodies all
-# pairs are compared as fast as a grid is kept.
+# ## 3 Proof: the same bits
 #
+# A plan makes a claim: what it leaves out would change nothing. Put the claim to the test. Force
+# each effect on that the gas does not call for, one after the other.
+
+# %%
+predict("10-same-bits")
+
+# %% tags=["answer"]
+# each effect forced on
+fields = ("positions", "velocities", "angles", "angular_velocities")
+long = simulate(gas, 10.0, solver="sequential")
+for name in long.plan.left_out:
+    other = simulate(gas, 10.0, solver="sequential", effects={name: True})
+    same = [getattr(long, f).tobytes() == getattr(other, f).tobytes() for f in fields]
+    check(f"{name} forced on: the same bits", same, [True] * 4)
+
+# %% [markdown]
+# The same zeros and ones, in each state of all discs. A tolerance would not do: in chapter 07 a
+# millionth of a millionth made another gas within a few dozen collisions.
+#
+# **Why can it be exact?** A computer rounds numbers, but some operations it never rounds: adding 0,
+# multiplying by 1 or by 0. An unneeded effect does nothing else.
+
+# %%
+v, lever, w = 0.1, 0.7, 0.0
+check("v + w r is v where w = 0", v + w * lever == v, True)
+check("damping at the rate 0 multiplies by", np.exp(-0.0 * 0.016), 1.0)
+check("but to add and take away again may round", (v + 0.2) - 0.2 == v, False)
+
+# %% [markdown]
+# The last line is a warning. An effect that adds something and takes it away again changes bits,
+# even if it is nothing on paper.
+#
+# Now take effects away yourself. Each row below says what becomes of two discs on a floor without
+# one effect. Which can go? Then make the discs rough, give disc 1 a spin, throw it faster: from
+# when on is each of them needed?
+
+# %%
+live(
+    "ch10_only_what_the_scene_needs/left_out",
+    "A disc is thrown at another one that lies on a floor; both paths are drawn. A list says how "
+    "far apart the paths are without each of five effects: without gravity or restitution by "
+    "metres; without friction, rotation or the watch for fast bodies no bit changes. The velocity "
+    "can be dragged; gravity, restitution, friction and spin can be changed.",
+)
+
+# %% [markdown]
+# Leave out what the scene needs, and you would get a wrong result without a word. So the engine
+# refuses it, by name and with the reason.
+
+# %%
+for scene, name in ((scenes.thrown(Circle(0.5), 0.6, on=0.6), "friction"), (gas, "restitution")):
+    try:
+        simulate(scene, 1.0, solver="sequential", effects={name: False})
+    except ValueError as refused:
+        print(refused)
+
+# %% [markdown]
 # ## 4 How fast can a body become?
 #
 # An engine that looks at the ends of steps may lose a body that moves by more than half its width
@@ -203,15 +238,14 @@ def fastest(energy, lightest):
 
 
 # %% [markdown]
-# This is a bound for all times, from the first state alone. It counts the energy only: walls may
-# take up momentum. Without walls the momentum stays as well, and the lowest bound is smaller. The
-# rule multiplies it by 1.5, for rounding, and compares. In the gas:
+# This bound holds for all times, and you find it from the first state alone. (It counts the energy
+# only, since walls may take up momentum.) The rule multiplies it by 1.5, for rounding, and compares
+# it with the room. In the gas:
 
 # %%
 way, room = fastest_way(gas, dt=1 / 60)
 bound = fastest(run.kinetic_energy[0], min(body.mass for body in gas.bodies if body.mass))
 check("your bound, in a step", bound / 60, way, tolerance=1e-12)
-long = simulate(gas, 10.0, solver="sequential")
 speeds = np.hypot(*np.moveaxis(long.velocities, -1, 0))
 print(f"bound {way:.4f} m in a step; fastest in 10 s {speeds.max() / 60:.4f} m; room {room} m")
 check("energy after 10 s, parts", long.energy[-1] / long.energy[0], 1.0, tolerance=1e-3)
@@ -228,139 +262,13 @@ live(
 )
 
 # %% [markdown]
-# The lighter the small ball, the steeper the line, though it is at rest. Gravity gives energy, so
-# there the bound says nothing, and fast bodies are watched for.
+# The lighter the small ball, the steeper its line, though it is at rest. Gravity gives energy, so
+# with gravity the bound says nothing, and the engine watches for fast bodies.
 #
-# ## 5 A rule may err to one side only
+# ## 5 Break it on purpose: a rule that looks at the start
 #
-# Two discs fly. Can they meet? The exact answer is that of chapter 07, and it costs something for
-# each pair. A cheaper one: put a **box** around each flight. Boxes that share no point belong to
-# discs that do not meet.
-
-# %% tags=["plumbing"]
-pairs = {
-    "boxes apart": scenes.two_flights({"position": (9, 2.5), "velocity": (-1, 2)}),
-    "boxes that share a part": scenes.two_flights({"position": (6.5, 1.5), "velocity": (-4, 1)}),
-}
-
-# %% tags=["plumbing"]
-fig, axes = style.figure(2, width=9, height=3.4)
-for ax, (title, scene) in zip(axes, pairs.items(), strict=True):
-    flown = simulate(scene, 1.2, solver="sequential", dt=1 / 240)
-    plan_figures.flights(ax, flown)
-    verdict = "may meet" if can_meet(scene, 1.2, 1 / 240) else "cannot meet"
-    ax.set_title(f"{title}: {verdict}\ncontacts: {len(flown.contacts.time)}", fontsize=10)
-show(
-    fig,
-    "Two pictures of two discs in flight, each with a box around it. On the left the boxes are "
-    "apart, and nothing can meet. On the right they overlap, so the rule says that the discs may "
-    "meet; but they pass each other.",
-)
-
-# %% [markdown]
-# On the right the rule calls for collisions, and there are none: the discs are in the shared part
-# at different times. That is an error, and a harmless one. The scene pays for something it does not
-# need. The other error would make the result *wrong*. So a rule must be **conservative**: "not
-# needed" has to be proven, "needed" need not.
-#
-# ## 6 Proof: the same bits
-#
-# Now put the claim to the test: force each effect on that the gas does not call for, one after the
-# other.
-
-# %%
-predict("10-same-bits")
-
-# %% tags=["answer"]
-# each effect forced on
-fields = ("positions", "velocities", "angles", "angular_velocities")
-for name in long.plan.left_out:
-    other = simulate(gas, 10.0, solver="sequential", effects={name: True})
-    same = [getattr(long, f).tobytes() == getattr(other, f).tobytes() for f in fields]
-    check(f"{name} forced on: the same bits", same, [True] * 4)
-
-# %% [markdown]
-# Not "nearly the same": the same zeros and ones, in each state of all discs. A tolerance would
-# not do. Chapter 07 has shown that a gas makes of a millionth of a millionth another gas in a few
-# dozen collisions. What changes the last digit changes everything, only later.
-#
-# **Why can it be exact?** Floating-point numbers are rounded, but some operations never are:
-# adding 0, multiplying by 1 or by 0. All that an unneeded effect does is of that kind.
-
-# %%
-v, lever, w = 0.1, 0.7, 0.0
-check("v + w r is v where w = 0", v + w * lever == v, True)
-check("damping at the rate 0 multiplies by", np.exp(-0.0 * 0.016), 1.0)
-check("but to add and take away again may round", (v + 0.2) - 0.2 == v, False)
-
-# %% [markdown]
-# The last line is a warning. An effect that adds something and takes it away again would not be
-# nothing, even if on paper it is.
-#
-# Now take effects away yourself. Two discs fly, bounce and roll; each row says what becomes of the
-# scene without one effect. The floor is rough, the discs are smooth: which effects can go? Then
-# make the discs rough, give disc 1 a spin, throw it faster: which is needed from when on?
-
-# %%
-live(
-    "ch10_only_what_the_scene_needs/left_out",
-    "A disc is thrown at another one that lies on a floor; both paths are drawn. A list says how "
-    "far apart the paths are without each of five effects: without gravity or restitution by "
-    "metres; without friction, rotation or the watch for fast bodies no bit changes. The velocity "
-    "can be dragged; gravity, restitution, friction and spin can be changed.",
-)
-
-# %% [markdown]
-# ## 7 What is needed cannot be left out
-#
-# You may overrule the plan, since rules may be too careful. But to leave out what the scene needs
-# would give a wrong result without a word. So it is refused, by name and with the reason.
-
-# %%
-for scene, name in ((scenes.thrown(Circle(0.5), 0.6, on=0.6), "friction"), (gas, "restitution")):
-    try:
-        simulate(scene, 1.0, solver="sequential", effects={name: False})
-    except ValueError as refused:
-        print(refused)
-
-# %% [markdown]
-# Three may go although they are called for, because no state of the run depends on them: the
-# broad phase, sleep, and the record of impulses.
-
-# %%
-fewer = simulate(gas, 10.0, solver="sequential", effects=dict.fromkeys(OPTIONAL, False))
-check("without all three: positions", fewer.positions, long.positions)
-check("and no impulses were written down", len(fewer.contacts.time), 0)
-
-# %% [markdown]
-# ## 8 When the scene changes
-#
-# A plan looks at the scene as it is at the start. A **callback** is a function of yours that the
-# engine calls when bodies begin to touch, touch or part: the third box of the pipeline. It may
-# change the scene. One that may set the mu or the e of a pair makes the rules careful from the
-# start, since nobody knows what it will set. One that switches gravity on is another case: the run
-# is planned anew, from the bodies as they are at that moment.
-
-# %%
-predict("10-callback")
-
-
-# %% tags=["answer"]
-# a callback that switches gravity on
-def switch_on(touch):
-    """Let things fall from the first touch on."""
-    touch.gravity = (0, -10)
-
-
-switched = scenes.two_that_meet(Callbacks(post_solve=switch_on))
-fallen = simulate(switched, 3.0, solver="sequential")
-print(*fallen.plan.changes, sep="\n")
-
-# %% [markdown]
-# ## 9 Break it on purpose: a rule that looks at the start
-#
-# Why so careful about speed? A simpler rule would be: *nobody moves by more than half its width
-# in a step now, so nobody has to be watched.* See where that leads.
+# Why so careful? A simpler rule would be: *nobody moves by more than half its width in a step now,
+# so nobody has to be watched.* See where that leads.
 
 # %%
 predict("10-light-ball")
@@ -390,30 +298,57 @@ check("behind the wall", list(behind.values()), [True, True, False])
 print(scenes.verdicts(hit, "continuous"))
 
 # %% [markdown]
-# ## 10 Islands that sleep
+# ## 6 A rule may err to one side only
 #
-# What has come to rest costs as much as what moves: its contacts are found and its impulses are
-# computed, to learn that nothing happens. So an engine lets it **sleep**.
-#
-# An **island** is a set of bodies that can be pushed and hang together by contacts. Static bodies
-# do not join islands: a floor carries no push on. If all bodies of an island have been still for a
-# second, the island sleeps. It is not moved, and its contacts are neither sought nor solved. A body
-# that is awake and touches one of it wakes all of it.
+# Two discs fly. Can they meet? The exact answer of chapter 07 costs something for each pair. A
+# cheaper one: put a **box** around each flight. If the boxes share no point, the discs do not meet.
 
 # %% tags=["plumbing"]
-towers = scenes.three_towers()
-times, asleep = scenes.asleep_in_time(towers, 8.0)
-fig, ax = style.figure(width=7, height=2.6)
-ax.step(times, asleep.sum(axis=1), where="post", color=style.BLUE)
-ax.set(xlabel="time, s", ylabel="bodies asleep", ylim=(0, 10))
+pairs = {
+    "boxes apart": scenes.two_flights({"position": (9, 2.5), "velocity": (-1, 2)}),
+    "boxes that share a part": scenes.two_flights({"position": (6.5, 1.5), "velocity": (-4, 1)}),
+}
+
+# %% tags=["plumbing"]
+fig, axes = style.figure(2, width=9, height=3.4)
+for ax, (title, scene) in zip(axes, pairs.items(), strict=True):
+    flown = simulate(scene, 1.2, solver="sequential", dt=1 / 240)
+    plan_figures.flights(ax, flown)
+    verdict = "may meet" if can_meet(scene, 1.2, 1 / 240) else "cannot meet"
+    ax.set_title(f"{title}: {verdict}\ncontacts: {len(flown.contacts.time)}", fontsize=10)
 show(
     fig,
-    "Number of sleeping bodies over time: none for the first second, then nine. At four seconds a "
-    "disc hits the first tower, and six sleep on.",
+    "Two pictures of two discs in flight, each with a box around it. On the left the boxes are "
+    "apart, and nothing can meet. On the right they overlap, so the rule says that the discs may "
+    "meet; but they pass each other.",
 )
 
+# %% [markdown]
+# On the right the rule calls for collisions, and there are none: the discs are in the shared part
+# at different times. That error is harmless. The scene pays for something it does not need. The
+# other error would make the result *wrong*. So a rule must be **conservative**: it has to prove
+# "not needed", and need not prove "needed".
+#
+# For the same reason a **callback**, a function of yours that the engine calls at a touch, makes
+# rules careful: if yours may set the mu of a pair, the plan calls for friction from the start. If
+# it switches gravity on in the middle of the run, the engine plans the rest anew.
+#
+# ## 7 Islands that sleep
+#
+# A body at rest costs as much as one that moves: the engine finds its contacts and computes their
+# impulses, to learn that nothing happens. So let it **sleep**.
+#
+# An **island** is a set of bodies that can be pushed and hang together by contacts. Static bodies
+# do not join islands: a floor passes no push on. If all bodies of an island have been still for a
+# second, the island falls asleep: the engine no longer moves it, nor solves its contacts. A body
+# that is awake and touches it wakes all of it.
+
 # %%
+towers = scenes.three_towers()
 rest = simulate(towers, 8.0, solver="sequential")
+times, asleep = scenes.asleep_in_time(towers, 8.0)
+for second in (0.5, 3.0, 8.0):
+    print(f"asleep after {second} s: {asleep[np.searchsorted(times, second - 1e-9)].sum()} of 9")
 animate(
     rest,
     "Three towers of three boxes stand on a floor. A disc rolls in from the left and hits the "
@@ -423,43 +358,21 @@ animate(
 )
 
 # %% [markdown]
-# The two other towers slept on. **Is the result the same?** Sleep is the one effect for which the
-# claim is weaker. A body at rest is not quite at rest: its velocity is a rounding error of what
-# gravity gives in a step. What sleeps does not even have that. So the bits differ, and the claim
-# is: by less than one can see, or measure.
+# The hit wakes one tower, and the two others sleep on. **Is the result the same?** For sleep alone
+# the claim is weaker. A body at rest is not quite at rest: it has a rounding error of what gravity
+# gives it in a step. What sleeps does not even have that. So the bits differ, by less than you can
+# see or measure.
 
 # %%
 awake = simulate(towers, 8.0, solver="sequential", effects={"sleeping": False})
 check("with and without sleep, m", rest.positions, awake.positions, tolerance=1e-6)
 
 # %% [markdown]
-# Without gravity nothing sleeps, so there it is bit for bit again; the gas of section 6 had sleep
-# forced on, too.
+# ## 8 What it saves, and what you wait for
 #
-# ## 11 The solver is chosen by rules, too
-#
-# `solver="auto"` asks the same kind of questions. Discs that fly freely, two at a time: the exact
-# solver needs no step at all. Few bodies: all contacts together are solved at once. Heavy on light
-# among many: sub-steps. All else is swept.
-
-# %%
-choices = {
-    "a smooth gas": gas,
-    "a ball that bounces": events.bouncing_to_rest(0.8),
-    "1,000,000 kg on 1 kg": loads.tower((1.0, 1e6)),
-    "a pyramid of 210 boxes": rigid_bodies.box_pyramid(20),
-}
-for title, scene in choices.items():
-    chosen = simulate(scene, 1 / 60).plan
-    print(f"{title}: {chosen.solver}; {chosen.reason}")
-
-# %% [markdown]
-# ## 12 What it saves, and what pymunk pays
-#
-# Times are not measured here: they would differ in each run. `workbook measure effects` measures
-# them on your machine; this is a stored result. For each effect there are two scenes that differ
-# as little as they can. One needs the effect. The other one is run as planned, without it, and
-# once more with the effect forced on.
+# Times differ in each run, so you see stored ones; `workbook measure effects` takes them on your
+# machine. For each effect there are two scenes that differ as little as they can. One needs the
+# effect. The other one runs as planned, without it, and once more with the effect forced on.
 
 # %%
 predict("10-worth")
@@ -478,34 +391,19 @@ show(
 
 # %% tags=["answer"]
 # the stored result
-friction = costs.of("friction", "plain Python")
-print(f"friction, {friction.difference}: calls in a step of what only friction needs")
-print(f"   needed {friction.calls_needed:.0f}, left out {friction.calls_left_out:.0f}")
-print(f"   forced on and left out, time: {friction.forced / friction.left_out:.2f} to 1")
-pymunk = costs.of("friction", "pymunk")
-print(f"   pymunk, with mu and without, time: {pymunk.needed / pymunk.left_out:.2f} to 1")
-for limit in costs.limits:
-    print(f"{limit.what}: {limit.value:.3g}, wanted {limit.wanted}")
+ours, theirs = costs.of("friction", "plain Python"), costs.of("friction", "pymunk")
+print(f"friction forced on and left out, our time: {ours.forced / ours.left_out:.2f} to 1")
+print(f"with mu and without, pymunk's time: {theirs.needed / theirs.left_out:.2f} to 1")
 
 # %% [markdown]
-# **Read it with care.** What is done once in a step and for each body, like gravity, is worth
-# nearly nothing. What is done for each contact in each sweep is worth more: friction. And most is
-# worth what keeps whole contacts from being looked at: sleep, and in large scenes the broad phase.
-# All of the small ones together count too, as the second of the limits says. Where nothing is
-# saved no harm is done: the scene is looked at once, before the first step.
+# What the engine does once a step for each body, like gravity, costs next to nothing. What it does
+# for each contact in each sweep costs more: friction. Most is saved where it need not look at a
+# contact at all: sleep. pymunk has one program for all scenes: where every mu is 0 it works out the
+# friction of each contact all the same, and finds 0.
 #
-# pymunk has one program for all scenes. It can let bodies sleep, if told to, and it calls nobody if
-# nobody listens. It has no way to leave out friction: where every mu is 0 it works out the friction
-# of each contact all the same, and finds 0.
-
-# %% [markdown]
-# ## 13 What you wait for
-#
-# Steps are not everything. A user waits for Python, for the import, for the plan, perhaps
-# for a compiler, and only then for the steps. `workbook measure speed` takes the time of whole
-# processes, each written as a user of that engine would write it. This too is a stored result.
-# "Ours" finds machine code that an earlier run has kept, and "nothing kept" does not. The gases are
-# elastic discs in a box; the piles are rough ones that fall into it.
+# You wait for more than steps: for Python, for the import, for the plan. `workbook measure speed`
+# times whole processes. "Ours" finds machine code that an earlier run has kept, "nothing kept" does
+# not. The gases are elastic discs in a box; the piles are rough ones that fall into it.
 
 # %%
 predict("10-from-how-many")
@@ -515,13 +413,12 @@ predict("10-from-how-many")
 print(WholeRuns.stored().as_text(100))
 
 # %% [markdown]
-# **Read it with care.** With ten discs nearly all of the time is the start: the smaller program
-# wins, and that is pymunk. A second call in the same process, as in a notebook, no longer pays for
-# that. The more bodies, the more it is the steps that count, and then it pays to have left out what
-# the scene does not need. Where a row of the last table says NO, the target is not reached.
+# With ten discs nearly all of the time is the start, and the smaller program wins: pymunk. The more
+# bodies, the more it pays to have left something out. Where the last table says NO, we have not
+# reached what we wanted.
 
 # %% [markdown]
-# ## 14 Quiz
+# ## 9 Quiz
 
 # %%
 show_quiz("10")
@@ -530,11 +427,10 @@ show_quiz("10")
 # ## Key takeaways
 #
 # - An effect costs time wherever it is reckoned with, and changes something only where it is there.
-# - What a scene needs can be worked out before the run: from pairs of coefficients, from shapes,
+# - You can work out before the run what a scene needs: from pairs of coefficients, from shapes,
 #   from the energy, from the boxes around flights.
+# - "Nothing changes" means the same bits. You prove it by forcing the effect on.
 # - A rule has to be conservative. To call for too much costs time; to call for too little is wrong.
-# - "Nothing changes" means the same bits. It can be proven, by forcing the effect on.
-# - What is decided before the run need not be asked in the innermost loop.
 # - A body at rest may sleep, if its whole island is at rest; static bodies join nothing.
 
 # %% [markdown]
@@ -545,9 +441,8 @@ show_quiz("10")
 # against the same run awake, to a millionth of a metre. The tests do the same for many random
 # scenes, in plain Python and compiled.
 #
-# **Limits.** The rules look at the scene as it is at the start, so callbacks make them careful: one
-# that may set mu calls for friction. With gravity the energy bounds no speed. And in a scene that
-# needs everything nothing is saved.
+# **Limits.** With gravity the energy bounds no speed. In a scene that needs everything nothing is
+# saved.
 #
 # **Do now:** the exercise [10 Only what the scene
 # needs](../exercises/10_only_what_the_scene_needs.ipynb): five tasks, twenty points. `workbook

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from lesson_code.view.listing import functions, lines_of_code, listing
+from lesson_code.view.listing import functions, listing
 
 PROGRAM = '''"""A module."""
 
@@ -51,8 +51,3 @@ def test_listing_refuses_what_is_not_there() -> None:
     """By name."""
     with pytest.raises(ValueError, match="functions in the program, got 'fourth'"):
         listing(PROGRAM, "fourth")
-
-
-def test_lines_are_those_of_functions_without_docstrings_and_empty_ones() -> None:
-    """Two, one, and five."""
-    assert lines_of_code(PROGRAM) == 8

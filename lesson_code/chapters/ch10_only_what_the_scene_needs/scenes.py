@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.effects.choice import choose_effects
@@ -43,16 +43,6 @@ def two_flights(second: dict[str, Any]) -> Scene:
     return Scene([first, Body(Circle(0.5), mass=1.0, **second)], gravity=(0, -10))
 
 
-def two_that_meet(callbacks: Callbacks) -> Scene:
-    """Return two elastic discs that meet head on after two seconds, without gravity."""
-    bouncy = Material(restitution=1.0)
-    pair = [
-        Body(Circle(0.5), mass=1.0, position=(3 * n, 0), velocity=(1 - n, 0), material=bouncy)
-        for n in (0, 1)
-    ]
-    return Scene(pair, callbacks=callbacks)
-
-
 def heavy_on_light() -> Scene:
     """Return a thin wall, a heavy ball that comes at 4 m/s, and a light one at rest before it."""
     surface = Material(restitution=1.0, friction=0.0)
@@ -60,6 +50,38 @@ def heavy_on_light() -> Scene:
     light = Body(Circle(0.05), mass=0.01, material=surface)
     wall = Body(Segment((1.45, -1), (1.45, 1)), material=surface)
     return Scene([wall, heavy, light])
+
+
+GUESSED = ("gravity", "friction", "restitution", "rotation", "manifolds", "continuous")
+"""The effects that a reader guesses."""
+
+
+def score(guess: Collection[str], scene: Scene) -> str:
+    """Say how many of the effects in :data:`GUESSED` a guess has right, but not which.
+
+    Parameters
+    ----------
+    guess : collection of str
+        The effects that 2 s of the scene are said to call for.
+    scene : Scene
+        Is not run.
+
+    Raises
+    ------
+    ValueError
+        The guess names something else.
+
+    Examples
+    --------
+    >>> score({"rotation"}, side_by_side())
+    '5 of 6 right'
+    """
+    if other := sorted({*guess} - {*GUESSED}):
+        raise ValueError(f"guess must name some of {', '.join(GUESSED)}, got {other[0]!r}")
+    question = Question(scene, duration=2.0)
+    used = {choice.name for choice in choose_effects(question) if choice.used}
+    right = sum((name in guess) == (name in used) for name in GUESSED)
+    return f"{right} of {len(GUESSED)} right"
 
 
 def verdicts(scene: Scene, *names: str) -> str:

@@ -336,7 +336,7 @@ TASKS = (
     Task(
         id="10.1",
         function="most_friction",
-        section=3,
+        section=2,
         objective="The rule for friction: the largest coefficient of any pair that can meet.",
         expected=_most_friction,
         criteria=(
@@ -349,7 +349,7 @@ TASKS = (
     Task(
         id="10.2",
         function="effects_called_for",
-        section=2,
+        section=1,
         objective="The plan of a scene, before it is run.",
         expected=_effects_called_for,
         criteria=(
@@ -375,7 +375,7 @@ TASKS = (
     Task(
         id="10.4",
         function="box_of_flight",
-        section=5,
+        section=6,
         objective="The box that a flight stays in.",
         expected=_box_of_flight,
         criteria=(
@@ -388,7 +388,7 @@ TASKS = (
     Task(
         id="10.5",
         function="bodies_asleep",
-        section=10,
+        section=7,
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
         criteria=(

@@ -1,4 +1,4 @@
-"""The scene of towers that sleep: who sleeps when, and that waking changes nothing."""
+"""What a guessed plan scores; and towers that sleep: who sleeps when, and that nothing changes."""
 
 from __future__ import annotations
 
@@ -6,11 +6,31 @@ import numpy as np
 import pytest
 
 from lesson_code import simulate
-from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import asleep_in_time, three_towers
+from lesson_code.chapters.ch10_only_what_the_scene_needs.scenes import (
+    GUESSED,
+    asleep_in_time,
+    score,
+    side_by_side,
+    three_towers,
+)
 from lesson_code.engine.core.constants import QUIET_TIME
 
 UNSEEN = 1e-6
 """m: a millionth of a box; what is still moves by less than 1e-6 of what gravity gives."""
+
+
+def test_score_of_a_guess_counts_what_is_right_on_both_sides() -> None:
+    """Discs that meet nobody need nothing, so each effect that is guessed is one that is wrong."""
+    for wrong in range(len(GUESSED) + 1):
+        assert score(GUESSED[:wrong], side_by_side()) == f"{6 - wrong} of 6 right"
+    needed = {"gravity", "friction", "rotation", "manifolds", "continuous"}
+    assert score(needed, three_towers()) == "6 of 6 right"
+
+
+def test_score_of_a_guess_that_names_no_effect_is_refused() -> None:
+    """By name, with what may be guessed."""
+    with pytest.raises(ValueError, match=r"guess must name some of gravity, .*got 'spin'"):
+        score({"spin"}, side_by_side())
 
 
 def test_towers_sleep_after_their_quiet_time_and_only_the_one_that_is_hit_wakes() -> None:
