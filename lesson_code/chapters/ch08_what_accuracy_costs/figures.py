@@ -21,7 +21,6 @@ from lesson_code.evidence.work_precision import (
     Point,
     WorkPrecision,
     order_of,
-    orders,
     scenes,
     splits,
 )
@@ -44,9 +43,9 @@ LOOKS: dict[str, tuple[str, Any]] = {
 EDGE = 0.97
 """Of the height of the axes: there stand the failures."""
 
-ROOM_BELOW = 300
-"""Below the least error the axis goes on by this factor: there stand the orders, and what has no
-error but rounding, each with an arrow and its figure."""
+ROOM_BELOW = 100
+"""Below the least error the axis goes on by this factor: there stands what has no error but
+rounding, each with an arrow and its figure."""
 
 ROUNDING_AT = 0.12
 """Of the height of the axes: there stands what has no error but rounding."""
@@ -70,7 +69,7 @@ def all_scenes(result: WorkPrecision) -> Figure:
     return drawn
 
 
-def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = False) -> Axes:
+def work_precision(ax: Axes, result: WorkPrecision, scene: str) -> Axes:
     """Draw error against time for each method in a scene, with dotted lines for fitted orders.
 
     Parameters
@@ -81,8 +80,6 @@ def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = 
         What was measured.
     scene : str
         Its name.
-    work : bool
-        Whether visits to contacts stand in the place of time: these are the same on every machine.
 
     Raises
     ------
@@ -97,16 +94,13 @@ def work_precision(ax: Axes, result: WorkPrecision, scene: str, *, work: bool = 
         if scenes()[scene].swept != "dt":
             dashed = ""  # settings of which none is finer than the other make no line
             look |= {"markerfacecolor": "white"} if code == PLAIN else {}
-        marks(ax, [(_cost(p, work), _error(p)) for p in sound], linestyle=dashed, **look)
-        _draw_fit(ax, sound, order_of(points), work, color)
-        _draw_failures(ax, [p for p in points if p.failure], work, color)
-        _draw_rounding(ax, [p for p in points if not p.failure and p.error <= FLOOR], work)
-    across = "visits to a contact" if work else "time, ms"
-    ax.set(xscale="log", yscale="log", xlabel=across, ylabel="error, m")
+        marks(ax, [(p.milliseconds, _error(p)) for p in sound], linestyle=dashed, **look)
+        _draw_fit(ax, sound, order_of(points), color)
+        _draw_failures(ax, [p for p in points if p.failure], color)
+        _draw_rounding(ax, [p for p in points if not p.failure and p.error <= FLOOR])
+    ax.margins(x=0.15)  # room for the figures at the lower edge
+    ax.set(xscale="log", yscale="log", xlabel="time, ms", ylabel="error, m")
     ax.set_ylim(bottom=_bottom(result.of(scene)))
-    ax.text(
-        0.98, 0.03, _orders_in_words(result, scene), fontsize=8, ha="right", transform=ax.transAxes
-    )
     ax.set_title(scene, fontsize=11)
     return ax
 
@@ -145,16 +139,6 @@ def _bottom(points: Iterable[Point]) -> float:
     """Return where the axis of errors ends: below all of them but what is only rounding, m."""
     least = min((p.error for p in points if p.error > FLOOR), default=1.0)
     return least / ROOM_BELOW
-
-
-def _orders_in_words(result: WorkPrecision, scene: str) -> str:
-    """Return the fitted order of each method, in its fastest code, a line for each."""
-    found: dict[str, float] = {}
-    for (method, _), fit in orders(result, scene).items():
-        found.setdefault(method, fit.order)
-    return "\n".join(
-        f"{method}: order {round(order, 2) + 0.0:.2f}" for method, order in found.items()
-    )
 
 
 def split_of_sweeps(ax: Axes, result: WorkPrecision, scene: str, sweeps: int) -> Axes:
@@ -225,34 +209,29 @@ def _error(point: Point) -> float:
     return max(point.error, 1e-16)
 
 
-def _cost(point: Point, work: bool) -> float:
-    """Return what a point costs: visits, or milliseconds."""
-    return float(point.contact_solves) if work else point.milliseconds
-
-
-def _draw_fit(ax: Axes, points: Sequence[Point], fit: Fit | None, work: bool, color: str) -> None:
+def _draw_fit(ax: Axes, points: Sequence[Point], fit: Fit | None, color: str) -> None:
     """Draw what a fitted order predicts for each point."""
     used = [p for p in points if fit is not None and fit.finest <= p.dt <= fit.coarsest]
     if fit is not None:
         predicted = [fit.at(p.dt) for p in used]
-        ax.plot([_cost(p, work) for p in used], predicted, color=color, linestyle=":", linewidth=1)
+        ax.plot([p.milliseconds for p in used], predicted, color=color, linestyle=":", linewidth=1)
 
 
-def _draw_failures(ax: Axes, points: Iterable[Point], work: bool, color: str) -> None:
+def _draw_failures(ax: Axes, points: Iterable[Point], color: str) -> None:
     """Draw a cross at the upper edge for each failure, at its cost if that is known."""
     for point in points:
-        cost = _cost(point, work)
+        cost = point.milliseconds
         if math.isfinite(cost) and cost > 0:
             _cross(ax, cost, color)
         else:
             ax.plot(0.03, EDGE, transform=ax.transAxes, **_cross_look(color))
 
 
-def _draw_rounding(ax: Axes, points: Sequence[Point], work: bool) -> None:
+def _draw_rounding(ax: Axes, points: Sequence[Point]) -> None:
     """Draw at the lower edge what has no error but rounding, with an arrow and the error."""
     for point in points[:1]:
         color, marker = LOOKS[point.method]
-        x, below = _cost(point, work), ax.get_xaxis_transform()
+        x, below = point.milliseconds, ax.get_xaxis_transform()
         ax.plot(
             x, ROUNDING_AT, transform=below, color=color, marker=marker, markersize=7, linestyle=""
         )
@@ -263,7 +242,7 @@ def _draw_rounding(ax: Axes, points: Sequence[Point], work: bool) -> None:
             xycoords=below,
             textcoords=below,
             ha="center",
-            fontsize=8,
+            fontsize=9,
             color=style.INK,
         )
 

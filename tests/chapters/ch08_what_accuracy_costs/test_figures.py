@@ -57,19 +57,11 @@ def test_points_stand_at_their_time_and_error(ax: Axes) -> None:
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
 
 
-def test_work_takes_the_place_of_time(ax: Axes) -> None:
-    """Visits to a contact, the same on every machine."""
-    precision_plots.work_precision(ax, result_of(*line()), BALL, work=True)
-    assert {x for x, _ in drawn(ax, precision_plots.LOOKS["pymunk"][1])} == {50.0}
-    assert ax.get_xlabel() == "visits to a contact"
-
-
-def test_fitted_order_is_drawn_and_written(ax: Axes) -> None:
-    """A dotted line through the points of an exact power, and its exponent in words."""
+def test_fitted_order_is_drawn(ax: Axes) -> None:
+    """A dotted line through the points of an exact power."""
     precision_plots.work_precision(ax, result_of(*line()), BALL)
     (fit,) = [one for one in ax.lines if one.get_linestyle() == ":"]
     assert list(fit.get_ydata()) == pytest.approx([p.error for p in line()])  # type: ignore[arg-type]
-    assert "pymunk: order 1.00" in [text.get_text() for text in ax.texts]
 
 
 def test_failures_are_crosses_at_the_upper_edge(ax: Axes) -> None:
