@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import pytest
 from lesson_code.chapters import programs
 from lesson_code.chapters.own_functions import Watched, alike, load_own
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.chapters.time_limit import call
 from lesson_code.view.pygame.frame import play
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
@@ -150,6 +152,59 @@ def test_program_goes_on_whatever_a_function_does_and_says_what(
             assert game.missing[one].startswith(f"{one.__name__} failed: ")
             assert one.difference.startswith(f"{one.__name__}(")
             assert one.reading()[1] == "yours, and not the lesson's"
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_program_goes_on_where_a_function_never_ends(
+    name: str, write: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is interrupted once, named, and not called again, in each of the seven."""
+    monkeypatch.setattr(programs, "MOST_SECONDS", 0.1)
+    path = write / f"{name}.py"
+    path.write_text("CALLED = []\n" + "".join(map(endless, load_own(name).program.own)))
+    own = load_own(name)
+    game = play(own.program, frames=60, headless=True, tour=True, settings=own.settings).game
+    assert game.missing
+    for rule, why in game.missing.items():
+        assert why == f"{rule.__name__} failed: TimeoutError: has not ended within 0.1 s"
+    called = programs._module(path).CALLED
+    assert {rule.__name__ for rule in game.missing} <= {*called}
+    assert len(called) == len({*called})
+
+
+def endless(function: Callable[..., Any]) -> str:
+    """Return the source of a function that never ends, and catches what it can."""
+    return (
+        f"def {function.__name__}(*given):\n"
+        f"    CALLED.append({function.__name__!r})\n"
+        "    while True:\n"
+        "        try: 1 / 0\n"
+        "        except Exception: pass\n"
+    )
+
+
+def test_calls_that_are_in_time_return_their_answers() -> None:
+    """Thousands in a row, though all together take longer than one may."""
+    assert [call(0.01, abs, -n) for n in range(10_000)] == [*range(10_000)]
+
+
+def test_time_that_is_up_does_not_reach_what_comes_after_the_call() -> None:
+    """Of calls that end just when their time does each returns or raises, and nothing follows."""
+    ended = 0
+    for _ in range(20):
+        try:
+            call(0.01, count_for, 0.05)
+        except TimeoutError:
+            ended += 1
+    assert ended > 0
+    assert sum(range(200_000)) == 199_999 * 100_000
+
+
+def count_for(seconds: float) -> None:
+    """Keep the processor busy for a time, s."""
+    end = time.process_time() + seconds
+    while time.process_time() < end:
+        pass
 
 
 def test_notice_that_is_long_is_written_in_lines(program_window: Window) -> None:
