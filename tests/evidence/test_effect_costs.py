@@ -173,6 +173,7 @@ def test_stored_result_reaches_what_is_wanted() -> None:
 # The measurement
 
 
+@pytest.mark.full
 def test_measurement_of_one_effect_has_its_rows() -> None:
     """In plain Python and in pymunk, with the calls beside the first."""
     result = measure.measure_effects(["damping"], quick=True, repeats=1)

@@ -177,6 +177,7 @@ def test_gauge_measures_what_a_run_measures() -> None:
         assert reading.depth == run.max_penetration[-1]
 
 
+@pytest.mark.full
 def test_kinetic_energy_of_states_is_that_of_the_run() -> None:
     """Spin included; walls are at rest."""
     speed_scene = speed_scenes.bin_of_shapes(5)
@@ -223,6 +224,7 @@ def test_warm_up_of_a_large_scene_is_cut_short() -> None:
     assert warm_up_of(replace(small, warm_up=20_000)) == 2_000_000 // 104
 
 
+@pytest.mark.full
 def test_bytes_of_tables_are_told_for_our_engine_alone() -> None:
     """A body's row is two lines of 64 bytes at least; what pymunk holds cannot be seen so."""
     speed_scene = speed_scenes.gas(50)
@@ -342,6 +344,7 @@ def test_numbers_of_a_whole_run_are_those_of_its_scene() -> None:
     json.dumps([pile, gas], allow_nan=False)
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize("engine", ["ours", "compiled", "pymunk", "box2d"])
 @pytest.mark.parametrize(("kind", "gravity"), [("gas", 0.0), ("pile", -GRAVITY)])
 def test_program_of_every_engine_runs_the_same_scene(

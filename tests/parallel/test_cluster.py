@@ -66,6 +66,7 @@ def test_results_of_a_cluster_come_as_they_are_done(chores: ModuleType, address:
     done.close()
 
 
+@pytest.mark.full
 @needs_dask
 @needs_signals
 def test_worker_killed_half_way_loses_nothing(chores: ModuleType, address: str) -> None:

@@ -47,6 +47,7 @@ def discs_in_a_box(count: int) -> Scene:
     return Scene(walls + discs, gravity=(0, -10))
 
 
+@pytest.mark.one_in(4)
 @pytest.mark.parametrize(
     ("count", "seconds", "contacts"), [(1, 12, 483), (2, 10, 700), (5, 10, 1_500), (12, 10, 6_500)]
 )
@@ -62,6 +63,7 @@ def test_trajectory_in_pymunks_order_is_bit_equal(count: int, seconds: int, cont
     assert ours.contacts >= contacts
 
 
+@pytest.mark.full
 def test_order_of_contacts_is_part_of_the_result() -> None:
     """The same replica, its contacts visited backwards, is soon somewhere else."""
     scene = discs_in_a_box(12)

@@ -67,6 +67,7 @@ def loses_nothing(keys: str, steps: int) -> None:
         assert math.dist(game.world.position(k), pivot) == pytest.approx(STRING, rel=1e-12)
 
 
+@pytest.mark.full
 def test_cradle_after_ten_minutes_as_many_go_out_as_came_in() -> None:
     """Four of five: swept and put back onto the strings they had become five within one minute."""
     game = Cradle(0)

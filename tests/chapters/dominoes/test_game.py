@@ -74,6 +74,7 @@ def test_dominoes_click_beside_them_pushes_nobody() -> None:
     assert not game.pushed
 
 
+@pytest.mark.full
 def test_dominoes_tour_measures_four_waves() -> None:
     """At four spacings, and none is lost by a reset."""
     game = Dominoes(0)

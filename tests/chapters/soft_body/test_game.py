@@ -69,6 +69,7 @@ def test_right_button_holds_a_soft_body_as_the_left_one_does() -> None:
     assert len(games[1].rings) == 3
 
 
+@pytest.mark.full
 def test_sliders_reach_the_soft_bodies() -> None:
     """Without gravity they stay where they are; without friction the floor takes less speed."""
     game = SoftBody(0)
@@ -109,6 +110,7 @@ def test_soft_bodies_stay_out_of_one_another_however_they_are_kicked() -> None:
     assert worst < 0.01
 
 
+@pytest.mark.full
 def test_soft_bodies_stay_out_of_one_another_when_they_are_dragged_about() -> None:
     """A mouse that pulls a mass with the weight of a whole body presses in no more than 3 %."""
     game, worst, stream = SoftBody(0), -1.0, Random(5)  # noqa: S311 - a test

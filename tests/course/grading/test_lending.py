@@ -174,6 +174,7 @@ def resolve_overlap(*given):
 """
 
 
+@pytest.mark.full
 def test_asking_without_end_earns_nothing(
     grader: Grader, write: Write, monkeypatch: pytest.MonkeyPatch
 ) -> None:

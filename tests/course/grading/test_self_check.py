@@ -24,6 +24,7 @@ SOLUTION = "solutions/01_one_dimension.ipynb"
 PROGRAM = "exercises/billiards.py"
 
 
+@pytest.mark.full
 def test_faults_none_in_this_workbook(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Stubs fail, solutions and alternatives pass, wrong models are recognised, nothing leaks.
 

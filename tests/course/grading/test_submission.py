@@ -158,6 +158,7 @@ def test_read_of_f_strings_costs_the_grader_nothing(write: Write, source: str) -
     assert time.process_time() - began < 0.5
 
 
+@pytest.mark.full
 def test_read_names_what_takes_too_long_and_reads_the_rest(write: Write) -> None:
     """A cell that no parser gets through in time is named, and the functions lost with it."""
     slow = 'x = f"' + "{a}" * 200_000 + '"\n' + INELASTIC

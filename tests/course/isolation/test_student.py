@@ -429,6 +429,7 @@ def _megabytes() -> float:
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
+@pytest.mark.full
 def test_child_that_reads_nothing_does_not_stop_the_parent(best: Children, quick: Limits) -> None:
     """A request that nobody takes off the pipe is a timeout, however long it is."""
     source = "import time\ndef f(*numbers): time.sleep(60)"

@@ -146,6 +146,7 @@ print([[game.notice] if game.missing else len(game.world) for game in played])
 """
 
 
+@pytest.mark.full
 def test_copy_plays_with_what_the_student_has_written(copy: Path, root: Path) -> None:
     """What is missing is named with its file, and nothing else fails; then it is played."""
     names = [exercise.name for exercise in exercises() if not exercise.chapter.number]
@@ -240,6 +241,7 @@ def test_instructors_commands_say_that_they_need_the_instructors_copy(
     assert "Traceback" not in ran.stderr
 
 
+@pytest.mark.full
 def test_release_writes_folder_and_zip_alike(
     files: Files, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -69,6 +69,7 @@ def test_file_in_place_of_the_folder_is_refused(tiny: Path) -> None:
         build(tiny, tiny / "site")
 
 
+@pytest.mark.full
 @NEEDS_TOOLS
 def test_link_that_leads_nowhere_is_an_error(tiny: Path) -> None:
     """What Sphinx only warns of is said, with its place."""

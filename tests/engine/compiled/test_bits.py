@@ -146,6 +146,7 @@ def test_run_that_goes_on_compiled_has_the_bits_of_the_plain_one(
     assert_same_bits(run, plain)
 
 
+@pytest.mark.full
 def test_run_that_changes_its_program_goes_on_plain_with_the_same_bits(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

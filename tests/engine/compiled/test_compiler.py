@@ -96,6 +96,7 @@ def test_process_that_is_nearly_done_finishes(place: Path) -> None:
     assert files(place) == {name_of(small_program())}
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("way", ["", "sys.exit(3)", "compiling._process = None; raise ValueError"])
 def test_process_ends_with_the_one_that_has_begun_it(place: Path, way: str) -> None:
     """However that ends, if it says nothing."""
@@ -106,6 +107,7 @@ def test_process_ends_with_the_one_that_has_begun_it(place: Path, way: str) -> N
     assert files(place) == set()
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
 def test_killed_process_leaves_no_other_behind(place: Path, how: signal.Signals) -> None:
     """The thread that the other hangs on is cut."""

@@ -122,6 +122,7 @@ def other_file(about: dict[str, object]) -> None:
     about["is a library"] = True
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize("change", [other_maker, other_system, other_file])
 def test_program_from_elsewhere_is_not_loaded(
     place: Path, no_linker: None, change: Callable[[dict[str, object]], None]
@@ -147,6 +148,7 @@ DAMAGE: dict[str, Callable[[bytes], bytes]] = {
 }
 
 
+@pytest.mark.one_in(5)
 @pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
 def test_file_that_is_damaged_is_made_anew_and_never_run(
     place: Path, damage: Callable[[bytes], bytes]

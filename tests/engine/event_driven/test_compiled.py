@@ -209,6 +209,7 @@ def test_small_run_stays_plain_python_and_says_so() -> None:
     assert (plan.code, plan.code_reason) == ("plain Python", "a small run")
 
 
+@pytest.mark.full
 def test_compiled_run_that_was_asked_for_says_so() -> None:
     """However small it is."""
     plan = simulate(ball_in_a_box(), 10.0, solver="exact", compiled=True).plan
