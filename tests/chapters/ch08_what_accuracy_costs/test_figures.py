@@ -57,19 +57,11 @@ def test_points_stand_at_their_time_and_error(ax: Axes) -> None:
     assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
 
 
-def test_work_takes_the_place_of_time(ax: Axes) -> None:
-    """Visits to a contact, the same on every machine."""
-    precision_plots.work_precision(ax, result_of(*line()), BALL, work=True)
-    assert {x for x, _ in drawn(ax, precision_plots.LOOKS["pymunk"][1])} == {50.0}
-    assert ax.get_xlabel() == "visits to a contact"
-
-
-def test_fitted_order_is_drawn_and_written(ax: Axes) -> None:
-    """A dotted line through the points of an exact power, and its exponent in words."""
+def test_fitted_order_is_drawn(ax: Axes) -> None:
+    """A dotted line through the points of an exact power."""
     precision_plots.work_precision(ax, result_of(*line()), BALL)
     (fit,) = [one for one in ax.lines if one.get_linestyle() == ":"]
     assert list(fit.get_ydata()) == pytest.approx([p.error for p in line()])  # type: ignore[arg-type]
-    assert "pymunk: order 1.00" in [text.get_text() for text in ax.texts]
 
 
 def test_failures_are_crosses_at_the_upper_edge(ax: Axes) -> None:
@@ -101,6 +93,17 @@ def test_split_of_sweeps_keeps_who_fell(ax: Axes) -> None:
     assert drawn(ax, "x") == [(1.0, precision_plots.EDGE)]
 
 
+def test_methods_that_fail_at_one_split_have_a_cross_each(ax: Axes) -> None:
+    """None hides the one of another method."""
+    points = [
+        Point(PILE, method, "C", 1 / 60, 100 // n, n, error, 1.0, failure=failure)
+        for method in ("pymunk", "sequential")
+        for n, error, failure in ((1, 9.0, "fell"), (10, 0.002, ""))
+    ]
+    precision_plots.split_of_sweeps(ax, result_of(*points), PILE, 100)
+    assert len(set(drawn(ax, "x"))) == 2
+
+
 def test_errors_over_steps_have_their_fit(ax: Axes) -> None:
     """Markers for what was measured, a line for what was fitted."""
     steps, errors = [0.1, 0.05, 0.025], [1.0, 0.5, 0.25]
@@ -123,5 +126,5 @@ def test_figure_of_all_scenes_can_be_read(assert_texts_are_clear: READABLE) -> N
     exact = Point(BALL, "exact", "Python", 0.0, 1, 1, 5e-15, 1e-3, 10)
     pile = [replace(p, scene="stack of 20") for p in line("sequential", "compiled")]
     figure = precision_plots.all_scenes(result_of(*line(), exact, *pile))
-    assert [ax.get_title() for ax in figure.axes] == [BALL, "stack of 20", ""]
+    assert [ax.get_title() for ax in figure.axes] == [BALL, "stack of 20", "", ""]
     assert_texts_are_clear(figure)
