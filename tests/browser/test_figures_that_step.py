@@ -58,7 +58,7 @@ def test_error_of_a_bouncing_ball_is_that_of_the_run_in_python(
 
 
 @pytest.mark.browser
-def test_error_of_a_fall_is_that_of_section_4(page: Page, tmp_path: Path) -> None:
+def test_error_of_a_fall_is_that_of_section_3(page: Page, tmp_path: Path) -> None:
     """Too high by g t dt / 2: 10 / rate after 2 s."""
     figure = opened(page, tmp_path, ERRORS)
     choose(figure, "scene", "a fall without an impact")

@@ -26,7 +26,8 @@ from lesson_code.evidence.work_precision import (
 )
 from lesson_code.evidence.work_precision.methods import COMPILED, PLAIN
 from lesson_code.evidence.work_precision.result import FLOOR
-from lesson_code.view.matplotlib import style
+from lesson_code.view.browser.show import show
+from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.matplotlib.measured import marks, rows
 
 LOOKS: dict[str, tuple[str, Any]] = {
@@ -43,15 +44,107 @@ LOOKS: dict[str, tuple[str, Any]] = {
 EDGE = 0.97
 """Of the height of the axes: there stand the failures."""
 
+LOWER = 0.06
+"""Of the height of the axes: where methods fail at the same setting, each next one's cross stands
+lower by this."""
+
+ROOM_ABOVE = 4
+"""Above the largest error the axis goes on by this factor, where crosses stand over a split."""
+
 ROOM_BELOW = 100
 """Below the least error the axis goes on by this factor: there stands what has no error but
-rounding, each with an arrow and its figure."""
+rounding, with an arrow and its figure."""
 
 ROUNDING_AT = 0.12
 """Of the height of the axes: there stands what has no error but rounding."""
 
-COLUMNS = 4
-"""Panels side by side in the figure of all scenes."""
+COLUMNS = 2
+"""Panels side by side in the figure of all scenes: more would make its words small in a page."""
+
+WORDS = 10
+"""Points: the size of the words that stand in and beside the axes."""
+
+
+# What the notebook shows
+
+
+def staircase(times: Sequence[float], errors: Sequence[float]) -> None:
+    """Show how far the reader's ball is from its right place, m, over the time, s."""
+    fig, ax = style.figure(width=7, height=3.2)
+    plots.curves(ax, {"": (times, errors)}, "time, s", "distance from the right place, m")
+    show(
+        fig,
+        "Distance of your ball from its right place over ten seconds: a staircase of six steps up "
+        "to 0.16 m, level in between, with two short dips at steps.",
+    )
+
+
+def your_errors(rates: Sequence[int], errors: Sequence[float], fit: Fit) -> None:
+    """Show the errors of the reader's solver, m, at some steps a second, and their order."""
+    fig, ax = style.figure(width=7, height=3.2)
+    named = "your solver"
+    errors_over_steps(ax, [1 / rate for rate in rates], {named: errors}, {named: fit})
+    show(
+        fig,
+        "Error of your solver over the length of the step, both axes in powers of ten. Six dots "
+        "fall from 0.6 m at a thirtieth of a second to a hundredth of a metre, about a line of "
+        "slope 1.",
+    )
+
+
+def map_of_prices(result: WorkPrecision) -> None:
+    """Show error against time for the ball in the box."""
+    fig, ax = style.figure(width=9, height=4.6)
+    work_precision(ax, result, "ball in a box")
+    legend_beside(ax, result.of("ball in a box"))
+    show(
+        fig,
+        "Error against time for the ball in the box, both axes in powers of ten. The lines of "
+        "methods that step run down to the right. Those in plain Python lie parallel to the "
+        "compiled ones, further to the right. The exact solver stands alone at the lower edge, on "
+        "the left. Grey crosses at the upper edge are the naive solver's failures.",
+    )
+
+
+def towers(result: WorkPrecision, sweeps: int) -> None:
+    """Show the error of both piles over the sub-steps that a number of sweeps is split into."""
+    fig, axes = style.figure(2, width=9.5, height=3.8)
+    for ax, name in zip(axes, ("stack of 20", "heavy on light"), strict=True):
+        split_of_sweeps(ax, result, name, sweeps)
+    axes[0].legend(frameon=False)
+    show(
+        fig,
+        f"Error over the number of sub-steps, at {sweeps} sweeps in each step. Left, a stack of 20 "
+        "boxes: for pymunk and the sequential solver the error falls all the way to the most "
+        "sub-steps. For the solver with springs it has a minimum at 10, and at both ends the stack "
+        "falls. Right, a heavy box on a light one: all fall towards many sub-steps.",
+    )
+
+
+def whole_map(result: WorkPrecision) -> None:
+    """Show error against time for all scenes."""
+    show(
+        all_scenes(result),
+        "Seven panels of error against time: ball in a box, drop, slide to roll, gas, pi blocks, "
+        "stack of 20, heavy on light. In the first five the exact solver stands far below all "
+        "others, in the last two the direct solver. Crosses at the upper edges mark what fell, was "
+        "lost or refused.",
+    )
+
+
+def laws(comparison: Comparison) -> None:
+    """Show what the default call takes over the time of sweeps, for each family of hard cases."""
+    fig, ax = style.figure(width=9, height=5)
+    prices_of_laws(ax, comparison)
+    show(
+        fig,
+        "A row for each theme of hard cases, with a mark for each family over the time of the "
+        "default call divided by that of sweeps, in powers of ten. Most marks are hollow, where "
+        "sweeps break the law, and lie on both sides of 1.",
+    )
+
+
+# What it is made of
 
 
 def all_scenes(result: WorkPrecision) -> Figure:
@@ -59,13 +152,15 @@ def all_scenes(result: WorkPrecision) -> Figure:
     names = result.scenes
     columns = min(COLUMNS, len(names) + 1)
     lines = math.ceil((len(names) + 1) / columns)
-    drawn = Figure(figsize=(3.5 * columns, 3.3 * lines), layout="constrained", dpi=100)
+    drawn = Figure(figsize=(4.7 * columns, 3.9 * lines), layout="constrained", dpi=100)
     axes = drawn.subplots(lines, columns, squeeze=False).flatten().tolist()
     for ax, name in zip(axes, names, strict=False):
         work_precision(style.plain(ax), result, name)
     for ax in axes[len(names) :]:
         ax.axis("off")
-    axes[len(names)].legend(handles=handles(result.points), loc="center", frameon=False, fontsize=9)
+    axes[len(names)].legend(
+        handles=handles(result.points), loc="center", frameon=False, fontsize=WORDS
+    )
     return drawn
 
 
@@ -98,9 +193,9 @@ def work_precision(ax: Axes, result: WorkPrecision, scene: str) -> Axes:
         _draw_fit(ax, sound, order_of(points), color)
         _draw_failures(ax, [p for p in points if p.failure], color)
         _draw_rounding(ax, [p for p in points if not p.failure and p.error <= FLOOR])
-    ax.margins(x=0.15)  # room for the figures at the lower edge
     ax.set(xscale="log", yscale="log", xlabel="time, ms", ylabel="error, m")
     ax.set_ylim(bottom=_bottom(result.of(scene)))
+    ax.margins(x=0.1)
     ax.set_title(scene, fontsize=11)
     return ax
 
@@ -129,9 +224,9 @@ def prices_of_laws(ax: Axes, comparison: Comparison) -> Axes:
         look = {"markeredgecolor": style.BLUE, "markerfacecolor": face, "markersize": 6}
         marks(ax, points, marker="o", label=label, **look)
     ax.axvline(1.0, color=style.GREY, linewidth=1.2)
-    rows(ax, list(themes), fontsize=9)
+    rows(ax, list(themes), fontsize=WORDS)
     ax.set(xscale="log", xlabel="time of the default call over that of sweeps")
-    ax.legend(frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=9)
+    ax.legend(frameon=False, ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=WORDS)
     return ax
 
 
@@ -143,6 +238,7 @@ def _bottom(points: Iterable[Point]) -> float:
 
 def split_of_sweeps(ax: Axes, result: WorkPrecision, scene: str, sweeps: int) -> Axes:
     """Draw the error of equally many sweeps in a step over the sub-steps they are split into."""
+    crosses: list[int] = []
     for method, points in splits(result, scene, sweeps).items():
         color, marker = LOOKS[method]
         look: dict[str, Any]
@@ -151,8 +247,11 @@ def split_of_sweeps(ax: Axes, result: WorkPrecision, scene: str, sweeps: int) ->
         marks(ax, [(p.substeps, _error(p)) for p in sound], linestyle="-", **look)
         for p in points:
             if p.failure:
-                _cross(ax, p.substeps, color)
+                _cross(ax, p.substeps, color, EDGE - LOWER * crosses.count(p.substeps))
+                crosses.append(p.substeps)
+    ax.plot([], [], label="fell", **_cross_look(style.INK))
     ax.set(xscale="log", yscale="log", xlabel="sub-steps in a step", ylabel="error, m")
+    ax.set_ylim(top=ROOM_ABOVE * ax.get_ylim()[1])
     ax.set_title(f"{scene}: {sweeps} sweeps in each step", fontsize=11)
     return ax
 
@@ -186,7 +285,7 @@ def errors_over_steps(
 def legend_beside(ax: Axes, points: Iterable[Point]) -> None:
     """Put the legend of some points to the right of the axes."""
     beside: dict[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}
-    ax.legend(handles=handles(points), frameon=False, fontsize=9, **beside)
+    ax.legend(handles=handles(points), frameon=False, fontsize=WORDS, **beside)
 
 
 def handles(points: Iterable[Point]) -> list[Line2D]:
@@ -220,9 +319,8 @@ def _draw_fit(ax: Axes, points: Sequence[Point], fit: Fit | None, color: str) ->
 def _draw_failures(ax: Axes, points: Iterable[Point], color: str) -> None:
     """Draw a cross at the upper edge for each failure, at its cost if that is known."""
     for point in points:
-        cost = point.milliseconds
-        if math.isfinite(cost) and cost > 0:
-            _cross(ax, cost, color)
+        if math.isfinite(point.milliseconds):
+            _cross(ax, point.milliseconds, color)
         else:
             ax.plot(0.03, EDGE, transform=ax.transAxes, **_cross_look(color))
 
@@ -242,14 +340,14 @@ def _draw_rounding(ax: Axes, points: Sequence[Point]) -> None:
             xycoords=below,
             textcoords=below,
             ha="center",
-            fontsize=9,
+            fontsize=WORDS,
             color=style.INK,
         )
 
 
-def _cross(ax: Axes, x: float, color: str) -> None:
-    """Draw a cross at the upper edge."""
-    ax.plot(x, EDGE, transform=ax.get_xaxis_transform(), **_cross_look(color))
+def _cross(ax: Axes, x: float, color: str, height: float = EDGE) -> None:
+    """Draw a cross at the upper edge, or lower, in parts of the height of the axes."""
+    ax.plot(x, height, transform=ax.get_xaxis_transform(), **_cross_look(color))
 
 
 def _cross_look(color: str) -> dict[str, Any]:

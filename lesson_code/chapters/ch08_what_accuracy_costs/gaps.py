@@ -1,4 +1,4 @@
-"""What the reader of notebook 08 writes: an order from two errors, and what an impact costs."""
+"""What the reader of notebook 08 writes: a solver, an order from two errors, a late impact."""
 
 from __future__ import annotations
 
@@ -7,6 +7,50 @@ from random import Random
 
 from lesson_code.course.grading.gaps import Gap
 from lesson_code.course.grading.task import wrong_model
+
+
+def step(x: float, v: float, dt: float, low: float, high: float) -> tuple[float, float]:
+    """Return place, m, and velocity, m/s, of a ball on a line after a step between two walls."""
+    x = x + v * dt
+    is_leaving = (x < low and v < 0) or (x > high and v > 0)
+    return x, -v if is_leaving else v
+
+
+@wrong_model("08-step", "A ball beyond the wall is on its way back in. Should it turn round again?")
+def turns_whatever_its_way(
+    x: float, v: float, dt: float, low: float, high: float
+) -> tuple[float, float]:
+    """A ball beyond a wall turns round."""
+    x = x + v * dt
+    return x, v if low <= x <= high else -v
+
+
+@wrong_model("08-step", "Positive is to the right. Which sign has v on its way out at `low`?")
+def turns_on_its_way_in(
+    x: float, v: float, dt: float, low: float, high: float
+) -> tuple[float, float]:
+    """A ball that comes back from beyond a wall turns round."""
+    x = x + v * dt
+    is_coming = (x < low and v > 0) or (x > high and v < 0)
+    return x, -v if is_coming else v
+
+
+@wrong_model("08-step", "You moved the ball to the wall. By how far did it fly back in that step?")
+def put_at_the_wall(x: float, v: float, dt: float, low: float, high: float) -> tuple[float, float]:
+    """A ball beyond a wall is put on its surface."""
+    x, v = step(x, v, dt, low, high)
+    return min(max(x, low), high), v
+
+
+@wrong_model(
+    "08-step",
+    "Your mirror is exact at a flat wall. What would it need to know of a ball that hits a ball? "
+    "Leave x where it is, for now.",
+)
+def mirrored(x: float, v: float, dt: float, low: float, high: float) -> tuple[float, float]:
+    """A ball beyond a wall is put as far in front of it."""
+    x, v = step(x, v, dt, low, high)
+    return (2 * low - x if x < low else 2 * high - x if x > high else x), v
 
 
 def order_of(dt_1: float, error_1: float, dt_2: float, error_2: float) -> float:
@@ -59,6 +103,18 @@ def the_difference(e: float, v: float, tau: float) -> float:
     return (1 - e) * v * tau
 
 
+def flight(stream: Random) -> tuple[float, ...]:
+    """Draw a place, m, a velocity, m/s, a step, s, and two walls, m.
+
+    The ball flies free, out through a wall, or back in from beyond one.
+    """
+    low, high, speed = 0.25, round(stream.uniform(2, 4), 2), round(stream.uniform(1, 3), 2)
+    out = (low + 0.02, -speed), (high - 0.02, speed)
+    back = (low - 0.2, speed), (high + 0.2, -speed)
+    x, v = stream.choice((*out, *back, (1.0, speed)))
+    return x, v, 0.05, low, high
+
+
 def two_runs(stream: Random) -> tuple[float, ...]:
     """Draw two steps, s, and errors, m, of some order."""
     dt_1, ratio = 1 / stream.choice((30, 60, 120)), stream.choice((2.0, 4.0, 8.0))
@@ -72,6 +128,8 @@ def late_impact(stream: Random) -> tuple[float, ...]:
 
 
 GAPS = (
+    Gap("08-step", step, flight,
+        (turns_whatever_its_way, turns_on_its_way_in, put_at_the_wall, mirrored)),
     Gap("08-order-of", order_of, two_runs,
         (ratio_of_the_errors, upside_down, slope_without_logarithms)),
     Gap("08-late", late_by, late_impact, (only_too_deep, only_the_way_back, the_difference)),

@@ -333,7 +333,7 @@ TASKS = (
     Task(
         id="8.4",
         function="best_split",
-        section=5,
+        section=6,
         objective="Of equal work, the split into sub-steps and iterations with the least error.",
         expected=_best_split,
         criteria=(
@@ -346,7 +346,7 @@ TASKS = (
     Task(
         id="8.5",
         function="cheapest",
-        section=6,
+        section=7,
         objective="The setting that is good enough and takes the least time.",
         expected=_cheapest,
         criteria=(

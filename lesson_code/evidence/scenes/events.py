@@ -159,14 +159,23 @@ def ball_in_a_box() -> Scene:
     return Scene([*box(*BOX), ball])
 
 
-def error_in_the_box(run: Run) -> Any:
-    """Return how far the ball in the box is from where it should be, m, shape (F,).
+def places_in_the_box(times: Any) -> Any:
+    """Return where the ball in the box should be at some times, s: m, shape (F, 2).
 
-    Where it should be is the closed form, worked out in fractions.
+    It is the closed form, worked out in fractions.
+
+    Examples
+    --------
+    >>> places_in_the_box([0.0, 1.0]).tolist()
+    [[1.1, 0.9], [3.4, 2.0]]
     """
     ball = BALL_START, BALL_VELOCITY, BALL_RADIUS
-    there = [ball_in_box(*ball, *BOX, time=time)[0] for time in run.times.tolist()]
-    return np.hypot(*(run.positions[:, WALLS] - there).T)
+    return np.array([ball_in_box(*ball, *BOX, time=time)[0] for time in np.array(times).tolist()])
+
+
+def error_in_the_box(run: Run) -> Any:
+    """Return how far the ball in the box is from where it should be, m, shape (F,)."""
+    return np.hypot(*(run.positions[:, WALLS] - places_in_the_box(run.times)).T)
 
 
 # A ball that bounces to rest

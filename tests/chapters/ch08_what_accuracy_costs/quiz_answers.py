@@ -21,7 +21,7 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
         ],
     ),
     "08-halved": (F(1), [F(2), F(1, 2)]),
-    "08-fall": (F(10) / 60 / 2, [F(10) / 60, F(10) / 60**2 / 2]),
+    "08-millimetre": (30 * F(630), [F(630), 30 / F(630)]),  # 0.63 m is 630 times 1 mm
 }
 """For each numeric question the answer, and the wrong values in the order of the bank.
 

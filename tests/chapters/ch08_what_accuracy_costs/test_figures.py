@@ -93,6 +93,17 @@ def test_split_of_sweeps_keeps_who_fell(ax: Axes) -> None:
     assert drawn(ax, "x") == [(1.0, precision_plots.EDGE)]
 
 
+def test_methods_that_fail_at_one_split_have_a_cross_each(ax: Axes) -> None:
+    """None hides the one of another method."""
+    points = [
+        Point(PILE, method, "C", 1 / 60, 100 // n, n, error, 1.0, failure=failure)
+        for method in ("pymunk", "sequential")
+        for n, error, failure in ((1, 9.0, "fell"), (10, 0.002, ""))
+    ]
+    precision_plots.split_of_sweeps(ax, result_of(*points), PILE, 100)
+    assert len(set(drawn(ax, "x"))) == 2
+
+
 def test_errors_over_steps_have_their_fit(ax: Axes) -> None:
     """Markers for what was measured, a line for what was fitted."""
     steps, errors = [0.1, 0.05, 0.025], [1.0, 0.5, 0.25]
@@ -115,5 +126,5 @@ def test_figure_of_all_scenes_can_be_read(assert_texts_are_clear: READABLE) -> N
     exact = Point(BALL, "exact", "Python", 0.0, 1, 1, 5e-15, 1e-3, 10)
     pile = [replace(p, scene="stack of 20") for p in line("sequential", "compiled")]
     figure = precision_plots.all_scenes(result_of(*line(), exact, *pile))
-    assert [ax.get_title() for ax in figure.axes] == [BALL, "stack of 20", ""]
+    assert [ax.get_title() for ax in figure.axes] == [BALL, "stack of 20", "", ""]
     assert_texts_are_clear(figure)
