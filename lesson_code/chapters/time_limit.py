@@ -16,6 +16,9 @@ from typing import Any
 LOOK = 0.05
 """s, from one look at the clock to the next."""
 
+AGAIN = 0.5
+"""s of the processor, after which an interruption that a bare ``except`` has caught is repeated."""
+
 NEVER = 1e300
 """s."""
 
@@ -36,11 +39,16 @@ def call(seconds: float, function: Callable[..., Any], *arguments: Any) -> Any:
     clock.begin(seconds)
     try:
         try:
-            return function(*arguments)
-        finally:
+            answer = function(*arguments)
+        except _Interruption:
+            raise
+        except BaseException:
             clock.end()
-    except _Interruption:
+            raise
         clock.end()
+        return answer
+    except _Interruption:
+        clock.forget()
         raise TimeoutError(f"has not ended within {seconds:g} s") from None
 
 
@@ -52,25 +60,38 @@ class _Clock(threading.Thread):
         self._lock = threading.Lock()
         self._caller = ctypes.c_ulong(0)
         self._ends = NEVER
+        self._has_raised = False
 
     def begin(self, seconds: float) -> None:
         """Give the thread that asks so much time, from now on."""
         with self._lock:
             self._caller = ctypes.c_ulong(threading.get_ident())
             self._ends = time.process_time() + seconds
+            self._has_raised = False
 
     def end(self) -> None:
-        """Let the call be; what has been raised and has not yet arrived is taken back."""
+        """Let the call be. What has been raised at the last moment arrives in here.
+
+        It cannot be taken back: CPython 3.11 then looks for it at every call, for ever.
+        """
+        self.forget()
+        last = time.monotonic() + LOOK
+        while self._has_raised and time.monotonic() < last:
+            pass
+
+    def forget(self) -> None:
+        """Raise nothing from now on."""
         with self._lock:
             self._ends = NEVER
-            ctypes.pythonapi.PyThreadState_SetAsyncExc(self._caller, None)
 
     def run(self) -> None:
-        """Look at the clock for ever; raise again where a bare ``except`` has caught it."""
+        """Look at the clock for ever."""
         while True:
             time.sleep(LOOK)
             with self._lock:
                 if time.process_time() > self._ends:
+                    self._has_raised = True
+                    self._ends = time.process_time() + AGAIN
                     ctypes.pythonapi.PyThreadState_SetAsyncExc(
                         self._caller, ctypes.py_object(_Interruption)
                     )

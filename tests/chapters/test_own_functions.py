@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -198,6 +199,20 @@ def test_time_that_is_up_does_not_reach_what_comes_after_the_call() -> None:
             ended += 1
     assert ended > 0
     assert sum(range(200_000)) == 199_999 * 100_000
+
+
+def test_profiler_still_works_after_calls_that_were_in_time_and_late() -> None:
+    """CPython 3.11 hangs in a profiled function while it believes that an exception is to come."""
+    with pytest.raises(TimeoutError, match=r"not ended within 0\.01 s"):
+        call(0.01, count_for, 10.0)
+    call(0.01, abs, -1)
+    seen = []
+    sys.setprofile(lambda *told: seen.append(told[1]))
+    try:
+        count_for(0.0)
+    finally:
+        sys.setprofile(None)
+    assert "call" in seen
 
 
 def count_for(seconds: float) -> None:
