@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,10 +11,8 @@ import pytest
 
 from lesson_code import Body, Circle, Material, Scene, Segment, simulate
 from lesson_code.engine.core.constants import IMPACT_DEPTH, SLOP
-from lesson_code.engine.effects.continuous import fastest_way
 from lesson_code.evidence.hard_cases.loads import tower
 from lesson_code.evidence.hard_cases.measures import SUNK
-from lesson_code.formulas import elastic_1d
 from lesson_code.reference.closed_forms import bouncing_ball
 
 from .test_figures_of_chapters import choose, put
@@ -21,11 +21,12 @@ from .test_live import opened, seen
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from playwright.sync_api import Page
+    from playwright.sync_api import Locator, Page
+
+    from lesson_code.engine.core.run import Run
 
 ERRORS = "ch08_what_accuracy_costs/how_wrong"
 TOWER = "ch09_hard_cases/tower"
-FASTEST = "ch10_only_what_the_scene_needs/fastest"
 LEFT_OUT = "ch10_only_what_the_scene_needs/left_out"
 THROW = "ch11_the_small_engine/throw"
 
@@ -109,81 +110,94 @@ def test_law_of_sweeps_holds_for_one_box(page: Page, tmp_path: Path) -> None:
     assert f"power of 30 gives {left}." in seen(figure)[1]
 
 
-@pytest.mark.browser
-@pytest.mark.parametrize(("speed", "mass"), [(0.5, 1.0), (3.0, 0.2), (0.1, 10.0)])
-def test_bound_is_the_rules_and_the_hit_the_formulas(
-    page: Page, tmp_path: Path, speed: float, mass: float
-) -> None:
-    """`fastest_way` asks for a step of 1 s: the way in it is the speed."""
-    figure = opened(page, tmp_path, FASTEST)
-    put(figure, {"speed": speed, "mass": mass, "step": 33 if speed < 1 else 1})
-    heavy = Body(Circle(0.5), mass=100.0, position=(-1, 0), velocity=(speed, 0))
-    bound, _ = fastest_way(Scene([heavy, Body(Circle(0.1), mass=mass)]), 1.0)
-    words = seen(figure)[1]
-    assert f"the light ball {elastic_1d(100, speed, mass, 0)[1]:.2f} m/s;" in words
-    assert f"faster than {bound:.2f} m/s" in words
-    assert ("nobody has to be watched" in words) == (
-        1.5 * bound * (0.033 if speed < 1 else 0.001) <= 0.1
-    )
+RUBBER = Material(0.8, 0.8)
+GROUNDS = {"asphalt": RUBBER, "ice": Material(0.8, 0.0), "sand": Material(0.0, 0.8)}
 
 
-def two_discs(
-    velocity: tuple[float, float] = (5.0, 0.0),
-    gravity: float = 10.0,
-    restitution: float = 0.8,
-    floor: float = 0.4,
-    discs: float = 0.0,
-) -> Any:
-    """Return the places of both discs of the figure, as Python steps them."""
-    fixed, free = Material(restitution, floor), Material(restitution, discs)
+def thrown_rubber(
+    ground: str,
+    velocity: tuple[float, float] = (3.0, 0.0),
+    spin: float = 0.0,
+    balls: int = 1,
+    **changed: float,
+) -> Run:
+    """Return two seconds of the rubber balls; `changed` is a coefficient that all have instead."""
+    fixed, free = (replace(material, **changed) for material in (GROUNDS[ground], RUBBER))
     lines = [((-30, 0), (30, 0)), ((5.5, 0), (5.5, 30))]
     bodies = [Body(Segment(*ends), material=fixed) for ends in lines]
-    bodies.append(Body(Circle(0.4), mass=1.0, position=(0, 1.6), velocity=velocity, material=free))
-    bodies.append(Body(Circle(0.4), mass=1.0, position=(2.6, 0.4), material=free))
-    run = simulate(Scene(bodies, gravity=(0, -gravity)), 2.0, solver="sequential")
-    return run.positions[:, 2:]
+    thrown: Any = {"position": (0, 1.6), "velocity": velocity, "angular_velocity": spin}
+    moving = (thrown, {"position": (2.6, 0.4)})[:balls]
+    bodies += [Body(Circle(0.4), mass=1.0, material=free, **given) for given in moving]
+    return simulate(Scene(bodies, gravity=(0, -10)), 2.0, solver="sequential")
+
+
+def without(figure: Locator, effect: str) -> tuple[str, str]:
+    """Return what the figure says of an effect: what the plan does with it, and what changes."""
+    found = re.search(rf"Without {effect} \(plan: ([a-z ]+)\) (.*?)\.(?= |$)", seen(figure)[1])
+    assert found
+    return found[1], found[2]
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize(
-    ("effect", "without"),
-    [
-        ("gravity", {"gravity": 0.0}),
-        ("restitution", {"restitution": 0.0}),
-        ("friction", {"floor": 0.0, "discs": 0.0}),
-    ],
-)
-def test_effect_left_out_moves_the_discs_as_far_as_in_python(
-    page: Page, tmp_path: Path, effect: str, without: dict[str, float]
+@pytest.mark.parametrize("effect", ["friction", "restitution"])
+@pytest.mark.parametrize("ground", [*GROUNDS])
+@pytest.mark.parametrize("balls", [1, 2])
+def test_effect_left_out_moves_the_balls_as_far_as_in_python(
+    page: Page, tmp_path: Path, effect: str, ground: str, balls: int
 ) -> None:
-    """Rough discs: all three are called for, and change the paths by so many millimetres."""
+    """Where the path changes, by so many millimetres; where it does not, by not one bit."""
     figure = opened(page, tmp_path, LEFT_OUT)
-    put(figure, {"friction of the discs": 0.5})
-    choose(figure, "leave out", effect)
-    way = two_discs(discs=0.5) - two_discs(**({"discs": 0.5} | without))
+    choose(figure, "ground and wall", ground)
+    choose(figure, "balls", ["one ball", "two balls"][balls - 1])
+    whole = thrown_rubber(ground, balls=balls)
+    other = thrown_rubber(ground, balls=balls, **{effect: 0.0})
+    way = (whole.positions - other.positions)[:, 2:]
     apart = np.hypot(way[..., 0], way[..., 1]).max()
-    assert f"without {effect}: up to {apart:.3f} m apart." in seen(figure)[1]
+    said = without(figure, effect)[1]
+    if whole.positions.tobytes() == other.positions.tobytes():
+        assert said == "not one bit changes"
+    else:
+        assert said.endswith(f" bits change, up to {apart:.3f} m")
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize(
-    ("numbers", "named"),
-    [
-        ({}, "leave out friction or rotation or continuous changes no bit"),
-        ({"friction of the discs": 0.5}, "leave out continuous changes no bit"),
-        ({"friction of floor": 0}, "leave out friction or rotation or continuous changes no bit"),
-        ({"spin": 5}, "leave out friction or continuous changes no bit"),
-        ({"gravity": 0}, "leave out gravity or friction or rotation or continuous"),
-        ({"along x": 60}, "leave out friction or rotation changes no bit"),
-    ],
-)
-def test_what_can_be_left_out_is_what_the_rules_say(
-    page: Page, tmp_path: Path, numbers: dict[str, float], named: str
+@pytest.mark.parametrize("ground", [*GROUNDS])
+@pytest.mark.parametrize("balls", [1, 2])
+@pytest.mark.parametrize("spin", [0, 5])
+def test_plan_of_the_figure_is_that_of_the_engine(
+    page: Page, tmp_path: Path, ground: str, balls: int, spin: int
 ) -> None:
-    """Chapter 10, 3: a pair rubs if both do, smooth discs do not turn, slow ones pass nothing."""
+    """And what it leaves out changes no bit."""
     figure = opened(page, tmp_path, LEFT_OUT)
-    put(figure, numbers)
-    assert named in seen(figure)[1]
+    choose(figure, "ground and wall", ground)
+    choose(figure, "balls", ["one ball", "two balls"][balls - 1])
+    put(figure, {"spin": spin})
+    plan = thrown_rubber(ground, spin=spin, balls=balls).plan
+    for effect in ("friction", "rotation", "restitution", "continuous"):
+        said, changed = without(figure, effect)
+        assert (said == "needed") is plan.effect(effect).used, effect
+        assert said == "needed" or changed == "not one bit changes", effect
+
+
+@pytest.mark.browser
+def test_plan_of_the_figure_may_call_for_too_much(page: Page, tmp_path: Path) -> None:
+    """Chapter 10, 3: a ball that drops straight down rubs nothing; one that flies askew does."""
+    figure = opened(page, tmp_path, LEFT_OUT)
+    choose(figure, "ground and wall", "asphalt")
+    put(figure, {"along x": 0})
+    for effect in ("friction", "rotation", "continuous"):
+        assert without(figure, effect) == ("needed", "not one bit changes")
+    put(figure, {"along x": 0.1})
+    assert " bits change" in without(figure, "friction")[1]
+    assert " bits change" in without(figure, "rotation")[1]
+
+
+@pytest.mark.browser
+def test_watch_for_fast_balls_matters_to_a_fast_one(page: Page, tmp_path: Path) -> None:
+    """At 60 m/s a ball of 0.8 m makes 1 m in a step: unwatched, it ends beyond the wall."""
+    figure = opened(page, tmp_path, LEFT_OUT)
+    put(figure, {"along x": 60})
+    assert " bits change" in without(figure, "continuous")[1]
 
 
 @pytest.mark.browser

@@ -1,16 +1,13 @@
-"""The figures of chapter 10: which scene calls for what, and the boxes around flights."""
+"""The table of chapter 10: which scene calls for what."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Rectangle
 
 from lesson_code.engine.core.plan import Plan
-from lesson_code.engine.core.run import Run
-from lesson_code.view.matplotlib import scene_plots, style
+from lesson_code.view.matplotlib import style
 
 
 def plans(ax: Axes, planned: Mapping[str, Plan]) -> Axes:
@@ -57,37 +54,3 @@ def _effects_of(planned: Mapping[str, Plan]) -> Sequence[str]:
     if len(named) != 1:
         raise ValueError(f"planned must hold plans that name the same effects, got {len(named)}")
     return named.pop()
-
-
-def flights(ax: Axes, run: Run) -> Axes:
-    """Draw the flights of discs and the box that each of them stays in.
-
-    Parameters
-    ----------
-    ax : Axes
-        Where to draw.
-    run : Run
-        Discs that meet nothing, with enough states to show their way.
-    """
-    scene_plots.scene(ax, run, names=True, around="all")
-    for n, body in enumerate(run.scene.bodies):
-        color = (style.FIRST, style.SECOND)[n % 2]
-        path, reach = run.positions[:, n], body.shape.bounding_radius
-        low, high = path.min(axis=0) - reach, path.max(axis=0) + reach
-        ax.plot(*path.T, color=color, linewidth=1, linestyle=":")
-        box = Rectangle(
-            (low[0], low[1]),
-            *(high - low),
-            fill=False,
-            edgecolor=color,
-            linestyle=("-", "--")[n % 2],
-            linewidth=1.5,
-        )
-        ax.add_patch(box)
-    ends = np.array([run.positions.min(axis=(0, 1)), run.positions.max(axis=(0, 1))])
-    reach = max(body.shape.bounding_radius for body in run.scene.bodies)
-    ax.set(
-        xlim=(ends[0, 0] - 1.4 * reach, ends[1, 0] + 1.4 * reach),
-        ylim=(ends[0, 1] - 1.4 * reach, ends[1, 1] + 1.4 * reach),
-    )
-    return ax

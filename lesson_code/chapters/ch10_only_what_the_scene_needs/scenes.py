@@ -1,4 +1,4 @@
-"""Scenes of chapter 10: pairs that need this or that, and islands that fall asleep."""
+"""Chapter 10: scenes, what a guessed plan scores, bits that differ, and islands that sleep."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.core.mixing import MixingRule
+from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.effects.choice import choose_effects
 from lesson_code.engine.effects.question import Question
@@ -27,20 +28,11 @@ def side_by_side() -> Scene:
     return Scene([Body(Circle(1), mass=1.0, position=(x, 0), velocity=(1, 0)) for x in (0, 5)])
 
 
-def thrown(shape: Circle | Polygon, friction: float, on: float = 0.0) -> Scene:
-    """Return a body that comes down on a floor, obliquely, without gravity.
-
-    `friction` is that of the body, `on` that of the floor.
-    """
-    floor = Body(Segment((-9, 0), (9, 0)), material=Material(0.5, on))
+def thrown(shape: Circle | Polygon, friction: float) -> Scene:
+    """Return a body that comes down on a smooth floor, obliquely, without gravity."""
+    floor = Body(Segment((-9, 0), (9, 0)), material=Material(0.5, 0.0))
     moving: dict[str, Any] = {"position": (0, 1.5), "velocity": (1, -1), "mass": 1.0}
     return Scene([floor, Body(shape, **moving, material=Material(0.5, friction))])
-
-
-def two_flights(second: dict[str, Any]) -> Scene:
-    """Return a disc thrown up, and another one with the position and velocity that are given."""
-    first = Body(Circle(0.5), mass=1.0, velocity=(3, 6))
-    return Scene([first, Body(Circle(0.5), mass=1.0, **second)], gravity=(0, -10))
 
 
 def heavy_on_light() -> Scene:
@@ -82,6 +74,33 @@ def score(guess: Collection[str], scene: Scene) -> str:
     used = {choice.name for choice in choose_effects(question) if choice.used}
     right = sum((name in guess) == (name in used) for name in GUESSED)
     return f"{right} of {len(GUESSED)} right"
+
+
+STATES = ("positions", "velocities", "angles", "angular_velocities")
+"""What a run says of its bodies at each time."""
+
+
+def bits_of(run: Run) -> int:
+    """Return how many bits all states of a run have."""
+    return 8 * sum(int(getattr(run, name).nbytes) for name in STATES)
+
+
+def bits_apart(run: Run, other: Run) -> int:
+    """Return how many bits differ between the states of two runs.
+
+    Raises
+    ------
+    ValueError
+        They do not have as many states of as many bodies.
+    """
+    if run.positions.shape != other.positions.shape:
+        shapes = f"{run.positions.shape} and {other.positions.shape}"
+        raise ValueError(f"run and other must have positions of one shape, got {shapes}")
+    pairs = ((getattr(run, name), getattr(other, name)) for name in STATES)
+    numbers = ((np.ascontiguousarray(a), np.ascontiguousarray(b)) for a, b in pairs)
+    return sum(
+        int(np.bitwise_count(a.view(np.uint64) ^ b.view(np.uint64)).sum()) for a, b in numbers
+    )
 
 
 def verdicts(scene: Scene, *names: str) -> str:

@@ -375,7 +375,7 @@ TASKS = (
     Task(
         id="10.4",
         function="box_of_flight",
-        section=6,
+        section=7,
         objective="The box that a flight stays in.",
         expected=_box_of_flight,
         criteria=(
@@ -388,7 +388,7 @@ TASKS = (
     Task(
         id="10.5",
         function="bodies_asleep",
-        section=7,
+        section=8,
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
         criteria=(

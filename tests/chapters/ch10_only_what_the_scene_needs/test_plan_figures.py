@@ -1,4 +1,4 @@
-"""The table of plans has a dot where an effect is used, and the boxes hold their flights."""
+"""The table of plans has a dot where an effect is used."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from lesson_code import Body, Circle, Scene, simulate
 from lesson_code.chapters.ch10_only_what_the_scene_needs import plan_figures as plan_plots
@@ -49,16 +48,3 @@ def test_plans_of_other_engines_are_refused() -> None:
     _, ax = style.figure()
     with pytest.raises(ValueError, match="planned must hold plans that name the same effects"):
         plan_plots.plans(ax, {**planned(), "other": Plan("pymunk", "asked for")})
-
-
-def test_boxes_hold_the_whole_discs_all_of_the_time() -> None:
-    """For a disc that flies by 2 m to the right: 3 m wide, 1 m high."""
-    flying = Body(Circle(0.5), mass=1.0, velocity=(2, 0))
-    run = simulate(Scene([flying, DISCS[1]]), 1.0, solver="sequential")
-    _, ax = style.figure()
-    plan_plots.flights(ax, run)
-    first, second = [patch for patch in ax.patches if isinstance(patch, Rectangle)]
-    assert (*first.get_xy(), first.get_width(), first.get_height()) == pytest.approx(
-        (-0.5, -0.5, 3.0, 1.0), abs=1e-9
-    )
-    assert (*second.get_xy(), second.get_width(), second.get_height()) == (2.5, -0.5, 1.0, 1.0)
