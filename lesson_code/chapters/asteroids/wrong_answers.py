@@ -179,3 +179,23 @@ def twice_the_impulse(
         v[a] -= j / masses[a] * n
         v[b] += j / masses[b] * n
     return v
+
+
+@wrong_model("A.3", "A rock is hit twice. What has its second hit to know of the first?")
+def from_the_velocities_before(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Each pair is worked out from the velocities at the start; the last one counts."""
+    after = np.array(velocities, dtype=float)
+    for a in range(len(masses)):
+        for b in range(a + 1, len(masses)):
+            d = positions[b] - positions[a]
+            distance = np.hypot(*d)
+            if distance == 0 or distance >= radii[a] + radii[b]:
+                continue
+            approach = (velocities[a] - velocities[b]) @ d / distance
+            if approach > 0:
+                j = (1 + restitution) * approach / (1 / masses[a] + 1 / masses[b]) * d / distance
+                after[a] = velocities[a] - j / masses[a]
+                after[b] = velocities[b] + j / masses[b]
+    return after

@@ -210,3 +210,26 @@ def subtracts_until_empty(position: Vector, velocity: Vector, elapsed: float) ->
         hits += new_hits
         elapsed -= TIME_STEP
     return position, velocity, hits, elapsed
+
+
+@wrong_model("B.2", "Walk along the bumper, and beyond its end. Which point of it is nearest then?")
+def goes_on_beyond_one_end(position: Vector) -> Any:
+    """Only the start of the bumper is an end."""
+    along = BUMPER_END - BUMPER_START
+    part = max((position - BUMPER_START) @ along / (along @ along), 0.0)
+    away = position - BUMPER_START - part * along
+    distance = np.hypot(*away)
+    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
+    return (away / distance, depth) if depth > 0 else None
+
+
+@wrong_model("B.5", "Two frames of half a step, or one of a whole step: the same table afterwards?")
+def uses_up_the_rest(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """What is left over is made up by a shorter step, so that no time is lost."""
+    hits: list[str] = []
+    whole = int(elapsed / TIME_STEP + 1e-9)
+    rest = elapsed - whole * TIME_STEP
+    for dt in [TIME_STEP] * whole + ([rest] if rest > 1e-9 * TIME_STEP else []):
+        position, velocity, found = step(position, velocity, dt)
+        hits += found
+    return position, velocity, hits, 0.0

@@ -161,3 +161,10 @@ def flips_an_axis(
         duration -= first[0]
         velocity = velocity * np.array([1.0, -1.0])
         broken.append(first[1])
+
+
+@wrong_model("K.1", "Half way out, by which angle should the ball leave, and by which does yours?")
+def sideways_by_the_offset(offset: float, speed: float) -> tuple[float, float]:
+    """The sideways part of the velocity is in proportion to the offset."""
+    vx = max(-1.0, min(1.0, offset)) * speed * math.sin(STEEPEST)
+    return vx, math.sqrt(speed * speed - vx * vx)

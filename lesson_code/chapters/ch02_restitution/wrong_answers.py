@@ -155,3 +155,9 @@ def ten_bounces(height: float, restitution: float, gravity: float) -> float:
 def falls_shrink_like_heights(height: float, restitution: float, gravity: float) -> float:
     """Each fall takes e^2 of the time of the one before, and nothing else takes time."""
     return float((2 * height / gravity) ** 0.5 / (1 - restitution**2))
+
+
+@wrong_model("2.1", "One cart runs after the other. How fast do they approach: by the sum?")
+def speeds_added_up(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Approach and separation are sums of speeds, whichever way each body goes."""
+    return (abs(v1_after) + abs(v2_after)) / (abs(v1) + abs(v2))

@@ -305,3 +305,34 @@ def pushed_apart_by_velocity(
     vn = min(0.0, np.dot(v2 - v1, normal))
     impulse = (depth - (1 + restitution) * vn) / (w1 + w2) * normal
     return p1, v1 - w1 * impulse, p2, v2 + w2 * impulse
+
+
+@wrong_model("4.1", "Two circles of 1 m almost touch. How deep is the overlap by your formula?")
+def root_of_the_squares(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
+    """The depth is the root of the difference of the squares, as in a right triangle."""
+    distance = np.hypot(*(p2 - p1))
+    if distance >= r1 + r2:
+        return None
+    normal = (p2 - p1) / distance if distance > 0 else np.array([1.0, 0.0])
+    return normal, np.sqrt((r1 + r2) ** 2 - distance**2)
+
+
+@wrong_model("4.4", "By which mass is the change of the velocity of circle 2 divided in yours?")
+def one_mass_for_both(
+    p1: Vector,
+    v1: Vector,
+    m1: float,
+    p2: Vector,
+    v2: Vector,
+    m2: float,
+    normal: Vector,
+    depth: float,
+    restitution: float,
+) -> Any:
+    """The same impulse gives both circles the same change of velocity."""
+    w1, w2 = 1 / m1, 1 / m2
+    p1_after = p1 - depth * w1 / (w1 + w2) * normal
+    p2_after = p2 + depth * w2 / (w1 + w2) * normal
+    approach = max((v1 - v2) @ normal, 0.0)
+    change = (1 + restitution) * approach / (w1 + w2) * w1 * normal
+    return p1_after, v1 - change, p2_after, v2 + change

@@ -304,3 +304,23 @@ def from_middle_to_middle(centre: Vector, radius: float, vertices: Vector) -> An
     depth = radius + distance if inside else radius - distance
     way = centre - vertices.mean(axis=0)
     return (way / np.hypot(*way), depth) if depth > 0 else None
+
+
+@wrong_model("6.5", "The segment comes in from outside. Which of its ends has to be cut off?")
+def cuts_the_end_always(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """What lies outside is the part behind the cut."""
+    at_start, at_end = start @ normal - offset, end @ normal - offset
+    if at_start > 0 and at_end > 0:
+        return None
+    if at_start <= 0 and at_end <= 0:
+        return start, end
+    return start, start + at_start / (at_start - at_end) * (end - start)
+
+
+@wrong_model("6.4", "Your loop has ended. Of which axis is the depth that you still hold?")
+@edited(
+    both_ways_along_each_axis,
+    {"return best": "return best and (best[0], min(high_a - low_b, high_b - low_a))"},
+)
+def depth_of_the_last_axis() -> None:
+    """The depth is what stands in the variable when all axes have been tried."""

@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters.ch07_time_of_impact.right_answers import (
+    called_again_for_the_rest,
     from_hit_to_hit,
     pair_by_pair,
     with_the_quadratic_formula,
@@ -377,3 +378,23 @@ def steps_in_time(mass_ratio: float) -> int:
         if x1 <= 0 and v1 < 0:
             v1, count = -v1, count + 1
     return count
+
+
+@wrong_model("7.1", "When their centres are nearest, have the rims not met long before?")
+def nearest_approach_if_near_enough(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circles whose centres come near enough meet when they are nearest."""
+    d, v = p2 - p1, v2 - v1
+    if d @ v >= 0:
+        return None
+    if d @ d <= (r1 + r2) ** 2:
+        return 0.0
+    t = -(d @ v) / (v @ v)
+    return t if t <= dt and (d + v * t) @ (d + v * t) <= (r1 + r2) ** 2 else None
+
+
+@wrong_model("7.3", "After the second wall: how much of the step have both flights used up?")
+@edited(called_again_for_the_rest, {"left - times.min())": "dt - times.min())"})
+def rest_of_the_whole_step() -> None:
+    """After each impact the whole step is left but for the last flight."""

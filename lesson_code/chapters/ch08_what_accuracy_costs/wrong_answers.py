@@ -230,3 +230,17 @@ def something_is_always_best(table: Vector, allowed: float) -> Any:
     """Where nothing is good enough, the most accurate will have to do."""
     good = [n for n in range(len(table)) if table[n][1] <= allowed]
     return min(good or range(len(table)), key=lambda n: table[n][0] if good else table[n][1])
+
+
+@wrong_model("8.5", "Does the least accurate row that is allowed always take the least time?")
+def the_least_accurate(table: Any, allowed: float) -> int | None:
+    """The less accurate a setting is, the less it costs."""
+    good = [n for n, (_, error) in enumerate(table) if error <= allowed]
+    return max(good, key=lambda n: table[n][1], default=None)
+
+
+@wrong_model("8.5", "You sorted out the bad rows first. Whose number is yours: in which table?")
+def number_among_the_good(table: Any, allowed: float) -> int | None:
+    """The number of a row is its place among those that are good enough."""
+    good = [time for time, error in table if error <= allowed]
+    return good.index(min(good)) if good else None

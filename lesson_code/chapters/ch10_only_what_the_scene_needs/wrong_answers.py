@@ -250,3 +250,34 @@ def floors_sleep(inverse_masses: Vector, still: Vector, touches: Table) -> list[
         near = {n for n in range(count) if any(touches[n][k] for k in awake)}
         awake |= {n for n in near if inverse_masses[n] > 0}
     return [n for n in range(count) if n not in awake]
+
+
+@wrong_model("10.2", "A rough disc rolls down a slope. You cannot see it turn; does it?")
+def only_corners_turn(bodies: Any, gravity: Any) -> list[str]:
+    """Only a body with corners can be seen to turn, so a disc needs no rotation."""
+    called_for = asks_effect_by_effect.function(bodies, gravity)
+    names = [name for name in called_for if name != "rotation"]
+    turns = any(body[0] > 0 and body[1] > 0 for body in bodies)
+    return [*names, "rotation"] if turns else names
+
+
+@wrong_model("10.3", "With all the momenta, what energy would the lightest have? Is there so much?")
+def all_the_momentum(masses: Any, velocities: Any, dt: float) -> float:
+    """At worst the lightest body gets the momenta of all, added up by size."""
+    m, v = np.asarray(masses, dtype=float), np.asarray(velocities, dtype=float)
+    return float(m @ np.hypot(*v.T) / m.min() * dt)
+
+
+@wrong_model("10.4", "A side wind blows. Can a flight turn back along x, too?")
+def turns_back_in_y_only(
+    position: Any, velocity: Any, radius: float, gravity: Any, duration: float
+) -> tuple[float, ...]:
+    """Gravity pulls down, so a flight turns back along y alone."""
+    x, y = (
+        [s + v * t + g * t * t / 2 for t in (0.0, duration)]
+        for s, v, g in zip(position, velocity, gravity, strict=True)
+    )
+    top = -velocity[1] / gravity[1] if gravity[1] != 0 else 0.0
+    if 0 < top < duration:
+        y.append(position[1] + velocity[1] * top + gravity[1] * top * top / 2)
+    return min(x) - radius, max(x) + radius, min(y) - radius, max(y) + radius

@@ -308,3 +308,35 @@ def a_sample_a_second(
     if frequency >= rate / 2:
         return np.zeros(count)
     return loudness * 0.5 ** (k / half_life) * np.sin(2 * np.pi * frequency * k / rate)
+
+
+@wrong_model("11.1", "You sorted the boxes. In which order do the two numbers of a pair stand?")
+def pairs_as_they_were_sorted(boxes: Any) -> list[tuple[int, int]]:
+    """The pairs come out in the order of the sweep."""
+    order = sorted(range(len(boxes)), key=lambda n: boxes[n][0])
+    return [
+        (i, j)
+        for place, i in enumerate(order)
+        for j in order[place + 1 :]
+        if boxes[j][0] <= boxes[i][1] and boxes[j][2] <= boxes[i][3] and boxes[i][2] <= boxes[j][3]
+    ]
+
+
+@wrong_model("11.4", "1 and 2 touched, and 3 and 4. Now 1 and 3 do: is that pair an old one?")
+def numbers_in_place_of_pairs(before: Any, now: Any) -> Any:
+    """A pair is known if both of its numbers are."""
+    was, stays = ({int(n) for pair in pairs for n in pair} for pairs in (before, now))
+    begun = [(int(i), int(j)) for i, j in now if not {int(i), int(j)} <= was]
+    parted = [(int(i), int(j)) for i, j in before if not {int(i), int(j)} <= stays]
+    return begun, parted
+
+
+@wrong_model("11.6", "The samples are 1/rate apart. Between ten samples, how many gaps are there?")
+def with_the_end_of_the_time(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The samples divide the whole time, its end included."""
+    if frequency >= rate / 2:
+        return np.zeros(int(count))
+    t = np.linspace(0, count / rate, int(count))
+    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)

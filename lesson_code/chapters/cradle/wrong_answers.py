@@ -145,3 +145,21 @@ def _swung(angles: Vector, rates: Vector, length: float, dt: float) -> Any:
     """Return every ball after one step of its own."""
     moved = [swing_step(a, r, length, dt) for a, r in zip(angles, rates, strict=True)]
     return np.array([angle for angle, _ in moved]), np.array([rate for _, rate in moved])
+
+
+@wrong_model("C.3", "The balls swing, then collide. Where are they when you ask who touches?")
+def touching_before_the_swing(
+    angles: Vector, rates: Vector, length: float, dt: float, steps: float
+) -> Any:
+    """Balls collide if they touched before the swing."""
+    angles, rates = np.array(angles, dtype=float), np.array(rates, dtype=float)
+    for _ in range(int(steps)):
+        touching = angles[:-1] >= angles[1:]
+        rates = rates - GRAVITY / length * np.sin(angles) * dt
+        angles = angles + rates * dt
+        while True:
+            hits = [i for i, touch in enumerate(touching) if touch and rates[i] > rates[i + 1]]
+            if not hits:
+                break
+            rates[hits[0]], rates[hits[0] + 1] = rates[hits[0] + 1], rates[hits[0]]
+    return angles, rates

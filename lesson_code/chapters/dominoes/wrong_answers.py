@@ -148,3 +148,22 @@ def cosine_for_sine(
         lies = a > math.pi / 2
         a[lies], r[lies] = math.pi / 2, 0.0
     return a, r
+
+
+@wrong_model("D.3", "The first rate has changed when you work out the second. What do both get?")
+def mean_of_the_mean(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """The second of two rates is the mean of the first, as it is by then, and its own."""
+    angles, rates = np.array(angles, dtype=float), np.array(rates, dtype=float)
+    reach = math.asin(spacing / height)
+    for _ in range(int(steps)):
+        rates += 1.5 * GRAVITY / height * np.sin(angles) * dt
+        angles += rates * dt
+        for i in range(len(angles) - 1):
+            if angles[i] > reach and rates[i] > rates[i + 1]:
+                rates[i] = (rates[i] + rates[i + 1]) / 2
+                rates[i + 1] = (rates[i] + rates[i + 1]) / 2
+        rates[angles > math.pi / 2] = 0.0
+        angles = np.minimum(angles, math.pi / 2)
+    return angles, rates

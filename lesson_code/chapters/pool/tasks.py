@@ -70,8 +70,10 @@ def small_oblique_breaks(stream: Random) -> Iterator[Arguments]:
 
 
 def oblique_breaks(stream: Random) -> Iterator[Arguments]:
-    """Draw a break of more rows with some motion across."""
-    yield _break(stream, stream.uniform(0.3, 0.6), ROWS + 1)
+    """Draw a break of more rows with some motion across; the balls are listed in any order."""
+    places, moving, *rest = _break(stream, stream.uniform(0.3, 0.6), ROWS + 1)
+    order = stream.sample(range(len(places)), len(places))
+    yield tuple(places[n] for n in order), tuple(moving[n] for n in order), *rest
 
 
 def _break(stream: Random, across: float, rows: int) -> Arguments:

@@ -154,3 +154,28 @@ def each_by_its_own_count(
 def one_round(positions: Vector, velocities: Vector, radius: float, restitution: float) -> Any:
     """One round is enough."""
     return _shared(velocities, _touching(positions, radius), restitution, 1, own=False)
+
+
+@wrong_model("P.2", "Strike the ball away from you, along y. Does it not spin then?")
+def pushed_along_x_alone(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """The push that turns the ball is the x part of the impulse."""
+    return np.asarray(impulse) / mass, -offset * impulse[0] / (0.4 * mass * radius**2)
+
+
+@wrong_model("P.3", "All impulses of a round come from the same velocities. Do yours?")
+def changed_within_the_round(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """The shares are counted once a round; each pair then sees what the last one has left."""
+    v = velocities.copy()
+    for _ in range(ROUNDS):
+        meets = [
+            one for one in _touching(positions, radius) if (v[one[0]] - v[one[1]]) @ one[2] > 0
+        ]
+        busy = np.bincount([ball for a, b, _ in meets for ball in (a, b)], minlength=len(v))
+        for a, b, normal in meets:
+            approach = np.dot(v[a] - v[b], normal)
+            change = (1 + restitution) / 2 * approach / max(busy[a], busy[b]) * normal
+            v[a] -= change
+            v[b] += change
+    return v

@@ -191,3 +191,15 @@ def without_gas() -> None:
 @edited(force_by_force, {"-BLOB.gravity": "BLOB.gravity"})
 def falls_upwards() -> None:
     """Weight points towards larger y."""
+
+
+@wrong_model("S.2", "How many springs has a ring of N masses? Which mass is tied to the first?")
+def springs_left_open(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """The last mass is tied to nobody."""
+    distance, u = _directions(positions)
+    faster = np.sum((_next(velocities) - velocities) * u, axis=1)
+    pull = (stiffness * (distance - length) + damping * faster)[:, None] * u
+    pull[-1] = 0.0
+    return pull - np.roll(pull, 1, axis=0)

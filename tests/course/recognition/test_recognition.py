@@ -10,7 +10,9 @@ from random import Random
 from typing import Any
 
 import pytest
+from course.recognition.hobbyists import FIFTH
 from course.recognition.newcomers import FIRST, FOURTH, SECOND, THIRD
+from course.recognition.pupils import SIXTH
 from course.recognition.students import WRONG, Wrong
 from course.recognition.test_right_answers import FORMS, TASKS, WAYS
 from course.recognition.textual_slips import textual_slips
@@ -85,8 +87,12 @@ def is_right(wrong: Wrong, verdict: Verdict) -> bool:
 
 @pytest.mark.parametrize(
     "answers",
-    [WRONG, FIRST, SECOND, THIRD, FOURTH],
-    ids=["students", "first", "second", "third", "fourth"],
+    [
+        *(WRONG, FIRST, SECOND, THIRD, FOURTH),
+        pytest.param(FIFTH, marks=pytest.mark.full),
+        pytest.param(SIXTH, marks=pytest.mark.full),
+    ],
+    ids=["students", "first", "second", "third", "fourth", "fifth", "sixth"],
 )
 def test_wrong_answers_by_hand_are_recognised_nine_times_in_ten(answers: tuple[Wrong, ...]) -> None:
     """Of wrong answers written by hand at least nine in ten are explained, and none wrongly."""

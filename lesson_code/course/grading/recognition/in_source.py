@@ -12,6 +12,7 @@ from __future__ import annotations
 import ast
 import inspect
 import re
+import textwrap
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 from functools import partial
@@ -130,7 +131,7 @@ class RightAnswer:
 
 def of_function(function: Function) -> RightAnswer:
     """Return a function of the course as an answer whose source may be rewritten."""
-    definition = ast.parse(inspect.cleandoc(inspect.getsource(function))).body[0]
+    definition = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
     if not isinstance(definition, ast.FunctionDef):
         raise TypeError(f"function must be defined by def, got {function.__name__}")
     return RightAnswer(definition, function.__globals__)
