@@ -36,9 +36,9 @@ from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import diagrams, style
 
 # %% [markdown]
-# Before you see a result, this course asks what you expect. Commit to an answer, even a guess:
-# you will remember what surprised you. What is folded below then opens. You can also open it
-# without an answer.
+# Before you see a result, this course asks what you expect. Commit to an answer, even a guess: you
+# will remember what surprised you. Then the result opens below. You can also open it without an
+# answer.
 
 # %%
 predict("00-sum")
@@ -56,14 +56,14 @@ lab()
 # %% [markdown]
 # ## 1 Every collision goes through one pipeline
 #
-# Every program that moves many bodies does the same things in each time step, and always in this
-# order:
+# Games and robot simulators look different, but in each time step nearly all of them do the same
+# three things, in this order:
 #
-# - **Detection** finds out who touches whom. The *broad phase* quickly throws out pairs that are
-#   far apart. The *narrow phase* looks closely at the pairs that are left, and finds where they
-#   touch, in which direction (the *normal*) and how deep they overlap.
-# - **Resolution** decides what happens. An *impulse* is calculated from velocities and masses,
-#   bodies that overlap are moved apart (*position correction*), and every velocity is updated.
+# - **Detection** finds out who touches whom. The *broad phase* quickly rejects pairs that are far
+#   apart. The *narrow phase* looks closely at the others: where do they touch, in which direction
+#   (the *normal*), and how deep do they overlap?
+# - **Resolution** decides what happens. It calculates an *impulse* from velocities and masses,
+#   moves overlapping bodies apart (*position correction*) and updates every velocity.
 # - **Post-processing** lets the rest of the program react: *callbacks*, *effects* such as a
 #   flash, *sound*.
 #
@@ -81,11 +81,11 @@ show(
 # %% [markdown]
 # ## 2 A moving thing is a position, a velocity and a size
 #
-# The simplest body is a ball. To move it we keep three things: its **position**, its **velocity**
-# and its **radius**. To collide it we also need its **mass**. In each small time step `dt` the
-# position changes by velocity times `dt`. If that puts the ball below the floor, you have to set
-# it back onto the floor. This is called a *floor clamp*, and chapter 03 shows why it is not enough
-# on its own.
+# The simplest body is a ball. To move it you need three things: its **position**, its **velocity**
+# and its **radius**. To make it collide you also need its **mass**. In each small time step `dt`
+# the position changes by velocity times `dt`. If that puts the ball below the floor, you have to
+# set it back onto the floor. This is called a *floor clamp*, and chapter 03 shows why it is not
+# enough on its own.
 #
 # Here is your first gap. `y` is the height of the ball's centre, and the floor is at height 0.
 # Replace the three dots by what the height should be (Python's `max` helps), and run the cell. If
@@ -133,10 +133,10 @@ check("its direction", direction(v), (0.6, -0.8), tolerance=1e-15)
 check("the direction has length 1", np.hypot(*direction(v)), 1.0, tolerance=1e-15)
 
 # %% [markdown]
-# **Dot product.** `dot(a, b)` is a_x b_x + a_y b_y. It answers one question that we ask all the
-# time: *is b in front of a, beside it or behind it?* Positive means in front, zero means at a
-# right angle, negative means behind. If `b` has length 1, the dot product is also how far `a`
-# reaches along `b`.
+# **Dot product.** `dot(a, b)` is a_x b_x + a_y b_y. It answers a question that you will ask all the
+# time: *is b in front of a, beside it or behind it?* Positive means in front, zero means at a right
+# angle, negative means behind. If `b` has length 1, the dot product is also how far `a` reaches
+# along `b`.
 
 # %%
 looking = np.array([1.0, 0.0])
@@ -178,13 +178,13 @@ check("the tangent lies counter-clockwise", cross(normal, tangent), 1.0, toleran
 # %% [markdown]
 # ## 4 Up is up, except on a screen
 #
-# In physics y grows upward. On a computer screen y grows *downward*: the top left corner is (0,
-# 0). This course uses metres and y up everywhere. The pygame programs turn the picture over in
-# one single place, just before they draw. The billiards exercise of chapter 03 is the one
-# exception: it speaks pixels and y down, and says so.
+# In physics y grows upward. On a computer screen y grows *downward*: the top left corner is (0, 0).
+# This course uses metres and y up everywhere. The pygame programs flip the picture in a single
+# place, just before they draw. The billiards exercise of chapter 03 is the one exception: it speaks
+# pixels and y down, and says so.
 #
-# The mirror formula of chapter 03 does not care. A ball that falls and one that rises are both
-# turned round by a level wall:
+# The mirror formula of chapter 03 does not care: a level wall turns round a ball that falls, and
+# also one that rises:
 
 # %%
 check("y up: falling at 4, floor with normal (0, 1)", reflect((3, -4), (0, 1)), (3, 4))
@@ -194,9 +194,9 @@ check("y down: falling at 4, floor with normal (0, -1)", reflect((3, 4), (0, -1)
 # ## 5 A check says what was claimed, measured and expected
 #
 # You have seen some checks above. Each prints one line: the claim, what the code gave, what it
-# should give, and how far apart the two may be. What is expected always comes from somewhere else
-# than the code under test: from algebra, from a conservation law, or from *pymunk*, a physics
-# engine that we did not write.
+# should give, and how far apart the two may be. The expected value never comes from the code under
+# test. It comes from algebra, from a conservation law, or from *pymunk*, a physics engine that we
+# did not write.
 #
 # A false claim stops the notebook. Here is one, caught so that you can look at it:
 
@@ -209,8 +209,8 @@ except CheckFailedError as failure:
 # %% [markdown]
 # ## 6 Break it on purpose: when zero means no
 #
-# Every chapter breaks something. The faults are real: they stood in a lesson on the web that this
-# course grew out of.
+# You learn most from code that fails. So every chapter breaks something, and the faults are real:
+# we found them in a web lesson from which this course grew.
 #
 # That lesson had a function that returned the *time* until two balls meet, or `None` if they
 # never do. The code that used it asked `if time:`.
@@ -235,9 +235,9 @@ for time in (0.5, None, 0.0):
     )
 
 # %% [markdown]
-# In this course "no contact" and "no impact" are always `None`, and code always asks `is not
-# None`. A second trap has the same shape. `nan` ("not a number") is what a broken calculation
-# leaves behind.
+# In this course "no contact" and "no impact" are always `None`, and code always asks `is not None`.
+# There is a second trap of this kind: `nan` ("not a number"), which a broken calculation leaves
+# behind.
 
 # %%
 predict("00-nan")
@@ -276,7 +276,7 @@ show_quiz("00")
 # - Detection, resolution, post-processing: every step, in this order.
 # - The dot product says in front, beside or behind, and how far.
 # - A normal is a unit vector, and the tangent is the normal turned by a right angle.
-# - "None" is not 0.0: ask `is not None`. And ask checks so that nan fails.
+# - "None" is not 0.0: ask `is not None`. And write every check so that nan fails it.
 
 # %% [markdown]
 # ## What was checked, and what comes next

@@ -9,10 +9,10 @@
 # %% [markdown]
 # # 01 One dimension
 #
-# A truck and a fly meet head on. You know which of them changes course, and after this notebook
-# you can compute by how much. We put everything on a track, so that a velocity is a single
-# number: positive to the right, negative to the left. No vectors yet, and the whole idea of an
-# impulse is already here.
+# A truck and a fly meet head on. You know which of them changes course, and after this notebook you
+# can compute by how much. We put everything on a track, so that a velocity is a single number:
+# positive to the right, negative to the left. You need no vectors yet, and you already get the
+# whole idea of an impulse.
 #
 # **After this notebook you will be able to**
 #
@@ -73,8 +73,8 @@ check("momentum after", m1 * v1_after + m2 * v2_after, -4.0)
 # Divide each line by its mass: $v' = v \pm J/m$. Both carts receive the same impulse, but the
 # *change of velocity* is J/m. That is why the truck hardly notices the fly.
 #
-# Momentum alone does not decide what happens, because every impulse keeps it. You need one more
-# piece of information: what do the carts do with the energy of the impact?
+# Momentum alone does not decide what happens, because every impulse keeps it. So you need to know
+# one thing more: what do the carts do with the energy of the impact?
 #
 # ## 2 Carts that stick move with their centre of mass
 #
@@ -104,9 +104,10 @@ check("the course's own function", inelastic_1d(1, 4, 3, 0), (1, 1))
 # %% [markdown]
 # ## 3 If nothing is lost, V is a mirror
 #
-# Sit down on a seat that moves along with the centre of mass, and watch. From there the carts
-# come in with velocities $v_1 - V$ and $v_2 - V$, and their momenta cancel. If no energy is lost,
-# each leaves as fast as it came, the other way: $v' - V = -(v - V)$. Seen from the ground:
+# Imagine that you sit on a seat that moves along with the centre of mass. From there you see the
+# carts come in with velocities $v_1 - V$ and $v_2 - V$, and their momenta cancel. If no energy is
+# lost, each cart leaves as fast as it came, in the opposite direction: $v' - V = -(v - V)$. Seen
+# from the ground:
 #
 # $$v_1' = 2V - v_1 \qquad v_2' = 2V - v_2$$
 #
@@ -160,9 +161,9 @@ check("e = 0 sticks", my_collision(1, 2, 3, -1, 0), inelastic_1d(1, 2, 3, -1), 1
 check("e = 1 is elastic", my_collision(1, 2, 3, -1, 1), elastic_1d(1, 2, 3, -1), 1e-15)
 
 # %% [markdown]
-# The engine of this course computes the same in another order: since $v_1 - V = w_2 (v_1 - v_2)$
-# with $w_2 = m_2/(m_1 + m_2)$, only the relative velocity is needed. These are the lines that run
-# when you call `collide_1d`:
+# The engine of this course computes the same in another order. Since $v_1 - V = w_2 (v_1 - v_2)$
+# with $w_2 = m_2/(m_1 + m_2)$, it needs only the relative velocity. When you call `collide_1d`,
+# these lines run:
 
 # %%
 print(inspect.getsource(equation(collide_1d)).split('"""')[-1].strip("\n"))
@@ -217,7 +218,7 @@ print("v1' for growing m2:", np.round(towards_the_limit, 6))
 check("the limit is the wall", towards_the_limit[-1], -3.0, tolerance=1e-5)
 
 # %% [markdown]
-# Two infinite masses have no answer, and neither has a negative mass. `lesson_code` refuses such
+# Two infinite masses have no answer, and a negative mass makes no sense. `lesson_code` refuses such
 # input and gives the reason:
 
 # %%
@@ -230,9 +231,10 @@ for bad in ((inf, 1, inf, -1), (-2, 1, 1, 0), (1, float("nan"), 1, 0)):
 # %% [markdown]
 # ## 6 Three judges that are not us
 #
-# Is the formula right? Three judges say so, none of which we wrote: the two laws, on 10,000
-# random pairs; exact arithmetic, which solves the same two equations in fractions without any
-# rounding; and pymunk, a physics engine. Your own collision is judged beside ours.
+# Is the formula right? Do not take our word for it. Ask three judges: the two laws, on 10,000
+# random pairs; exact arithmetic, which solves the same two equations in fractions, without
+# rounding; and pymunk, a physics engine that we did not write. They judge your own collision beside
+# ours.
 
 # %%
 rng = np.random.default_rng(seed=1)
@@ -265,8 +267,8 @@ check("v2' in pymunk", (w2[:1000] - engine[:, 1]) / size[:1000], 0, tolerance=1e
 # %% [markdown]
 # ## 7 Break it on purpose: one factor too many
 #
-# A lesson on the web, from which this course grew, computes the impulse with 2(1 + e) where 1 + e
-# belongs. Somebody remembered the 2 of the elastic case *and* the 1 + e of the general one.
+# The web lesson from which this course grew computes the impulse with 2(1 + e) instead of 1 + e.
+# Somebody remembered the 2 of the elastic case *and* the 1 + e of the general one.
 
 # %%
 predict("01-blind")
@@ -323,7 +325,7 @@ show_quiz("01")
 # infinite mass is exact.
 #
 # **Limits.** The formulas do not ask *whether* the carts meet. Two carts that move apart get an
-# answer too, and it means nothing. To find out who meets whom is the detection's job.
+# answer too, and it means nothing. Detection has to find out first who meets whom.
 #
 # **Do now:** the exercise [01 One dimension](../exercises/01_one_dimension.ipynb): three tasks,
 # ten points. In a terminal, `workbook watch 01` runs it again whenever you save. To see momentum

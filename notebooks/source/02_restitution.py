@@ -62,8 +62,8 @@ v1_after, v2_after = collide_1d(1.0, 3.0, 2.0, -1.0, restitution=0.7)
 check("the restitution put in comes out", restitution(3, -1, v1_after, v2_after), 0.7, 1e-12)
 
 # %% [markdown]
-# The velocity of one body alone does not tell you e. In each line below e is 0.5, and the first
-# body does something else in each, because the second has another mass:
+# The velocity of one body alone does not tell you e. In each line below e is 0.5, but the second
+# body has a different mass each time, and so the first body does something different:
 
 # %%
 for mass_2 in (0.5, 1.0, 2.0, 8.0):
@@ -74,8 +74,8 @@ for mass_2 in (0.5, 1.0, 2.0, 8.0):
 # %% [markdown]
 # ## 2 Only the energy of the approach can be lost
 #
-# The centre of mass moves on as before and keeps its kinetic energy. What can turn into heat is
-# the energy of the *relative* motion, $\frac12 m_r (v_1 - v_2)^2$, with the reduced mass $m_r =
+# The centre of mass moves on as before and keeps its kinetic energy. Only the energy of the
+# *relative* motion can turn into heat: $\frac12 m_r (v_1 - v_2)^2$, with the reduced mass $m_r =
 # m_1 m_2/(m_1 + m_2)$.
 
 # %%
@@ -191,7 +191,7 @@ figures.heights(
 )
 
 # %% [markdown]
-# What is wrong is above all the moment of each bounce: it comes late, by up to one step.
+# Above all, each bounce comes at the wrong moment: it is late, by up to one step.
 
 # %%
 predict("02-steps")
@@ -236,8 +236,8 @@ check("each bounce multiplies the energy by", speed_after**2, 6.76, tolerance=1e
 check("the right factor is", bounce((0, -1), (0, 1), 0.8)[1] ** 2, 0.64, tolerance=1e-12)
 
 # %% [markdown]
-# A quieter fault is to take e for an *energy* ratio. The ball still comes to rest, nothing
-# explodes, and your eye sees nothing. Your own `restitution` does:
+# Other faults are quieter. Suppose somebody takes e for an *energy* ratio: the ball still comes to
+# rest, nothing explodes, and you see nothing wrong. But your own `restitution` finds it:
 
 # %%
 v1_after, v2_after = wrong.energy_restitution(1.0, 2.0, 3.0, -1.0, 0.25)
@@ -248,9 +248,9 @@ check("it is the square root of what was asked for", measured, 0.25**0.5, tolera
 # %% [markdown]
 # ## 7 No threshold unless you ask for one
 #
-# Some engines cut restitution off below a certain speed, so that things come to rest sooner. A
-# slow ball then does not bounce at all. pymunk has no such threshold, and neither has this
-# course. A ball at 0.9 m/s with e = 1 comes back at 0.9 m/s:
+# Some engines set e to 0 below a certain speed, so that things come to rest sooner. In such an
+# engine a slow ball does not bounce at all. pymunk has no such threshold, and this course has none
+# either. A ball at 0.9 m/s with e = 1 comes back at 0.9 m/s:
 
 # %%
 check("a slow ball bounces too", bounce((0, -0.9), (0, 1), restitution=1)[1], 0.9, tolerance=1e-15)

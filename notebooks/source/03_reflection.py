@@ -9,9 +9,8 @@
 # %% [markdown]
 # # 03 Reflection
 #
-# A ball meets a cushion at an angle, and you want to know where it goes. One short formula
-# answers that for every wall, however it is tilted, and at the end of this chapter it runs a
-# billiard table.
+# A ball hits a cushion at an angle. Where does it go? One short formula answers this for every
+# wall, however it is tilted. At the end of this chapter it runs a billiard table.
 #
 # **After this notebook you will be able to**
 #
@@ -43,11 +42,12 @@ from lesson_code.view.browser.live import live
 # %% [markdown]
 # ## 1 The mirror removes the normal part twice
 #
-# A wall has a unit normal N. It points **inward**: from the wall to the ball. The incoming
-# velocity is I.
+# Before you can turn a velocity round, you have to know which part of it the wall can turn. A wall
+# has a unit normal N. It points **inward**: from the wall to the ball. Call the incoming velocity
+# I.
 #
-# The dot product I · N says how far I reaches along N. So **(I · N) N** is a vector: the *normal
-# part* of I. What is left, T = I - (I · N) N, runs along the wall: the *tangent part*.
+# The dot product I · N tells you how far I reaches along N. So **(I · N) N** is a vector, the
+# *normal part* of I. The rest, T = I - (I · N) N, runs along the wall: the *tangent part*.
 
 # %%
 incident, normal = np.array([3.0, -4.0]), np.array([0.0, 1.0])
@@ -89,8 +89,8 @@ check("on a level floor", mirror(incident, normal), (3, 4))
 check("the course's own function", mirror(incident, normal), reflect(incident, normal))
 
 # %% [markdown]
-# Go back to the figure and give N another length than 1. The mirror then changes the speed: this
-# is why every function of this course refuses a normal that is not unit.
+# Go back to the figure and make N longer or shorter than 1: the mirror now changes the speed. This
+# is why every function of this course refuses a normal that is not a unit vector.
 
 # %%
 try:
@@ -101,9 +101,9 @@ except ValueError as error:
 # %% [markdown]
 # ## 2 A level wall just flips a sign
 #
-# Many small games bounce a ball off the floor with `vy *= -1`. That is R for N = (0, 1), and for
-# no other wall. A box has four walls with four inward normals (y up): floor (0, 1), ceiling (0,
-# -1), left (1, 0), right (-1, 0).
+# Many small games bounce a ball off the floor with `vy *= -1`. That is the mirror R for N = (0, 1),
+# the level floor. You need it four times for a box. With y up, the inward normals are: floor
+# (0, 1), ceiling (0, -1), left wall (1, 0), right wall (-1, 0).
 
 # %%
 velocity = np.array([3.0, 4.0])
@@ -112,9 +112,11 @@ for name, n in (("floor", (0, 1)), ("ceiling", (0, -1)), ("left", (1, 0)), ("rig
 check("floor and ceiling flip y", reflect(velocity, (0, 1)), reflect(velocity, (0, -1)))
 
 # %% [markdown]
-# Floor and ceiling give the *same* R. Turn N round, and both factors N in the formula change
-# sign, so nothing changes. "Inward" will matter all the same: for the gate in section 5, and for
-# the push in section 6. A tilted wall needs the whole formula.
+# Floor and ceiling give the *same* R. If you turn N round, both factors N in the formula change
+# their sign, so R stays the same. You will still need "inward" for the gate in section 5 and for
+# the push in section 6.
+#
+# Flipping a sign works only for level and upright walls. Now tilt one.
 
 # %%
 predict("03-bumper")
@@ -127,8 +129,8 @@ check("the bumper turns down into right", mirror(falling, n), (2, 0), 1e-15)
 check("flipping one sign cannot do that", wrong.flips_an_axis(falling, n), (0, -2))
 
 # %% [markdown]
-# Four facts about every mirror, on 10,000 random walls: the speed is kept, the tangent part is
-# kept, the normal part changes its sign, and two reflections undo each other.
+# Is the formula right for every tilt? Test it on 10,000 random walls. A mirror keeps the speed and
+# the tangent part, it changes the sign of the normal part, and two reflections cancel.
 
 # %%
 rng = np.random.default_rng(seed=3)
@@ -139,18 +141,19 @@ r = reflect(v, n)
 check("speed", np.hypot(*r.T) - np.hypot(*v.T), 0, tolerance=1e-12)
 check("tangent part", dot((r - v).T, perpendicular(n.T)), 0, tolerance=1e-12)
 check("normal part", dot((r + v).T, n.T), 0, tolerance=1e-12)
-check("twice is not at all", reflect(r, n) - v, 0, tolerance=1e-12)
+check("reflected twice: back to the start", reflect(r, n) - v, 0, tolerance=1e-12)
 
 # %% [markdown]
 # ## 3 Restitution acts on the normal part alone
 #
-# A smooth wall can only push along its normal. It cannot touch the tangent part. So the factor e
-# goes to the normal part and to nothing else:
+# A real ball loses speed when it bounces. Which part of its velocity shrinks? A smooth wall pushes
+# along its normal and in no other direction, so it cannot change the tangent part. The factor e
+# belongs to the normal part alone:
 #
 # $$v' = v - (1 + e)\,(v \cdot N)\,N$$
 #
-# This is chapter 01 again, along N: the impulse on a ball of mass m against an infinite mass is
-# $J = -(1 + e)\,m\,(v \cdot N)$.
+# You know this from chapter 01, here along N: a ball of mass m that hits an infinite mass receives
+# the impulse $J = -(1 + e)\,m\,(v \cdot N)$.
 
 # %%
 after = bounce(velocity=(3, -4), normal=(0, 1), restitution=0.5)
@@ -161,7 +164,7 @@ check("e = 0 slides along the wall", bounce((3, -4), (0, 1), 0), (3, 0))
 # %% [markdown]
 # ## 4 The popular variant e R brakes where nothing rubs
 #
-# Many programs write v' = e R and scale the *whole* mirror image. When the ball comes in steeply,
+# Many programs write v' = e R: they scale the *whole* mirror image. If the ball comes in steeply,
 # you hardly see the difference. At a flat angle you do: the ball loses speed along a wall that is
 # perfectly smooth.
 
@@ -190,11 +193,11 @@ for count in bounces[1:]:
 figures.speeds(v_bounce, v_scaled, tangent=280.0)
 
 # %% [markdown]
-# `lesson_code` keeps the variant under its own name, `scaled_reflection`, because programs use
-# it. Now you know what it costs.
+# Because programs use this variant, `lesson_code` has it too, under its own name:
+# `scaled_reflection`. Now you know what it costs.
 #
-# Drag I, move the sliders and compare both rules. They agree at e = 1 and for a ball that comes
-# straight down; at which angle are they farthest apart?
+# Drag I, move the sliders and compare both rules. They agree at e = 1, and for a ball that comes
+# straight down. At which angle do their directions differ most?
 
 # %%
 live(
@@ -206,14 +209,15 @@ live(
 # %% [markdown]
 # ## 5 Break it on purpose: a wall without a gate
 #
-# A program looks at the ball once per time step. When it finds the ball inside the wall, the ball
-# may already be on its way *out*, bounced a step ago. Bounce it again, and you send it back in.
-# So every bounce needs a gate:
+# The formula is right, and a ball can still get stuck in the floor. A program looks at the ball
+# once per time step. When it finds the ball inside the wall, the ball may already be on its way
+# *out*, because it bounced a step ago. Bounce it again, and you send it back in. So every bounce
+# needs a gate:
 #
 # $$v \cdot N < 0 \quad\text{(with N inward: the ball moves against the normal, into the wall)}$$
 #
-# Write the bounce with its gate. One line will do, with `min(vn, 0)`: a ball that leaves then
-# gets no impulse.
+# Write the bounce with its gate. One line is enough if you use `min(vn, 0)`: a ball that leaves
+# then gets no impulse.
 
 
 # %%
@@ -224,8 +228,8 @@ def my_bounce(velocity, normal, restitution):
 
 
 # %% [markdown]
-# `drop_in_steps`, the loop of chapter 02, takes your function as its rule. For now nothing pushes
-# the ball out of the floor.
+# `drop_in_steps`, the loop of chapter 02, now bounces the ball with your function. For now nothing
+# pushes the ball out of the floor.
 
 # %%
 predict("03-no-gate")
@@ -251,13 +255,13 @@ check("a leaving ball is left alone", bounce((3, 4), (0, 1), 0.5), (3, 4))
 # step did not bring it out. The next step bounced it back in, and so on for ever.
 
 # %% [markdown]
-# The gate is inside `bounce`, so that you cannot forget it: it is the clamp in `normal_impulse`,
-# which never lets the impulse of a wall be negative. A wall can push, but not pull.
+# Our `bounce` contains the gate, so you cannot forget it: `normal_impulse` never lets the impulse
+# of a wall be negative. A wall can push, but not pull.
 #
 # ## 6 Separate first, or sink
 #
-# The gate takes care of the velocity. The position needs a rule of its own. Write it: a ball is
-# inside a wall by some depth. Where do you put it?
+# The gate takes care of the velocity. But the ball is still inside the wall, by some depth. Where
+# do you put it? Write the new position:
 
 
 # %%
@@ -289,14 +293,16 @@ for name, (times, heights) in paths.items():
 figures.separation(paths)
 
 # %% [markdown]
-# Separate first, and whether the ball comes in or leaves: the push belongs to the position alone.
+# So separate first, and always: push the ball out whether it comes in or leaves. The push changes
+# its position and leaves its velocity alone.
 
 # %% [markdown]
 # ## 7 The judge: pymunk, on both sides and at the ends
 #
-# A wall of finite length has two sides and two round ends. The normal is then the direction from
-# the *closest point* of the wall to the ball. We throw 2,000 balls at random walls, let pymunk do
-# one step, and compare its velocities with ours.
+# So far every wall was endless. A real one has two sides and two ends, which we make round. Then
+# the normal is the direction from the *closest point* of the wall to the ball. Does the bounce
+# still hold there? We throw 2,000 balls at random walls, let pymunk make one step, and compare its
+# velocities with ours.
 
 # %%
 ours, theirs = [], []
@@ -316,10 +322,10 @@ check("velocities after, ours and pymunk's", np.subtract(ours, theirs), 0, toler
 # %% [markdown]
 # ## 8 A billiard table with a bumper
 #
-# Everything of this chapter in one program: four cushions, and a bumper at 45 degrees that is a
-# short wall with two sides and round ends. In every step: move, look for contacts, **separate
-# first**, then **bounce**. Corners meet two cushions in one step. This table is measured in
-# pixels, and y points down. The program itself is your exercise; here the workbook's engine plays
+# Now all of this chapter goes into one program: four cushions, and a bumper at 45 degrees, a short
+# wall with two sides and round ends. In every step: move, look for contacts, **separate first**,
+# then **bounce**. In a corner the ball meets two cushions in one step. This table is measured in
+# pixels, and y points down. You write the program as an exercise. Here the workbook's engine plays
 # the first shot, from one collision to the next.
 
 # %%
@@ -333,8 +339,8 @@ check("all four cushions and the bumper", len(set(hits)), 5)
 figures.table(track)
 
 # %% [markdown]
-# The table is yours to write: [exercises/billiards.py](../exercises/billiards.py) has five
-# functions for you to fill in, and `workbook play billiards` opens the window with them in it.
+# Now write your own table: [exercises/billiards.py](../exercises/billiards.py) has five functions
+# for you to fill in, and `workbook play billiards` plays with them in a window.
 #
 # ## 9 Quiz
 
@@ -344,12 +350,12 @@ show_quiz("03")
 # %% [markdown]
 # ## 10 Key takeaways
 #
-# - (I · N) N is the part of a velocity along the normal. Take it away once to slide, twice to
-#   mirror.
+# - (I · N) N is the part of a velocity along the normal. Take it away once, and the ball slides;
+#   take it away twice, and the ball bounces.
 # - Restitution acts on the normal part alone. e R brakes along a smooth wall.
-# - The gate, v · N < 0: bounce only what moves into the wall.
-# - Separate first: the position has a rule of its own, and it comes before the bounce.
-# - Normals are unit vectors. Anything else changes the speed.
+# - The gate: bounce a ball only if v · N < 0, that is, if it moves into the wall.
+# - Separate first: push the ball out of the wall before you bounce it, gate or no gate.
+# - Use unit normals. Any other length changes the speed.
 
 # %% [markdown]
 # ## What was checked, and what comes next
@@ -357,8 +363,8 @@ show_quiz("03")
 # **Checked here:** the mirror's four properties on 10,000 random walls; the bounce against pymunk
 # on 2,000 random walls, both sides and both ends, to 1e-9 m/s; the table's hits over 8 s.
 #
-# **Limits.** The ball cannot spin, and the wall cannot move. A very fast ball can jump over a
-# thin wall between two steps: chapter 07 is about that.
+# **Limits.** The ball cannot spin, and the wall cannot move. A very fast ball can jump over a thin
+# wall between two steps; chapter 07 is about that.
 #
 # **Do now:** the exercise [03 Reflection](../exercises/03_reflection.ipynb): three tasks, twelve
 # points; then the challenge of this chapter, the [billiards](../exercises/billiards.py). In a

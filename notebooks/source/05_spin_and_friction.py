@@ -10,12 +10,11 @@
 # # 05 Spin and friction
 #
 # Throw a rubber ball at the floor with backspin, and it comes back to you. No smooth ball can do
-# that. In this chapter your bodies turn, and their surfaces rub; both happen in one blow, and each
-# changes the other.
+# that. In this chapter your bodies spin and their surfaces rub, both in the same blow.
 #
 # **After this notebook you will be able to**
 #
-# 1. compute how fast two bodies slide at their contact, and how hard they are to move there;
+# 1. compute how fast two bodies slide at their contact, and how hard it is to move them there;
 # 2. compute the friction impulse of an impact, with Coulomb's limit, and the spin that it makes;
 # 3. test an engine that has friction: with a disc that begins to roll, with slopes, and with the
 #    laws that must hold.
@@ -57,9 +56,9 @@ from lesson_code.view.svg.animation import animate
 # ## 1 A point of a spinning body moves with the centre and around it
 #
 # A body turns with **angular velocity** w, in radians per second, positive counter-clockwise. Take
-# a point of the body at r = (r_x, r_y) from the centre of mass. Turning carries it around the
-# centre: at right angles to r, with speed |w| |r|. Turn r by a right angle counter-clockwise, and
-# you have the direction: (-r_y, r_x). The centre itself moves with v. Add both:
+# a point of the body at r = (r_x, r_y) from the centre of mass. The spin carries it around the
+# centre at the speed |w| |r|, at right angles to r: in the direction (-r_y, r_x). The centre itself
+# moves with v. Add both:
 #
 # $$v_\text{contact} = v + w\,(-r_y,\ r_x)$$
 
@@ -125,8 +124,8 @@ check("a polygon with 1,000 sides is nearly a disc", polygon_inertia(6, wheel), 
 check("the disc itself: m r² / 2", disc_inertia(6, 0.5), 0.75)
 
 # %% [markdown]
-# A popular short cut puts the mass on the vertices, in equal parts. It looks like a sum over the
-# body. But where is the mass of a plate? Not at its corners.
+# Many programs take a short cut: they put equal parts of the mass on the vertices. But the mass of
+# a plate does not sit at its corners.
 
 # %%
 predict("05-fifth-vertex")
@@ -170,8 +169,8 @@ show(
 # %% [markdown]
 # ## 3 Off centre, a body gives way by turning
 #
-# Push a door near its hinge: it hardly moves. Push it at its edge: it swings open. The door is the
-# same. So how hard is a body to move *at the contact*?
+# Push a door near its hinge: it hardly moves. Push it at its edge: it swings open. It is the same
+# door. So how hard is it to move a body *at the contact*?
 #
 # Give it an impulse of 1 N s along n, at r from the centre. The centre gains the velocity 1/m.
 # The spin gains $(r \times n)/I$. The contact is carried along: for each rad/s it gains another
@@ -248,9 +247,9 @@ animate(
 # %% [markdown]
 # ## 4 Friction stops the sliding, or fails at Coulomb's limit
 #
-# Two rough surfaces that slide hold each other back. Which impulse along t would stop the sliding
-# v_t at once? Write it: it has to change v_t by -v_t, and the effective mass along t tells you what
-# that takes.
+# Rough surfaces that slide on each other slow each other down. Which impulse along t stops the
+# sliding v_t at once? It has to change v_t by -v_t, and you know the effective mass along t. Write
+# it:
 
 
 # %%
@@ -260,14 +259,14 @@ def stopping_impulse(m_eff, vt):
 
 
 # %% [markdown]
-# But surfaces cannot stop any sliding. Coulomb found that friction has a limit: it grows with the
-# force that presses the surfaces together, and no further. For impulses:
+# But friction cannot always stop the sliding: a car on ice slides on. Coulomb found the limit. The
+# harder you press two surfaces together, the more friction they can give. For impulses:
 #
 # $$|j_t| \le \mu\, j_n$$
 #
-# The number μ is the **friction coefficient**: about 0.05 on ice, 1 for rubber on a road. If the
-# limit is not reached, the contact **sticks**. If it is, the contact goes on **sliding**, more
-# slowly. Friction never turns a sliding round: it can stop one, but not start one.
+# The number μ is the **friction coefficient**: about 0.05 on ice, 1 for rubber on a road. If
+# stopping the sliding takes less than the limit, the contact **sticks**. If it takes more, the
+# contact goes on **sliding**, more slowly. Friction can stop a sliding, but never reverse it.
 
 # %%
 needed = stopping_impulse(2.0, 3.0)
@@ -295,17 +294,17 @@ live(
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
 # Draw the impulse as an arrow: j_n up, j_t to the side. Coulomb's limit is a **cone**. The dashed
-# arrow is what would stop the sliding. If it points out of the cone, it is cut down at the same
-# height. On the right you see the friction impulse over the sliding: a ramp, with a floor and a
-# ceiling. Drag the tip of the dashed arrow into the cone and out of it.
+# arrow is what would stop the sliding. If it points out of the cone, friction gives only as much as
+# the cone allows at that height. On the right you see the friction impulse over the sliding: a
+# ramp, with a floor and a ceiling. Drag the tip of the dashed arrow into the cone and out of it.
 
 # %% [markdown]
 # ## 5 The friction impulse turns the body
 #
-# Now put it together. An impact gives j_n along n and j_t along t. Both act at the contact, so
-# both have a torque. For a disc the normal impulse points at the centre and turns nothing; the
-# friction impulse has the whole radius as its lever arm. These lines are all it takes, and you know
-# every name in them:
+# Now put it together. An impact gives j_n along n and j_t along t. Both act at the contact, so both
+# have a torque. For a disc the normal impulse points at the centre and turns nothing; the friction
+# impulse has the whole radius as its lever arm. These lines do all of it, and you know every name
+# in them:
 
 # %%
 print(inspect.getsource(hit).split('"""')[-1].strip("\n"))
@@ -374,13 +373,13 @@ show(
 # ## 6 Two discs, and the judge
 #
 # When two bodies hit, B receives the impulse and A receives the opposite one, at the same place.
-# Momentum and angular momentum of both together are kept. Mind that this is a law for the *sum*:
-# each disc's spin may change, and both may change in the same direction.
+# Momentum and angular momentum of both together are kept. This law is about the *sum*: the spin of
+# each disc may change, even both in the same direction.
 #
 # Draw 2,000 random pairs: masses from 1 g to 1,000 kg, radii from 0.1 to 10 m, any spin, any e and
-# μ. pymunk plays one step of each, and the formulas say what should come out. You have to know one
-# thing about engines: in a step they **first move** the bodies and **then** resolve the contact. So
-# the formulas need the moved positions.
+# μ. pymunk makes one step with each, and the formulas tell you what should come out. One thing you
+# have to know: in a step, engines **first move** the bodies and **then** resolve the contact. So
+# give the formulas the moved positions.
 
 # %%
 at_moved, at_start = scenes.worst_difference_from_pymunk(2000, dt=1 / 60)
@@ -425,7 +424,8 @@ def rolling_part(k):
 
 
 # %% [markdown]
-# The friction coefficient is not in it! Ice and rubber end at the same speed, only later or sooner.
+# The friction coefficient does not appear! On ice and on rubber the disc ends at the same speed. On
+# rubber it gets there sooner.
 
 # %%
 predict("05-hoop")
@@ -473,8 +473,8 @@ show(
 # - A **box** stays if $\mu \ge \tan\theta$. Otherwise it slides, and speeds up by $g(\sin\theta -
 #   \mu \cos\theta)$.
 # - A **round body** rolls down if friction can turn it fast enough. Then it speeds up by $g
-#   \sin\theta/(1 + k)$. To turn it so fast takes less friction than to hold it: the part $k/(1 +
-#   k)$ of $\tan\theta$.
+#   \sin\theta/(1 + k)$. For this it needs less friction than the box: $\mu \ge \frac{k}{1 + k}
+#   \tan\theta$.
 # - A **tall box** that cannot slide tips over when its centre of mass is no longer above its
 #   base: $\tan\theta > \text{width}/\text{height}$.
 #
@@ -535,8 +535,8 @@ show(
 # mm/s where it should stay.
 #
 # The third slope is a balance on an edge, and asks more of a solver. The box stands on two
-# contacts, and what happens at one changes what the other needs. Look for the angle at which a box
-# tips that is half as wide as high.
+# contacts, and what happens at one changes what the other needs. A box is half as wide as it is
+# high. At which angle does it tip?
 
 # %%
 expected = np.degrees(rigid_body_closed_forms.tipping_angle(width=0.5, height=1.0))
@@ -552,8 +552,8 @@ for solver in ("sequential", "pymunk"):
 #
 # ## 9 Newton's restitution can make energy
 #
-# Here are two rules, each of which can only lose energy: e < 1, and friction. Let them work on one
-# blow, off centre.
+# You know two rules that can only lose energy: e < 1, and friction. What happens if both act in the
+# same blow, off centre?
 
 # %%
 predict("05-gain")
@@ -569,8 +569,8 @@ for v_x in (0.0, 0.5, 1.0):
 # <b class="answer">The answer.</b>
 # The floor's push turns the rod, and the tip swings to the left. Friction holds it, which turns the
 # rod back and drives the tip into the floor. So the floor has to push harder, until the tip leaves
-# with e times its approach: Newton's rule demands it, whatever it takes. Both engines agree, so no
-# program is wrong. The rule is.
+# with e times its approach, as Newton's rule demands. Both engines agree, so the fault is not in a
+# program. It is in the rule.
 #
 # So this course claims "energy never grows" only where it is true: without friction, with e = 0, or
 # with **Stronge's** rule, which compares energies and not velocities. `simulate(scene, T)` takes
@@ -581,8 +581,8 @@ for v_x in (0.0, 0.5, 1.0):
 # All three stood in the web lesson that this course grew from.
 #
 # **The torque with the wrong sign.** A disc bounces on a rough floor without loss (e = 1). After
-# each bounce it falls back as fast as it rose. The right rule needs one bounce to stop the
-# sliding. Now exchange lever and impulse in the torque.
+# each bounce it falls back as fast as it rose. The right rule stops the sliding in one bounce. Now
+# swap lever and impulse in the torque.
 
 # %%
 predict("05-wrong-torque")
@@ -631,10 +631,9 @@ for name in ("right", "torque with the wrong sign"):
     print(f"angular momentum -1.5 -> {after.angular_momentum((0, 0)):+.1f} kg m²/s")
 
 # %% [markdown]
-# **No clamp, and a dead band.** Two wrong models of the friction impulse. The first always stops
-# the sliding: on it ice is as good as rubber. The second calls a sliding below 0.01 m/s "none"
-# and leaves it alone, so that a body at rest need not be touched. Between -0.01 and 0.01 m/s
-# nothing holds.
+# **No clamp, and a dead band.** Here are two wrong models of the friction impulse. The first always
+# stops the sliding, so ice grips as well as rubber. The second ignores any sliding below 0.01 m/s,
+# because a body at rest then needs no work. But below this speed nothing holds the body at all.
 
 # %% tags=["plumbing"]
 fig, axes = style.figure(2, width=9.5, height=3.4)

@@ -90,10 +90,10 @@ show(
 # %% [markdown]
 # ## 2 The normals of the edges are enough
 #
-# There are infinitely many axes. But take two convex polygons with a gap between them, and turn a
-# line in the gap until it lies along an edge of one of them. It still fits. So if there is a gap
-# at all, there is one *along an edge*. The axis that shows it stands across that edge: it is the
-# edge's **normal**.
+# You cannot try all axes: there are infinitely many. But take two convex polygons with a gap
+# between them, lay a line into the gap, and turn and shift it until it lies along an edge of one of
+# them. It still fits into the gap. So if there is a gap at all, there is one *along an edge*. The
+# axis that shows it stands across that edge: it is the edge's **normal**.
 #
 # So the test needs one axis for each edge of A and of B. This is the **separating axis theorem**,
 # SAT for short. It holds for convex shapes only. For vertices counter-clockwise, the outward
@@ -148,8 +148,8 @@ check("touching is not overlapping", overlap((0, 3), (3, 5)), None)
 
 # %% [markdown]
 # "The part they share" is right as long as each interval has an end outside the other. It fails
-# when one contains the other, and small bodies in large ones are just the case in which a wrong
-# depth does most harm.
+# when one contains the other: then a small body sits deep in a large one, where a wrong depth does
+# most harm.
 #
 # ## 4 The shortest way out has a direction
 #
@@ -157,8 +157,8 @@ check("touching is not overlapping", overlap((0, 3), (3, 5)), None)
 # are the **minimum translation vector**, MTV: B moved by depth times normal just touches A. The
 # normal points from A to B, as always in this course.
 #
-# An axis has two directions. Which of them is the normal follows from the shadows: it is the one
-# in which B leaves the shorter way. Where the two shapes have their centres plays no part.
+# An axis has two directions. The shadows tell you which of them is the normal: the one in which B
+# has the shorter way out. The centres of the shapes do not matter.
 
 # %%
 slab, brick = np.array([(0, 0), (4, 0), (4, 2), (0, 2)]), np.array([(3, 1), (6, 1), (6, 4), (3, 4)])
@@ -189,8 +189,8 @@ show(
 )
 
 # %% [markdown]
-# Between two bodies the way is shared as in chapter 04: both move along the normal, the lighter
-# one further, and the ratio is that of the inverse masses.
+# Two bodies share this way as in chapter 04: both move along the normal, the lighter one further,
+# in the ratio of the inverse masses.
 
 # %%
 m_a, m_b = 1.0, 3.0
@@ -227,12 +227,12 @@ for judge, answers in (("pymunk", pymunks), ("Minkowski", minkowskis)):
 # %% [markdown]
 # ## 6 From the overlap to the contact points
 #
-# The MTV says how to part two polygons. An impulse also needs a *place*. The places where two
-# shapes meet are called the **manifold**. For polygons it has one or two points:
+# The MTV tells you how to separate two polygons. But where does the impulse act? The points where
+# two shapes meet are called the **manifold**. For polygons it has one or two points:
 #
 # 1. The **reference edge** is the edge whose normal is the MTV's. The **incident edge** is the
 #    edge of the other polygon that faces it most.
-# 2. The incident edge is **clipped**: what lies beyond the ends of the reference edge is cut off.
+# 2. You **clip** the incident edge: you cut off what lies beyond the ends of the reference edge.
 # 3. The ends of what is left are the contacts, if they are behind the reference edge. How far
 #    behind is the **penetration** there.
 #
@@ -259,9 +259,9 @@ moved = collide(floor, (0, -1, 0), crate, (3.02, 0.91, 0))
 check("the same contacts a step later, by name", moved.features, flat.features)
 
 # %% [markdown]
-# Each point has a name, its **feature**: which edges meet there, and at which end. With it the
-# engine knows a contact again in the next step. It can then start from the impulse that was right
-# just before. This is called warm starting. It is one reason why a stack comes to rest.
+# Each point has a name, its **feature**: which edges meet there, and at which end. By its feature
+# the engine recognises a contact in the next step. It can then start from the impulse that was
+# right a step ago. This is called warm starting. It is one reason why a stack comes to rest.
 #
 # ## 7 One point makes a box spin, two let it stand
 #
@@ -326,8 +326,8 @@ animate(
 
 # %% [markdown]
 # The naive solver of chapter 04 pushes from centre to centre. The ball gains a velocity along the
-# plank that nothing can give it, and the plank does not turn. Momentum, energy and angular momentum
-# are kept all the same. None of them notices; only the *direction* is wrong.
+# plank, though nothing pushes it that way, and the plank does not turn. Yet momentum, energy and
+# angular momentum are all kept. No law notices the fault, because only the *direction* is wrong.
 
 # %%
 predict("06-plank-as-wall")
@@ -342,8 +342,8 @@ for name, with_plank in (("the plank is free", scene), ("the plank is a wall", w
 
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
-# The wall gives the ball twice its momentum back. A wall may do that, for it is held by the whole
-# earth; a free plank of 1 kg may not.
+# The wall changes the momentum of the ball by twice its amount. A wall may do that, because the
+# whole earth holds it. A free plank of 1 kg may not.
 
 # %% [markdown]
 # ## 9 A circle meets the closest point
@@ -388,8 +388,8 @@ print(f"{np.count_nonzero(depths)} of 1000 circles overlap, {inside} with the ce
 check("depths, ours and pymunk's, m", np.subtract(depths, theirs), 0, tolerance=1e-12)
 
 # %% [markdown]
-# A last trap: some programs write `if closest_point:` where they mean "if one was found". The
-# corner at (0, 0) is then no corner. "None" has to be asked for by name.
+# A last trap: some programs write `if closest_point:` where they mean "if one was found". Then the
+# corner at (0, 0) counts as no corner. Ask for `None` by name.
 
 # %%
 box, ball = Polygon.box(2, 2), Circle(0.6)
@@ -407,9 +407,9 @@ check("the trap", wrong.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners
 #
 # $$k_{11} = \frac1m + \frac{(w/2)^2}{I}, \qquad k_{12} = \frac1m - \frac{(w/2)^2}{I}$$
 #
-# A solver that visits the contacts in turn leaves an error behind each time. A visit to one contact
-# puts it right and disturbs the other by $k_{12}/k_{11}$. A **sweep** visits both. Which part of an
-# error is left after `sweeps` sweeps?
+# A solver that visits the contacts in turn leaves an error behind each time. A visit corrects one
+# contact and disturbs the other by $k_{12}/k_{11}$. A **sweep** visits both. Which part of an error
+# is left after `sweeps` sweeps?
 
 
 # %%
@@ -454,10 +454,10 @@ live(
 )
 
 # %% [markdown]
-# **A corner with friction** is the other case. There is one contact, but its normal and its
-# tangent influence each other: a push at a corner also makes the corner slide, and friction there
-# also presses it down. The answer is a pair of linear equations. We let 500 boxes land on a
-# corner, with random size, speed, spin, restitution and friction.
+# **A corner with friction** is the other case. There is only one contact, but its normal and its
+# tangent influence each other: a push at a corner also makes it slide, and friction at a corner
+# also presses it down. The answer is a pair of linear equations. We let 500 boxes land on a corner,
+# with random size, speed, spin, restitution and friction.
 
 # %%
 corners = list(corner_impacts.random_corners(500, seed=1))
@@ -496,8 +496,8 @@ show(
 )
 
 # %% [markdown]
-# pymunk visits the contacts in turn. With 10 sweeps its stack leans a little more in each step;
-# more sweeps put the fall off.
+# pymunk visits the contacts in turn. With 10 sweeps its stack leans a little more in each step.
+# With more sweeps it falls later.
 #
 # The contacts tell how the load is shared. In the last step, the impulses between floor and
 # lowest box add up to the weight of all ten boxes times the step. One box higher it is nine, and
@@ -529,7 +529,7 @@ animate(
 # %% [markdown]
 # ## 12 Break it on purpose: three faults with polygons
 #
-# **The part they share.** Take for the depth the part that both shadows share, and put a small
+# **The part they share.** Take the part that both shadows share as the depth. Then put a small
 # triangle into a large square.
 
 # %%
@@ -546,8 +546,9 @@ normal, depth = wrong.common_part_as_depth(room, chip)
 check("the rest of the way, m", mtv(room, chip + depth * normal)[1], 2.2, tolerance=1e-12)
 
 # %% [markdown]
-# **The direction from the positions.** Many programs point the normal from the position of A to
-# that of B. But a position is a note: of the middle, or of any other point that was handy.
+# **The direction from the positions.** Many programs point the normal from the position of A to the
+# position of B. But a position may be any point of a body that its author found handy, not only the
+# middle.
 
 # %%
 predict("06-notes")
@@ -564,7 +565,7 @@ check("the crate was this deep, m", depth, 0.5)
 check("and is now this deep, m", mtv(room, crate + depth * pointed)[1], 1.0)
 
 # %% [markdown]
-# Even where both notes are of the middle, they mislead when B is deep. Here the middle of a dart
+# Even the two middles mislead you when B is deep. Here the middle of a dart
 # lies beyond the middle of A, and the shorter way out leads back past it.
 
 # %%

@@ -9,14 +9,14 @@
 # %% [markdown]
 # # 07 Time of impact
 #
-# Your engine has looked at the world sixty times a second, and corrected what overlapped. It knows
-# nothing of what happens between two looks: a fast ball can be before a wall at one and behind it
-# at the next. Here you ask for the *time* at which two bodies meet. Then nothing is missed at any
-# speed, and in the end the time step disappears altogether.
+# So far your engine looks at the world sixty times a second and corrects what overlaps. Between two
+# looks it is blind: a fast ball can be in front of a wall at one look and behind it at the next.
+# Here you ask for the *time* at which two bodies meet. Then nothing is missed at any speed, and in
+# the end the time step disappears altogether.
 #
 # **After this notebook you will be able to**
 #
-# 1. say from which speed on a stepped ball passes through a wall, and how often;
+# 1. say how fast a ball must be to pass through a wall between two steps, and how often it does;
 # 2. compute when two bodies meet, without losing digits and without looking at samples, and use
 #    the rest of the step after the impact;
 # 3. simulate from collision to collision without any time step, and say which scenes allow it.
@@ -54,9 +54,9 @@ from lesson_code.view.svg.animation import animate
 #
 # To be stopped, the ball has to be *seen in time*: at the end of a step it must overlap the wall,
 # and its centre must still be before the wall's middle. (Behind the middle the shortest way out
-# leads on, and the ball is let go.) These places fill the last r + th/2 of its way, where th is
-# the wall's thickness. Where in the step the ball starts is chance. Which part of the balls gets
-# through? Write it; for slow balls it is 0.
+# leads on, and the ball is let go.) These places fill the last r + th/2 of its way, where th is the
+# thickness of the wall. Whether a step ends there is chance. Which part of the balls gets through?
+# Write it; for slow balls it is 0.
 
 
 # %%
@@ -80,8 +80,8 @@ live(
 )
 
 # %% [markdown]
-# Let pymunk try it with 200 balls at a time, which start a little further back one by one, so that
-# all phases of a step occur.
+# Let pymunk try it with 200 balls at each speed. Each ball starts a little further back than the
+# one before, so that their steps end at all possible places.
 
 # %%
 speeds = np.array([6, 9, 10, 12, 15, 18, 25, 40, 60, 100])
@@ -112,7 +112,7 @@ show(
 #
 # ## 2 Looking more often is no cure
 #
-# A program may look ten times within each step.
+# Why not simply look more often? Let a program look ten times within each step.
 
 # %%
 predict("07-ten-looks")
@@ -187,7 +187,7 @@ t = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=
 check("not within 1.9 s", t, None)
 
 # %% [markdown]
-# Other shapes are put together from this. A circle meets a **wall** when its distance falls to r:
+# From this you can build the other cases. A circle meets a **wall** when its distance falls to r:
 # that is linear in t, or with gravity a quadratic again. It meets a **polygon** at an edge or at a
 # vertex: an edge is a wall with ends, and a vertex is a circle without radius. The earliest of all
 # is the impact. For turning polygons there is no such formula. There `time_of_impact` takes steps
@@ -274,7 +274,7 @@ show(
 # %% [markdown]
 # ## 5 Never, and now
 #
-# Four cases need a rule, and the rule has to be the same everywhere:
+# Four cases need a rule, the same one in the whole program:
 #
 # - They pass each other, or part: **never**. That is `None`, and no number.
 # - They touch or overlap, and approach: **now**. That is 0.0.
@@ -326,9 +326,9 @@ deepest = max(c.penetrations[0] for c in contacts if c is not None)
 check("the others overlap by rounding only, m", deepest, 0, tolerance=1e-14)
 
 # %% [markdown]
-# What is left of the overlap is the last digit of a rounding. So an event must resolve
-# **explicitly**: the time of impact has said that there is a contact, and the normal leads from
-# centre to centre. Only the gate is asked, as always.
+# Only rounding decides, in the last digit, whether there is an overlap. So an event must resolve
+# the contact **explicitly**: the time of impact has told you that there is one, and the normal
+# leads from centre to centre. You still ask the gate, as always.
 
 # %%
 turned_round = []
@@ -341,9 +341,9 @@ check("separation over approach, 1,000 times", turned_round, 0.5, tolerance=1e-1
 # %% [markdown]
 # ## 7 The rest of the step
 #
-# A collision that is found at t is not the end of the step. Three things have to be done: move
-# **to** the impact, bounce, and **go on** for the rest dt - t. In the rest there may be another
-# impact. So it is a loop, which ends when no impact is left in the time that is left.
+# You have found a collision at the time t, but the step is not over. Move **to** the impact,
+# bounce, and **go on** for the rest of the step, dt - t. The rest may hold another impact. So write
+# a loop, which ends when no more impact comes in the time that is left.
 #
 # Some programs stop at the impact and lose the rest. Here are both, for a ball in a room with
 # e = 1, in 600 steps of 1/60 s. Its place after any time is known: section 10 says why.
@@ -375,7 +375,7 @@ show(
 )
 
 # %% [markdown]
-# The speed is right to the last digit in both. The energy knows nothing of a lost time.
+# Both have the right speed to the last digit, so energy cannot tell you that time was lost.
 #
 # With the rest of the step it does not matter how long the step is. One step of ten seconds does
 # it as well as 600:
@@ -388,8 +388,8 @@ check("one step of 10 s, ten impacts in it: error, m", np.array(p) + radius, exa
 # **In the engine.** `simulate` splits a step only where it must. A body that moves by less than
 # half of its width in a step is seen in time anyway. If one is faster, the engine looks for the
 # first time of impact of the fast ones, ends the step there, resolves it like any other contact,
-# and goes on with the rest. Slow scenes pay nothing but a look at the speeds. Turning bodies are
-# looked after too: below, a thin rod sweeps over a ball at rest, from 40 starting angles.
+# and goes on with the rest. A slow scene pays only for a look at the speeds. This works for turning
+# bodies too: below, a thin rod sweeps over a ball at rest, from 40 starting angles.
 
 # %%
 for speed in (18.0, 1e3, 1e6):
@@ -408,14 +408,15 @@ for turning in (5.0, 20.0, 40.0):
 # %% [markdown]
 # ## 8 From event to event
 #
-# If a step may be so long, why have steps at all? Between two collisions every disc moves in a way
-# that you can write down: a straight line, or with gravity a parabola. So there is nothing to
-# compute until the next collision. An **event-driven** simulation goes from one to the next:
+# If one step can be ten seconds long, why have steps at all? Between two collisions every disc
+# moves in a way that you can write down: a straight line, or with gravity a parabola. So there is
+# nothing to compute until the next collision. An **event-driven** simulation goes from one to the
+# next:
 #
 # 1. For every disc, predict its next event: the earliest of all its times of impact.
 # 2. Take the earliest event of all. (A *heap* has it on top.)
 # 3. Move the discs that take part to that time, and let them bounce.
-# 4. Their other forecasts no longer hold: make them anew. All other discs fly on as predicted.
+# 4. Their other predictions no longer hold, so make new ones. All other discs fly on as predicted.
 #
 # `solver="exact"` does this. `sample` says at which times you want to see the state; with `None`
 # they are the events themselves.
@@ -451,8 +452,8 @@ for speed in (1.0, 1e3, 1e6):
 # ## 9 Pi, from collisions
 #
 # Two blocks slide on ice before a wall. The inner one, of 1 kg, is at rest; the outer one, of M kg,
-# comes. All is elastic. The inner block is thrown to and fro between wall and outer block, until
-# that has turned round and is the faster one.
+# comes. All is elastic. The inner block bounces to and fro between the wall and the outer block,
+# until the outer block has turned round and is the faster one.
 
 # %%
 predict("07-pi")
@@ -541,9 +542,9 @@ for rate in rates.tolist():
     print(f"pymunk, {rate:4} steps a second: off by up to {errors[-1]:.3f} m in 10 s")
 
 # %% [markdown]
-# Each impact is late by a part of a step, and the lateness stays. Halving the step halves the
-# error, more or less: ten times more accurate is ten times more work. The exact solver makes ten
-# collisions, and its error is what rounding leaves.
+# Each impact comes late by a part of a step, and the ball never makes up for it. If you halve the
+# step, you roughly halve the error: ten times the accuracy costs ten times the work. The exact
+# solver computes ten collisions, and only rounding is left of its error.
 #
 # ## 11 Backwards in time
 #
@@ -640,16 +641,16 @@ show(
 # %% [markdown]
 # ## 13 A gas
 #
-# Many discs that only collide are a gas. What a gas does on average is not chaotic. Two numbers
-# have been known for a long time. **Pressure:** points would press with p A = N T, where T is the
+# Many discs that only collide are a gas. What a gas does on average is not chaotic. Theory gives
+# you two numbers to compare with. **Pressure:** points would press with p A = N T, where T is the
 # mean energy of a disc. Discs need room, and press more, by the factor Z. If they cover the part
 # $\eta$ of the area, Henderson's formula says
 #
 # $$Z = \frac{p A}{N T} = \frac{1 + \eta^2/8}{(1 - \eta)^2}$$
 #
 # **Collisions:** Enskog's theory says how often a disc meets another one. Measure both in the
-# middle of a box with 144 discs: near the walls a gas is denser. A few thousand collisions are
-# counted, so chance leaves a few parts in a hundred; to halve that takes four times as many.
+# middle of a box with 144 discs: near the walls a gas is denser. You count a few thousand
+# collisions, so chance leaves an error of a few per cent. To halve it you need four times as many.
 
 # %%
 measured = []
@@ -711,10 +712,10 @@ show(
 )
 
 # %% [markdown]
-# With many discs, each collision makes the forecasts of two discs stale, and no others. To predict
-# a disc's next event only its neighbourhood is looked at: the box is divided into **cells**, and to
-# cross from one to the next is an event too. So a collision among a thousand discs has no more
-# neighbours to look at than one among sixty. What still grows is the queue of all events.
+# What if there are many discs? A collision spoils the predictions of two discs only. And to predict
+# the next event of a disc, the solver looks only at its neighbourhood: it divides the box into
+# **cells**, and crossing into the next cell is an event too. So among a thousand discs a collision
+# has no more neighbours to look at than among sixty. Only the queue of all events still grows.
 
 # %% tags=["nbval-ignore-output"]
 for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
@@ -722,10 +723,10 @@ for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
     print(f"{side * side:5} discs: {collisions:5} collisions, {each:4.0f} µs each")
 
 # %% [markdown]
-# Why not do everything this way? Because it needs a motion in closed form between collisions, and
-# few collisions. A polygon that turns has none: its corners move on curves that no formula meets.
-# A pile at rest has contacts all the time. And a ball on a ball, pressed on by gravity, would make
-# infinitely many collisions; the solver lets it hop a little. It says no where it cannot help:
+# Why not do everything this way? Because it needs a formula for the motion between collisions, and
+# few collisions. For a turning polygon there is no formula for the time of impact. A pile at rest
+# has contacts all the time. And a ball on a ball, pressed on by gravity, would make infinitely many
+# collisions; the solver lets it hop a little. It says no where it cannot help:
 
 # %%
 try:
@@ -764,8 +765,8 @@ check("never", time_of_impact(one, place_1, (-3, 0, 0), two, place_2, (2, 0, 0),
 
 # %% [markdown]
 # A program that goes "to the impact" then flies two circles *back* to where they were three seconds
-# and more ago. In an event-driven simulation it is worse: the earliest event of all is in the past,
-# and after it comes the same one again.
+# and more ago. An event-driven simulation gets stuck: the earliest event of all is in the past, and
+# after it the same event comes again.
 #
 # **0/0.** Two circles fly side by side. a is 0 and b is 0. NumPy does not stop at 0/0; it gives
 # nan.
@@ -782,7 +783,7 @@ print("a hit, because not t > dt:", bool(not t > 6.0))
 check("never", time_of_impact(one, place_1, still, two, place_2, still, 6.0), None)
 
 # %% [markdown]
-# Ask for b < 0 first, and you never get as far as that: circles that do not approach do not meet.
+# Ask for b < 0 first, and you never divide 0 by 0: circles that do not approach do not meet.
 #
 # ## 16 Quiz
 

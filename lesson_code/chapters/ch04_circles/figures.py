@@ -14,8 +14,10 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
 
+from lesson_code.engine.core.run import Run
+from lesson_code.geometry import Manifold
 from lesson_code.view.browser.show import show
-from lesson_code.view.matplotlib import plots, style
+from lesson_code.view.matplotlib import plots, scene_plots, style
 from lesson_code.view.matplotlib.plots import Point
 
 DISC_STYLES = ((style.FIRST, ""), (style.SECOND, "///"))
@@ -203,15 +205,39 @@ def moved_apart(discs: tuple[Any, float, Any, float], ways: Mapping[str, Any]) -
     )
 
 
-def balls_left(on_table: Mapping[str, tuple[Any, Any]]) -> None:
-    """Show how many balls are on the table over time, by solver."""
-    fig, ax = style.figure(width=7, height=3)
-    plots.curves(ax, on_table, "time, s", "balls on the table")
-    ax.set_ylim(0, 34)
+def overlapping(p1: Point, r1: float, p2: Point, r2: float, contact: Manifold) -> None:
+    """Show two overlapping discs, with the normal and the depth of their contact."""
+    fig, ax = style.figure(width=5.4, height=5)
+    overlap(ax, p1, r1, p2, r2, contact.normal, contact.penetrations[0])
     show(
         fig,
-        "Balls on the table over 3 s. With sequential impulses all 32 stay; with the first attempt "
-        "the number falls to zero.",
+        "Two overlapping discs. The normal n points from the centre of disc 1 towards the centre "
+        "of disc 2. The depth is the distance between the two rims on the line of the centres.",
+    )
+
+
+def two_on_their_way(run: Run) -> None:
+    """Show the two discs of an oblique hit at four times, and their ways."""
+    fig, ax = style.figure(width=7, height=3.8)
+    scene_plots.ghosts(ax, run, (0.0, 0.5, 1.0, 1.5))
+    scene_plots.trails(ax, run)
+    show(
+        fig,
+        "Two discs at four times, earlier ones fainter. They meet obliquely; the small one is "
+        "thrown back and upward, the large one goes on slowly and downward.",
+    )
+
+
+def sideways_speeds(speeds: Mapping[str, Sequence[float]]) -> None:
+    """Show a cue ball's sideways speed over the number of iterations, 1, 2 ..., by solver."""
+    fig, ax = style.figure(width=7, height=3.2)
+    named = {name: (range(1, len(values) + 1), values) for name, values in speeds.items()}
+    plots.curves(ax, named, "iterations", "cue ball's sideways speed, m/s")
+    ax.set_yscale("log")
+    show(
+        fig,
+        "The sideways speed of the cue ball, which should be zero, over the number of iterations, "
+        "on a logarithmic scale. It falls along a straight line, alike for our engine and pymunk.",
     )
 
 

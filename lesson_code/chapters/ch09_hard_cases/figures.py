@@ -1,4 +1,4 @@
-"""Figures of the hard cases: which share of its draws each engine holds, family by family."""
+"""Figures of the hard cases, a row for each theme: how often engines hold, and how badly not."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 
 from matplotlib.axes import Axes
 
-from lesson_code.evidence.hard_cases import Comparison, by_theme, family_by_name
+from lesson_code.evidence.hard_cases import Comparison, Result, by_theme, family_by_name
 from lesson_code.view.matplotlib.measured import marks, rows
 from lesson_code.view.matplotlib.style import BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION
 
@@ -24,7 +24,7 @@ MARKS = {
 
 
 def shares_held(ax: Axes, comparison: Comparison) -> Axes:
-    """Draw for every family the share of its draws that each engine holds.
+    """Draw for every theme the share of its families' draws that each engine holds.
 
     Parameters
     ----------
@@ -39,18 +39,20 @@ def shares_held(ax: Axes, comparison: Comparison) -> Axes:
         `ax`.
     """
     for engine in _engines(comparison):
-        shares = [comparison.result(name, engine).share for name in comparison.names]
-        _mark(ax, engine, [(100 * share + _shift(engine), n) for n, share in enumerate(shares)])
-    _family_rows(ax, comparison)
-    ax.set_xlim(-8, 108)
+        results = _results(comparison, engine)
+        held = [sum(r.held for r in theme) / sum(r.draws for r in theme) for theme in results]
+        _mark(ax, engine, [100 * share for share in held])
+    _theme_rows(ax, comparison)
+    ax.set_xlim(-4, 104)
     ax.set_xlabel("draws in which the bound was held, %")
     return ax
 
 
 def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
-    """Draw for every family how many powers of ten the worst draw is over the bound, or under it.
+    """Draw for every theme how many powers of ten its worst draw is over the bound, or under it.
 
-    A line stands at the bound; what lies to its left holds. An engine without a result has no mark.
+    A line stands at the bound; what lies to its left holds. Families without a result are left
+    out; an engine that has none in a theme has no mark there.
 
     Parameters
     ----------
@@ -65,51 +67,75 @@ def over_the_bounds(ax: Axes, comparison: Comparison) -> Axes:
         `ax`.
     """
     for engine in _engines(comparison):
-        worst = [comparison.result(name, engine).worst for name in comparison.names]
-        bounds = [family_by_name(name).bound for name in comparison.names]
-        seen = [(n, w, b) for n, (w, b) in enumerate(zip(worst, bounds, strict=True))]
-        _mark(ax, engine, [(powers_of_ten(w, b), n) for n, w, b in seen if not math.isnan(w)])
+        powers = [
+            [
+                powers_of_ten(result.worst, family_by_name(result.family).bound)
+                for result in theme
+                if not math.isnan(result.worst)
+            ]
+            for theme in _results(comparison, engine)
+        ]
+        _mark(ax, engine, [max(theme, default=math.nan) for theme in powers])
     ax.axvline(0.0, color=GREY, linewidth=1.5)
-    _family_rows(ax, comparison)
+    _theme_rows(ax, comparison)
     ax.set_xlim(LEFT - 0.7, RIGHT + 0.7)
-    ax.set_xlabel("worst draw, powers of ten over the bound; at the edges: that much or more")
+    ax.set_xlabel("worst draw: powers of ten over the bound")
     return ax
 
 
-SIZE = {"markersize": 4.7, "markeredgewidth": 1.5}
+def least_held(comparison: Comparison) -> Comparison:
+    """Return one family of each theme: the first of those that all engines together hold least."""
+
+    def share(name: str) -> float:
+        return sum(comparison.result(name, engine).share for engine in comparison.engines)
+
+    names = [min(theme, key=share) for theme in _themes(comparison).values()]
+    return Comparison(
+        tuple(comparison.result(name, engine) for name in names for engine in comparison.engines)
+    )
+
+
+SIZE = {"markersize": 7, "markeredgewidth": 1.8}
+WORDS = 10
+"""Size of the themes' names, points: no smaller than the numbers at the axes of other figures."""
+
+APART = 0.15
+"""Rows between the marks of two engines: equal figures do not hide each other."""
 
 
 def _engines(comparison: Comparison) -> list[str]:
     return [engine for engine in MARKS if engine in comparison.engines]
 
 
-def _mark(ax: Axes, engine: str, points: list[tuple[float, int]]) -> None:
-    """Draw an engine's mark at each of some points."""
+def _themes(comparison: Comparison) -> dict[str, list[str]]:
+    """Return the names of the families by theme."""
+    themes = by_theme(map(family_by_name, comparison.names))
+    return {theme: [family.name for family in families] for theme, families in themes.items()}
+
+
+def _results(comparison: Comparison, engine: str) -> list[list[Result]]:
+    """Return an engine's results, a list for each theme."""
+    themes = _themes(comparison).values()
+    return [[comparison.result(name, engine) for name in theme] for theme in themes]
+
+
+def _mark(ax: Axes, engine: str, values: list[float]) -> None:
+    """Draw an engine's mark for each theme, a little above or below the middle of its row."""
     marker, color, label = MARKS[engine]
+    shift = APART * ((len(MARKS) - 1) / 2 - list(MARKS).index(engine))
+    points = [(value, row + shift) for row, value in enumerate(values)]
     marks(ax, points, marker=marker, color=color, label=label, zorder=3, **SIZE)
 
 
-def _shift(engine: str) -> float:
-    """Return a small shift that keeps equal shares apart, %."""
-    return 1.2 * (list(MARKS).index(engine) - (len(MARKS) - 1) / 2)
-
-
-def _family_rows(ax: Axes, comparison: Comparison) -> None:
-    """Give each family a row, and draw a line with a name above each theme."""
-    rows(ax, comparison.names, margin=1.0, fontsize=7)
-    first = 0
-    for theme, families in by_theme(map(family_by_name, comparison.names)).items():
-        ax.axhline(first - 0.5, color=GREY, linewidth=0.6)
-        ax.annotate(
-            theme,
-            (1.01, first),
-            xycoords=("axes fraction", "data"),
-            va="center",
-            fontsize=7,
-            annotation_clip=False,
-        )
-        first += len(families)
-    ax.legend(frameon=False, ncols=len(MARKS), loc="lower center", bbox_to_anchor=(0.5, 1.0))
+def _theme_rows(ax: Axes, comparison: Comparison) -> None:
+    """Give each theme a row, with the number of its families, and draw lines between the rows."""
+    themes = _themes(comparison)
+    names = [f"{theme} ({len(families)})" for theme, families in themes.items()]
+    rows(ax, names, margin=0.6, fontsize=WORDS)
+    ax.grid(False, axis="y")
+    for row in range(1, len(names)):
+        ax.axhline(row - 0.5, color="#e4e4e4", linewidth=0.7)
+    ax.legend(frameon=False, ncols=len(MARKS), loc="lower center", bbox_to_anchor=(0.42, 1.0))
 
 
 def powers_of_ten(value: float, bound: float) -> float:

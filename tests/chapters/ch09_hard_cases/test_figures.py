@@ -1,9 +1,10 @@
-"""Pictures of the hard cases: a mark for every result, on the right side of the bound."""
+"""Pictures of the hard cases: a mark for every theme, on the right side of the bound."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -48,26 +49,30 @@ def marks(draw: Callable[[Axes, Comparison], Axes], engine: str) -> Any:
     return np.asarray(found.get_xydata())
 
 
-def test_held_is_left_of_the_line_and_over_is_right_of_it() -> None:
-    """A tenth of the bound is one power of ten under it; zero is at the left edge."""
+def test_worst_family_of_a_theme_is_over_the_line() -> None:
+    """Zero and a tenth of the bound: the tenth is worse. Infinity stands at the edge."""
     assert family_by_name("rebounds").bound == BOUND
-    found = marks(case_plots.over_the_bounds, "ours")
-    np.testing.assert_allclose(found, [(case_plots.LEFT, 0), (-1, 1)])
-    found = marks(case_plots.over_the_bounds, "box2d")
-    np.testing.assert_allclose(found, [(case_plots.RIGHT, 0), (2, 1)])
+    assert marks(case_plots.over_the_bounds, "ours")[:, 0].tolist() == pytest.approx([-1])
+    assert marks(case_plots.over_the_bounds, "box2d")[:, 0].tolist() == [case_plots.RIGHT]
 
 
-def test_no_result_is_no_mark() -> None:
-    """What came to no end is not drawn as if it were zero."""
-    np.testing.assert_allclose(marks(case_plots.over_the_bounds, "pymunk"), [(3, 0)])
+def test_family_without_a_result_is_left_out() -> None:
+    """What came to no end is not drawn as if it were zero, nor does it hide the other family."""
+    assert marks(case_plots.over_the_bounds, "pymunk")[:, 0].tolist() == pytest.approx([3])
 
 
 @pytest.mark.parametrize("engine", WORST)
-def test_share_is_drawn_in_percent(engine: str) -> None:
-    """Equal shares stand a little apart, so that no mark hides another."""
-    found = marks(case_plots.shares_held, engine)
-    np.testing.assert_allclose(found[:, 0], 100 * HELD[engine] / 4, atol=3)
-    np.testing.assert_allclose(found[:, 1], [0, 1])
+def test_share_of_a_theme_is_that_of_all_its_draws(engine: str) -> None:
+    """Two families of 4 draws each: twice as many held, of 8."""
+    (share,) = marks(case_plots.shares_held, engine)[:, 0]
+    assert share == 100 * 2 * HELD[engine] / 8
+
+
+def test_equal_figures_stand_apart() -> None:
+    """No mark hides another, and all are within their theme's row."""
+    heights = [marks(case_plots.shares_held, engine)[0, 1] for engine in WORST]
+    assert np.diff(sorted(heights)).min() >= case_plots.APART - 1e-12
+    assert np.abs(heights).max() < 0.5
 
 
 def test_engine_that_took_no_part_has_no_marks() -> None:
@@ -79,11 +84,21 @@ def test_engine_that_took_no_part_has_no_marks() -> None:
     assert [text.get_text() for text in legend.get_texts()] == ["Box2D", "pymunk", "ours"]
 
 
-def test_themes_are_named_beside_the_rows() -> None:
-    """Each once."""
+def test_themes_name_the_rows_in_readable_letters() -> None:
+    """Each once, with the number of its families, as large as the numbers at the axis or larger."""
     _, ax = style.figure()
     case_plots.shares_held(ax, measured())
-    assert [text.get_text() for text in ax.texts] == ["Bounces"]
+    (row,), numbers = ax.get_yticklabels(), ax.get_xticklabels()
+    assert row.get_text() == "Bounces (2)"
+    assert row.get_fontsize() >= numbers[0].get_fontsize()
+
+
+def test_least_held_is_the_family_with_the_fewest_held_draws() -> None:
+    """One family of each theme, with all engines; of equal ones the first."""
+    assert case_plots.least_held(measured()).names == NAMES[:1]
+    worse = [replace(r, held=0) if r.family == NAMES[1] else r for r in measured().results]
+    found = case_plots.least_held(Comparison(tuple(worse)))
+    assert found.results == tuple(r for r in worse if r.family == NAMES[1])
 
 
 @pytest.mark.parametrize(
