@@ -115,10 +115,17 @@ def energy_above(run: Run, height: float = 0.0) -> Any:
     return run.energy - weight * height
 
 
+AT_THE_BORDER = 1e-9
+"""Of a step: impulses that come later than this are not those of the step before."""
+
+
 def pair_forces(run: Run, dt: float = DT) -> dict[tuple[int, int], float]:
-    """Return the normal force of each pair of bodies that touch in the last step, N."""
+    """Return the normal force of each pair of bodies that touch in the last step, N.
+
+    It is the mean over the step, of all parts of it: a step begins anew where bodies meet.
+    """
     hits = run.contacts
-    last = np.abs(hits.time - run.times[-1]) < dt / 2
+    last = hits.time > run.times[-1] - dt * (1 - AT_THE_BORDER)
     forces: dict[tuple[int, int], float] = {}
     for a, b, impulse in zip(
         hits.body_a[last].tolist(),
