@@ -15,6 +15,8 @@ reference
     answers that are not ours: closed forms, pymunk and Box2D
 simulation
     ``simulate()``: one door to every solver
+scene_file
+    a scene as a file, the same for the simulator, the lab of the pages and Python
 evidence
     claims compared with what was measured
 view
@@ -38,6 +40,7 @@ if TYPE_CHECKING:
     from lesson_code.engine.core.scene import Body, Material, Scene
     from lesson_code.evidence.ensembles import simulate_many
     from lesson_code.geometry.shapes import Circle, Polygon, Segment
+    from lesson_code.scene_file import read_scene
     from lesson_code.simulation import simulate
 
 __all__ = [
@@ -50,6 +53,7 @@ __all__ = [
     "Run",
     "Scene",
     "Segment",
+    "read_scene",
     "simulate",
     "simulate_many",
 ]
@@ -70,6 +74,7 @@ _WHERE = {
     "Run": "engine.core.run",
     "Scene": "engine.core.scene",
     "Segment": "geometry.shapes",
+    "read_scene": "scene_file",
     "simulate": "simulation",
     "simulate_many": "evidence.ensembles",
 }

@@ -42,7 +42,7 @@ def cross(a, b):
 def closest_point_on_segment(point, start, end):
     """Return the point of the segment from `start` to `end` that is closest to `point`."""
     way = end - start
-    part = np.dot(point - start, way) / np.dot(way, way)
+    part = (point - start) @ way / (way @ way)
     return start + min(max(part, 0.0), 1.0) * way
 
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page, Route
 
 ROOT = Path(__file__).parents[2]
-ANSWERED = ["01", "02", "03", "04", "05", "08", "09", "10", "11"]
+ANSWERED = [f"{number:02}" for number in range(1, 12)]
 """The exercises that can be answered in a page."""
 
 NOT_PLAIN = {"numpy", "fractions", "pygame", "sum", "any", "all", "max", "min", "T", "shape"}
@@ -213,6 +213,20 @@ def test_vectors_are_added_and_multiplied_as_the_task_says(
     with_numpy = formula.replace("(incident @ normal)", "np.dot(incident, normal)")
     lines = marks_for(page, "3.1", f"def reflect(incident, normal):\n{with_numpy}")
     assert any("NumPy is not in this page" in line for line in lines)
+
+
+def test_rows_of_vectors_are_projected_and_searched(
+    site: Path, page: Page, asked: list[str]
+) -> None:
+    """The corners of a polygon, and the circles of a crowd, without NumPy."""
+    open_exercise(page, site, "06")
+    shadow = "def project(vertices, axis):\n    s = vertices @ axis\n    return min(s), max(s)\n"
+    assert marks_for(page, "6.2", shadow) == ["6.2 project: 2/2 points"]
+    still = "def mtv(a, b):\n    return (1, 0), 0.001\n"
+    assert any("the shadows still overlap" in line for line in marks_for(page, "6.4", still))
+    open_exercise(page, site, "07")
+    late = "def next_event(positions, velocities, radii):\n    return 0.123, 0, 1\n"
+    assert any("Left alone, these meet: " in line for line in marks_for(page, "7.4", late))
 
 
 def test_endless_loop_is_stopped_and_the_next_answer_is_checked(

@@ -148,15 +148,22 @@ def polygons_apart_or_not(stream: Random) -> Iterator[Arguments]:
 
 
 def after_your_move(arguments: Arguments, answer: Any) -> str:
-    """Say where B is after it was moved as the answer says."""
+    """Say whether the shadows of A and B on the answer's axis part once B is moved as it says."""
     if answer is None or not is_finite(answer):
         return ""
-    a, b = (np.array(vertices) for vertices in arguments)
-    normal, depth = answer
-    still = mtv(a, b + depth * np.array(normal, dtype=float))
-    if still is None or still[1] <= ANSWER_TOLERANCE:
+    a, b = arguments
+    (x, y), depth = answer
+    length = math.hypot(x, y)
+    if length == 0:
+        return ""
+    end = max(x * p[0] + y * p[1] for p in a) / length
+    start = min(x * p[0] + y * p[1] for p in b) / length + depth * length
+    if end - start <= ANSWER_TOLERANCE:
         return "Moved by depth times normal, B is out of A; is there a shorter way?"
-    return f"Moved by depth times normal, B is still {written(float(still[1]))} m deep in A."
+    return (
+        f"On your axis A's shadow ends at {written(end)} m. Moved by depth times normal, "
+        f"B's begins at {written(start)} m: the shadows still overlap."
+    )
 
 
 def is_finite(value: Any) -> bool:

@@ -189,15 +189,31 @@ def _time_of_pair(positions: Any, velocities: Any, radii: Any, i: int, j: int) -
 def distance_at_the_answer(arguments: Arguments, answer: Any) -> str:
     """Say how far the centres are apart at the time that was returned, or how near they come."""
     p1, v1, r1, p2, v2, r2, dt = arguments
-    d, v = np.subtract(p2, p1), np.subtract(v2, v1)
+    (dx, dy), (vx, vy) = _relative(p1, p2), _relative(v1, v2)
     if answer is None:
-        nearest = -float(d @ v) / float(v @ v) if v.any() else 0.0
-        t = min(max(nearest, 0.0), dt)
-        says = f"In the step the centres come as near as {written(math.hypot(*(d + v * t)))} m"
+        nearest = math.hypot(*_at(dx, dy, vx, vy, min(_nearest_time(dx, dy, vx, vy), dt)))
+        says = f"In the step the centres come as near as {written(nearest)} m"
     else:
-        says = f"At your t the centres are {written(math.hypot(*(d + v * answer)))} m apart"
-    change = written(float(d @ v) / math.hypot(*d))
+        apart = math.hypot(*_at(dx, dy, vx, vy, answer))
+        says = f"At your t the centres are {written(apart)} m apart"
+    change = written((dx * vx + dy * vy) / math.hypot(dx, dy))
     return f"{says}; r1 + r2 is {written(r1 + r2)} m. At the start that changes by {change} m/s."
+
+
+def _relative(one: Any, other: Any) -> tuple[float, float]:
+    """Return the way from one to the other."""
+    return other[0] - one[0], other[1] - one[1]
+
+
+def _at(dx: float, dy: float, vx: float, vy: float, t: float) -> tuple[float, float]:
+    """Return where something is after a time that is at (dx, dy) now."""
+    return dx + vx * t, dy + vy * t
+
+
+def _nearest_time(dx: float, dy: float, vx: float, vy: float) -> float:
+    """Return when it comes nearest to the origin, s: now, if it moves away or stands still."""
+    speed_2 = vx * vx + vy * vy
+    return max(-(dx * vx + dy * vy) / speed_2, 0.0) if speed_2 else 0.0
 
 
 def height_at_the_answer(arguments: Arguments, answer: Any) -> str:
@@ -222,13 +238,24 @@ MOST_TIMES_NAMED = 12
 
 def what_all_pairs_do(arguments: Arguments, _answer: Any) -> str:
     """Say which pairs meet, and when."""
-    positions, velocities, radii = (np.array(values, dtype=float) for values in arguments)
+    radii = arguments[2]
     meetings = [
         f"{i} and {j} at {written(t)} s"
         for i, j in combinations(range(len(radii)), 2)
-        if (t := _time_of_pair(positions, velocities, radii, i, j)) is not None
+        if (t := _meeting_time(arguments, i, j)) is not None
     ]
     return f"Left alone, these meet: {'; '.join(meetings) or 'none'}."
+
+
+def _meeting_time(arguments: Arguments, i: int, j: int) -> float | None:
+    """Return when i and j meet: before they are nearest, as long as Pythagoras says; or None."""
+    positions, velocities, radii = arguments
+    d, v = _relative(positions[i], positions[j]), _relative(velocities[i], velocities[j])
+    nearest_time = _nearest_time(*d, *v)
+    left = (radii[i] + radii[j]) ** 2 - math.hypot(*_at(*d, *v, nearest_time)) ** 2
+    if nearest_time == 0 or left < 0:
+        return None
+    return max(nearest_time - math.sqrt(left) / math.hypot(*v), 0.0)
 
 
 TASKS = (

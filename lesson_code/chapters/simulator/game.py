@@ -6,14 +6,19 @@ in the elastic mode alone.
 
 from __future__ import annotations
 
+import json
 import math
 from collections import deque
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
 
 from lesson_code.chapters.simulator.plan_page import draw_plan
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
+from lesson_code.scene_file import ROOMS, scene_of, set_up_of, understood
 from lesson_code.view.pygame.effects import Flashes
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import COLOURS, Picture
@@ -32,6 +37,9 @@ from lesson_code.view.pygame.window import ORANGE, SKY
 
 WIDTH, HEIGHT = 8.0, 6.0
 """m."""
+
+MIDDLE = (WIDTH / 2, HEIGHT / 2)
+"""m: the origin of scene files."""
 
 MODES = {"1": ("elastic", 1.0), "2": ("partial", 0.6), "3": ("perfectly inelastic", 0.0)}
 """By key: name and restitution."""
@@ -74,23 +82,59 @@ class Simulator(Game):
     def reset(self) -> None:
         """Fill the room as at the start."""
         self.random.seed(self.seed)
-        self.aim: tuple[int, XY] | None = None
-        self.history: deque[tuple[float, float]] = deque(maxlen=HISTORY)
+        self.surface = Material(restitution=MODES[self.mode][1], friction=0.0)
         compiled = self.world.compiled
-        self.world = LiveWorld(
-            room(0, 0, WIDTH, HEIGHT, self._material),
-            gravity=FALL if self.falls else (0.0, 0.0),
-            callbacks=self.callbacks,
-        )
-        self.walls = self.world.numbers
+        self._begin((WIDTH, HEIGHT), FALL if self.falls else (0.0, 0.0))
         self._scatter(self.ball_count)
         if compiled:
             self.world.compile()
 
-    @property
-    def _material(self) -> Material:
-        """The surface of all bodies in the mode that is on."""
-        return Material(restitution=MODES[self.mode][1], friction=0.0)
+    def _begin(self, size: XY | None, gravity: XY, bodies: Iterable[Body] = ()) -> None:
+        """Begin with a room of a size about the middle of the picture, and bodies in it."""
+        self.aim: tuple[int, XY] | None = None
+        self.history: deque[tuple[float, float]] = deque(maxlen=HISTORY)
+        self.room_size = size
+        walls: list[Body] = []
+        if size is not None:
+            (x, y), (w, h) = MIDDLE, size
+            walls = room(x - w / 2, y - h / 2, x + w / 2, y + h / 2, self.surface)
+        self.walls = tuple(range(len(walls)))
+        self.world = LiveWorld([*walls, *bodies], gravity=gravity, callbacks=self.callbacks)
+
+    def set_up(self) -> dict[str, Any]:
+        """Return what a scene file holds of the balls as they are; its origin is the middle."""
+        if self.aim is not None:
+            raise ValueError("let go of the ball first: a scene file holds no hand")
+        bodies = self.world.bodies()[len(self.walls) :]
+        return set_up_of(
+            [_shifted(body, -1.0) for body in bodies],
+            surface=self.surface,
+            gravity=-self.world.gravity[1] + 0.0,
+            room=self.room_size,
+        )
+
+    def open_scene(self, text: str) -> None:
+        """Begin with the bodies of a scene file, whose origin is the middle of the picture."""
+        given = understood(json.loads(text))
+        scene = scene_of(given)
+        bodies = [_shifted(body, 1.0) for body in scene.bodies if not body.is_static]
+        width, height = given.get("room", ROOMS[given["dimensions"]])
+        if width > WIDTH or height > HEIGHT:
+            raise ValueError(f"room must fit into [{WIDTH:g}, {HEIGHT:g}], got {[width, height]}")
+        if len(bodies) > MOST_BALLS:
+            raise ValueError(f"bodies must be a list of at most {MOST_BALLS}, got {len(bodies)}")
+        compiled = self.world.compiled
+        self.surface = Material(given["elasticity"] / 100, given["friction"])
+        self.falls = scene.gravity != (0.0, 0.0)
+        self._begin((width, height) if given["walls"] else None, scene.gravity, bodies)
+        if compiled:
+            self.world.compile()
+
+    def set(self, name: str, value: float, number: float = 0.0) -> None:
+        """Set what a slider stands for; balls that join later have the same surface."""
+        super().set(name, value, number)
+        if name in ("restitution", "friction"):
+            self.surface = replace(self.surface, **{name: value})
 
     @property
     def balls(self) -> list[int]:
@@ -117,7 +161,7 @@ class Simulator(Game):
                 position=place,
                 velocity=velocity,
                 mass=DENSITY * math.pi * radius**2,
-                material=self._material,
+                material=self.surface,
             )
         )
 
@@ -126,7 +170,7 @@ class Simulator(Game):
         super().press(key)
         if key in MODES:
             self.mode = key
-            self.world.coat(restitution=MODES[key][1])
+            self.set("restitution", MODES[key][1])
         elif key == "g":
             self.falls = not self.falls
             self.world.pull(FALL if self.falls else (0.0, 0.0))
@@ -211,6 +255,12 @@ class Simulator(Game):
         self.history.append((math.hypot(px, py), self.world.kinetic_energy()))
 
 
+def _shifted(body: Body, way: float) -> Body:
+    """Return a body in the picture's coordinates for one about its middle; -1: the way back."""
+    (x, y), (to_x, to_y) = body.position, MIDDLE
+    return replace(body, position=(x + way * to_x, y + way * to_y))
+
+
 def _is_inside(place: XY, radius: float) -> bool:
     """Return whether a ball at a place lies inside the room."""
     return radius < place[0] < WIDTH - radius and radius < place[1] < HEIGHT - radius
@@ -247,9 +297,10 @@ def _draw_many(game: Simulator, picture: Picture) -> None:
 def readings(game: Simulator) -> Readings:
     """Return mode, momentum, energy and count."""
     name, restitution = MODES[game.mode]
+    is_as_mode = game.surface.restitution == restitution
     return [
-        ("mode", name),
-        ("restitution", f"{restitution:g}"),
+        ("mode", name if is_as_mode else "own restitution"),
+        ("restitution", f"{game.surface.restitution:g}"),
         ("balls", f"{len(game.balls)}"),
         *motion_readings(game.world),
     ]

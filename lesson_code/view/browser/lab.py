@@ -13,6 +13,7 @@ from pathlib import Path
 
 from IPython.display import display
 
+from lesson_code import scene_file
 from lesson_code.formulas import effective_mass, friction_impulse, normal_impulse
 from lesson_code.view.browser import programs
 from lesson_code.view.browser.live import colors, plain
@@ -72,7 +73,8 @@ def lab_html() -> str:
 def script() -> str:
     """Return the lab's modules and its program as one script."""
     here = Path(__file__).parent
-    modules = "\n".join((here / name).read_text("utf-8") for name in MODULES)
+    ranges = f"const RANGES = {json.dumps(scene_file.ranges())};\n"
+    modules = ranges + "\n".join((here / name).read_text("utf-8") for name in MODULES)
     functions = "\n".join(code_of(function) for function in SHOWN)
     return (
         plain(programs.script_with(SOLVER, modules))

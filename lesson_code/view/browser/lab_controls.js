@@ -62,7 +62,36 @@ class Controls {
     const last = put(place, "p", { class: "lab-row" });
     this.adds = button(last, "Add a body", () => lab.edit((setup) => setup.bodies.push(lab.another())));
     this.link = put(last, "a", { href: "#" }, "Link to this set-up");
+    button(last, "Save as file", () => this.save());
+    const opens = put(last, "label", {}, "Open a file ");
+    const file = put(opens, "input", { ...FREE_KEYS, type: "file", accept: ".json,application/json" });
+    file.addEventListener("change", () => this.openFile(file));
     put(place, "p", { class: "lab-keys" }, KEYS);
+  }
+
+  /** Give all surfaces an elasticity or a friction, those of their own included. */
+  coat(setup, name, value) {
+    setup[name] = value;
+    for (const one of setup.bodies) delete one[name];
+  }
+
+  /** Hand the set-up over as a scene file. */
+  save() {
+    const href = URL.createObjectURL(new Blob([`${JSON.stringify(this.lab.setup, null, 1)}\n`], { type: "application/json" }));
+    made("a", { href, download: "scene.json" }).click();
+    setTimeout(() => URL.revokeObjectURL(href), 1000); // ms: the download has begun
+  }
+
+  /** Begin with the set-up of a scene file, or say what is wrong with it. */
+  async openFile(box) {
+    const [file] = box.files;
+    if (!file) return;
+    try {
+      this.lab.open(understood(JSON.parse(await file.text())));
+    } catch (error) {
+      this.error.textContent = `${file.name} holds no scene: ${error.message}`;
+    }
+    box.value = ""; // so that the same file can be opened again
   }
 
   /** A number that can be typed, or changed with the arrow keys. */
@@ -109,7 +138,7 @@ class Controls {
       const { low: min, high: max, step } = range;
       const box = put(whole, "input", { ...FREE_KEYS, type: "range", min, max, step });
       const value = put(whole, "span", { class: "lab-value" });
-      box.addEventListener("input", () => this.lab.edit((setup) => (setup[name] = box.valueAsNumber)));
+      box.addEventListener("input", () => this.lab.edit((setup) => this.coat(setup, name, box.valueAsNumber)));
       return { name, whole, box, value, ...range };
     });
     this.switches = Object.entries(SWITCHES).map(([name, { label, isPlane }]) => {
@@ -156,7 +185,7 @@ class Controls {
       whole.hidden = isPlane && isTrack;
     }
     for (const { name, box, whole, isPlane } of this.switches) {
-      box.checked = this.lab.setup[name];
+      box.checked = Boolean(this.lab.setup[name]);
       whole.hidden = isPlane && isTrack;
     }
     this.boxes.forEach(({ shape, numbers }, k) => {
@@ -174,8 +203,8 @@ class Controls {
     const isTrack = this.lab.setup.dimensions === 1;
     const { mass, px, py, energy, potential, vx, vy } = this.lab.world.totals();
     const lost = this.lab.first.energy + this.lab.first.potential - energy - potential;
-    const floor = -GRAVITY * HEIGHTS[2] * mass; // J, of bodies whose centres lie on it
-    const height = this.lab.setup.gravity && !isTrack ? `, energy of height above the floor ${decimal(potential - floor)} J` : "";
+    const floor = -fallIn(this.lab.setup) * halfRoom(this.lab.setup)[1] * mass; // J, of bodies whose centres lie on it
+    const height = fallIn(this.lab.setup) ? `, energy of height above the floor ${decimal(potential - floor)} J` : "";
     const parts = [
       `Momentum ${tuple(px, py, isTrack)} kg m/s`,
       `kinetic energy ${decimal(energy)} J${height}`,

@@ -97,7 +97,7 @@ class Hold {
   }
 
   drag({ k, isTip, isSize, from }, x, y) {
-    const high = HEIGHTS[this.lab.setup.dimensions];
+    const [wide, high] = halfRoom(this.lab.setup);
     const isTrack = this.lab.setup.dimensions === 1;
     this.lab.edit(({ bodies, walls }) => {
       const one = bodies[k];
@@ -108,7 +108,7 @@ class Hold {
         one.vx = limited(rounded((x - one.x) / ARROW, 0.1), FIELDS.vx);
         one.vy = isTrack ? 0 : limited(rounded((y - one.y) / ARROW, 0.1), FIELDS.vy);
       } else {
-        one.x = inside(rounded(x - from[0], 0.05), WIDTH - one.size);
+        one.x = inside(rounded(x - from[0], 0.05), wide - one.size);
         one.y = isTrack ? 0 : inside(rounded(y - from[1], 0.05), high - one.size);
       }
     });

@@ -12,22 +12,22 @@ class Picture {
   draw() {
     const { canvas } = this;
     if (!this.lab.world || canvas.clientWidth === 0) return;
-    const high = HEIGHTS[this.lab.setup.dimensions];
-    canvas.style.aspectRatio = `${2 * WIDTH + 0.2} / ${2 * high + 0.2}`;
+    const [wide, high] = halfRoom(this.lab.setup);
+    canvas.style.aspectRatio = `${2 * wide + 0.2} / ${2 * high + 0.2}`;
     const ratio = devicePixelRatio;
-    const [width, height] = [canvas.clientWidth, (canvas.clientWidth * (2 * high + 0.2)) / (2 * WIDTH + 0.2)];
+    const [width, height] = [canvas.clientWidth, (canvas.clientWidth * (2 * high + 0.2)) / (2 * wide + 0.2)];
     const [pixels, lines] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (canvas.width !== pixels || canvas.height !== lines) Object.assign(canvas, { width: pixels, height: lines });
     const style = getComputedStyle(canvas);
     this.ink = style.color;
     this.colors ??= Object.fromEntries(LAB_COLORS.map((name) => [name, style.getPropertyValue(`--${name}`)]));
-    this.scale = width / (2 * WIDTH + 0.2);
+    this.scale = width / (2 * wide + 0.2);
     const pen = (this.pen = canvas.getContext("2d"));
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, height);
     pen.setTransform(ratio * this.scale, 0, 0, -ratio * this.scale, (ratio * width) / 2, (ratio * height) / 2);
     this.place2d = pen.getTransform();
-    this.drawWalls(high);
+    this.drawWalls(wide, high);
     this.lab.setup.bodies.forEach((one, k) => this.drawBody(one, this.lab.world.bodies[k], k));
     if (this.lab.shown.paths) this.drawPaths();
     if (this.lab.shown.centre) this.drawCentre();
@@ -35,18 +35,18 @@ class Picture {
     if (this.lab.chosen) this.drawChosen();
   }
 
-  drawWalls(high) {
+  drawWalls(wide, high) {
     const { pen } = this;
     pen.strokeStyle = this.ink;
     pen.lineWidth = 3 / this.scale;
     pen.globalAlpha = this.lab.setup.walls ? 0.9 : 0.15;
-    pen.strokeRect(-WIDTH, -high, 2 * WIDTH, 2 * high);
+    pen.strokeRect(-wide, -high, 2 * wide, 2 * high);
     if (this.lab.setup.dimensions === 1) {
       pen.globalAlpha = 0.3;
       pen.lineWidth = 1 / this.scale;
       pen.beginPath();
-      pen.moveTo(-WIDTH, 0);
-      pen.lineTo(WIDTH, 0);
+      pen.moveTo(-wide, 0);
+      pen.lineTo(wide, 0);
       pen.stroke();
     }
     pen.globalAlpha = 1;

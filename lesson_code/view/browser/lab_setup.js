@@ -1,14 +1,11 @@
-// What the collision lab begins with: a plain object, which a link can hold.
-//
-//   { dimensions: 2, elasticity: 80, friction: 0.2, gravity: false, walls: true,
-//     bodies: [{ shape: "disc", mass: 1, size: 0.4, x: -2, y: 0, vx: 2, vy: 0, angle: 0, w: 0 }] }
+// What the collision lab begins with: a plain object, which a link or a file can hold. Its form is that
+// of scene files (lesson_code/scene_file.py), where RANGES come from.
 
 const DT = 1 / 60; // s, of a step
 const SLOW = 0.25; // of the true speed
 const MOST_STEPS = 4; // in a frame; a machine that is slower shows it slower
 const GRAVITY = 9.81; // m/s^2
-const WIDTH = 4; // m, from the middle to each side
-const HEIGHTS = { 1: 1, 2: 2.5 };
+const ROOMS = { 1: [8, 2], 2: [8, 5] }; // m, width and height by the number of dimensions
 const ARROW = 0.4; // m for 1 m/s, or 1 kg m/s
 const GRIP = 14; // pixels around a tip that can be taken hold of
 const MOST_WITH_NUMBERS = 8;
@@ -22,19 +19,19 @@ const FREE_KEYS = { "data-lm-suppress-shortcuts": "true" }; // makes JupyterLab 
 const LAB_COLORS = ["blue", "orange", "green", "vermilion", "purple", "sky"];
 
 const FIELDS = {
-  mass: { label: "mass, kg", low: 0.1, high: 100, step: 0.1, isFixed: true },
-  size: { label: "size, m", low: 0.02, high: 1, step: 0.05, isFixed: true },
-  corners: { label: "corners", low: 3, high: 20, step: 1, start: 5, isFixed: true, isPolygon: true },
-  x: { label: "x, m", low: -100, high: 100, step: 0.1 },
-  y: { label: "y, m", low: -100, high: 100, step: 0.1, isPlane: true },
-  vx: { label: "velocity x, m/s", low: -50, high: 50, step: 0.1 },
-  vy: { label: "velocity y, m/s", low: -50, high: 50, step: 0.1, isPlane: true },
-  angle: { label: "angle, rad", low: -1e9, high: 1e9, step: 0.1, isPlane: true },
-  w: { label: "spin, rad/s", low: -1e9, high: 1e9, step: 0.1, isPlane: true },
+  mass: { ...RANGES.mass, label: "mass, kg", step: 0.1, isFixed: true },
+  size: { ...RANGES.size, label: "size, m", step: 0.05, isFixed: true },
+  corners: { ...RANGES.corners, label: "corners", step: 1, isFixed: true, isPolygon: true },
+  x: { ...RANGES.x, label: "x, m", step: 0.1 },
+  y: { ...RANGES.y, label: "y, m", step: 0.1, isPlane: true },
+  vx: { ...RANGES.vx, label: "velocity x, m/s", step: 0.1 },
+  vy: { ...RANGES.vy, label: "velocity y, m/s", step: 0.1, isPlane: true },
+  angle: { ...RANGES.angle, label: "angle, rad", step: 0.1, isPlane: true },
+  w: { ...RANGES.w, label: "spin, rad/s", step: 0.1, isPlane: true },
 };
 const SETTINGS = {
-  elasticity: { label: "Elasticity, %", low: 0, high: 100, step: 5, start: 100 },
-  friction: { label: "Friction", low: 0, high: 1, step: 0.05, start: 0, isPlane: true },
+  elasticity: { ...RANGES.elasticity, label: "Elasticity, %", step: 5 },
+  friction: { ...RANGES.friction, label: "Friction", step: 0.05, isPlane: true },
 };
 const SWITCHES = {
   gravity: { label: "Gravity", isPlane: true },
@@ -94,33 +91,67 @@ function gas(count) {
   });
 }
 
-/** Return a set-up with nothing in it that the lab does not know, or say what is wrong. */
+const said = (value) => (value === undefined || value === null ? "nothing" : JSON.stringify(value));
+
+/** Return a set-up with every field checked, or say what is wrong: as scene_file.py does, in its words. */
 function understood(given) {
-  const flag = (name) => given[name] === true;
-  const number = (name, value, range) => {
-    const taken = value ?? range.start ?? 0;
-    if (fits(taken, range)) return taken;
-    const kind = range.isPolygon ? "be a whole number" : "lie";
-    throw new RangeError(`${name} must ${kind} between ${range.low} and ${range.high}, got ${JSON.stringify(value)}`);
-  };
-  if (!Array.isArray(given?.bodies) || given.bodies.length > MOST_BODIES)
-    throw new RangeError(`bodies must be a list of at most ${MOST_BODIES}`);
-  const settings = Object.entries(SETTINGS).map(([name, range]) => [name, number(name, given[name], range)]);
+  requireFields("a scene", given, ["dimensions", ...Object.keys(SETTINGS), "gravity", "walls", "room", "bodies"]);
+  const { dimensions = 2, gravity = false, walls = false, room, bodies } = given;
+  if (!ROOMS[dimensions] || typeof dimensions !== "number") throw new RangeError(`dimensions must be 1 or 2, got ${said(dimensions)}`);
+  const settings = Object.entries(SETTINGS).map(([name, range]) => [name, numberIn(name, given[name], range)]);
+  const fall = typeof gravity === "boolean" ? gravity : numberIn("gravity", gravity, RANGES.gravity);
+  if (typeof walls !== "boolean") throw new RangeError(`walls must be true or false, got ${said(walls)}`);
+  if (!Array.isArray(bodies) || bodies.length > MOST_BODIES)
+    throw new RangeError(`bodies must be a list of at most ${MOST_BODIES}, got ${Array.isArray(bodies) ? bodies.length : said(bodies)}`);
+  if (room !== undefined && !(Array.isArray(room) && room.length === 2))
+    throw new RangeError(`room must be [width, height], got ${said(room)}`);
   return {
-    dimensions: given.dimensions === 1 ? 1 : 2,
+    dimensions,
     ...Object.fromEntries(settings),
-    gravity: flag("gravity"),
-    walls: flag("walls"),
-    bodies: given.bodies.map((one, k) => ({
-      shape: SHAPE_NAMES.includes(one.shape) ? one.shape : "disc",
-      ...Object.fromEntries(Object.entries(FIELDS).map(([name, range]) => [name, number(`bodies[${k}].${name}`, one[name], range)])),
-    })),
+    gravity: fall,
+    walls,
+    ...(room && { room: room.map((side, k) => numberIn(`room[${k}]`, side, RANGES.side)) }),
+    bodies: bodies.map((one, k) => understoodBody(`bodies[${k}]`, one)),
   };
 }
 
+function understoodBody(name, one) {
+  requireFields(name, one, ["shape", ...Object.keys(FIELDS), ...Object.keys(SETTINGS)]);
+  const shape = one.shape === undefined ? "disc" : one.shape;
+  if (!SHAPE_NAMES.includes(shape)) throw new RangeError(`${name}.shape must be one of ${SHAPE_NAMES.join(", ")}, got ${said(shape)}`);
+  const checkedOf = (ranges, keys) => Object.fromEntries(keys.map((key) => [key, numberIn(`${name}.${key}`, one[key], ranges[key])]));
+  const own = Object.keys(SETTINGS).filter((key) => key in one);
+  return { shape, ...checkedOf(FIELDS, Object.keys(FIELDS)), ...checkedOf(SETTINGS, own) };
+}
+
+function requireFields(name, given, known) {
+  if (given === null || typeof given !== "object" || Array.isArray(given))
+    throw new RangeError(`${name} must be an object with fields, got ${said(given)}`);
+  for (const key in given)
+    if (!known.includes(key)) throw new RangeError(`${name} must have no field but ${known.join(", ")}, got ${key}`);
+}
+
+/** Return a number that a range allows, or what stands for one that is left out. */
+function numberIn(name, value, range) {
+  const taken = value ?? range.usual;
+  if (fits(taken, range)) return taken;
+  throw new RangeError(`${name} must ${range.is_whole ? "be a whole number" : "lie"} between ${range.low} and ${range.high}, got ${said(value)}`);
+}
+
 /** Return whether a value is a number that a range allows; corners are whole. */
-const fits = (value, { low, high, isPolygon }) =>
-  typeof value === "number" && value >= low && value <= high && (!isPolygon || Number.isInteger(value));
+const fits = (value, { low, high, is_whole }) =>
+  typeof value === "number" && value >= low && value <= high && (!is_whole || Number.isInteger(value));
+
+/** Return half of the width and of the height of a set-up's room, m. */
+const halfRoom = ({ dimensions, room }) => (room ?? ROOMS[dimensions]).map((side) => side / 2);
+
+/** Return the gravity of a set-up, m/s^2; true stands for that of the earth. */
+const fallIn = ({ dimensions, gravity }) => (dimensions === 1 ? 0 : gravity === true ? GRAVITY : Number(gravity));
+
+/** Return the restitution and the friction of a body, or with no body those of the walls. */
+function surfaceOf({ dimensions, elasticity, friction }, one = {}) {
+  return { restitution: (one.elasticity ?? elasticity) / 100, friction: dimensions === 1 ? 0 : one.friction ?? friction };
+}
 
 /** Return the corners of a body. The size of a box is half its width; that of a regular polygon is
  *  the distance from its centre to a corner. */
@@ -131,22 +162,22 @@ function outline({ shape, size, corners }) {
 }
 
 /** Return a set-up as the description of a scene; the walls come last. */
-function sceneOf({ dimensions, elasticity, friction, gravity, walls, bodies }) {
-  const isTrack = dimensions === 1;
-  const surface = { restitution: elasticity / 100, friction: isTrack ? 0 : friction };
-  const [w, h] = [WIDTH, HEIGHTS[dimensions]];
+function sceneOf(setup) {
+  const { walls, bodies } = setup;
+  const isTrack = setup.dimensions === 1;
+  const [w, h] = halfRoom(setup);
   const corners = [[-w, -h], [w, -h], [w, h], [-w, h]];
-  const sides = corners.map((corner, k) => ({ segment: [corner, corners[(k + 1) % 4]], ...surface }));
+  const sides = corners.map((corner, k) => ({ segment: [corner, corners[(k + 1) % 4]], ...surfaceOf(setup) }));
   return {
-    gravity: [0, gravity && !isTrack ? -GRAVITY : 0],
+    gravity: [0, -fallIn(setup)],
     dt: DT,
     bodies: [
-      ...bodies.map(({ shape, mass, size, corners, x, y, vx, vy, angle, w: spin }) => ({
+      ...bodies.map(({ shape, mass, size, corners, x, y, vx, vy, angle, w: spin, ...own }) => ({
         ...(shape === "disc" ? { circle: size } : { polygon: outline({ shape, size, corners }) }),
         ...(isTrack
           ? { position: [x, 0], velocity: [vx, 0], inertia: Infinity }
           : { position: [x, y], velocity: [vx, vy], angle, angular_velocity: spin }),
-        ...surface,
+        ...surfaceOf(setup, own),
         mass,
       })),
       ...(walls ? (isTrack ? [sides[1], sides[3]] : sides) : []),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import itertools
+import json
 import math
 import time
 from collections.abc import Iterator, Mapping
@@ -23,6 +24,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.compiled import Code
 from lesson_code.engine.live_world import TIME_STEP, WORTH_COMPILING, LiveWorld
+from lesson_code.scene_file import set_up_in, write_scene
 from lesson_code.view.pygame.gif import MOST_SECONDS, Gif
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.panel import PROGRAM_SIZE
@@ -34,6 +36,9 @@ from lesson_code.view.pygame.window import Window, open_window, pygame
 
 FILM_HEIGHT = 400
 """px: small letters can still be read."""
+
+SCENES = "scene"
+"""How the names of scene files begin; a browser saves the lab's as scene.json."""
 
 
 @dataclass(frozen=True)
@@ -112,6 +117,12 @@ def _do_wanted(session: Session, window: Window, camcorder: Camcorder) -> None:
             elif what == "ledger":
                 session.ledger.write(path := free_name(name, ".csv"))
                 session.say(f"saved {path}")
+            elif what == "save scene":
+                set_up = session.game.set_up()
+                write_scene(path := free_name(SCENES, ".json"), set_up)
+                session.say(f"saved {path}")
+            elif what == "open scene":
+                _open_newest(session)
             elif camcorder.film is None:
                 camcorder.begin(free_name(name, ".gif"))
                 session.say("filming: F9 ends it")
@@ -119,7 +130,19 @@ def _do_wanted(session: Session, window: Window, camcorder: Camcorder) -> None:
                 session.say(f"film of {film.seconds:.1f} s saved")
         except OSError as error:
             session.say(f"not saved: {error.strerror}")
+        except ValueError as error:
+            session.say(str(error))
     session.wanted.clear()
+
+
+def _open_newest(session: Session) -> None:
+    """Begin with the newest scene file in this folder."""
+    found = sorted(Path().glob(f"{SCENES}*.json"), key=lambda path: path.stat().st_mtime_ns)
+    if not found:
+        session.say(f"no {SCENES}*.json in this folder")
+        return
+    session.open_scene(json.dumps(set_up_in(found[-1])))
+    session.say(f"opened {found[-1]}")
 
 
 def play(

@@ -47,10 +47,11 @@ class Input:
     kind : str
         "press" or "release" for a key; "down", "move" or "up" for the left mouse button; "grab",
         "pull", "put" or "drop" for a body that the right one holds; "set" for a slider; "keep",
-        "restore" and "forget" for a set-up; "show" for what keys add to the picture.
+        "restore" and "forget" for a set-up; "open" for a scene file; "show" for what keys add to
+        the picture.
     key : str
         Its name, such as "r" or "left"; of a slider "gravity", "restitution", "friction" or "mass";
-        what is shown.
+        what is shown; the text of a scene file.
     place : (float, float)
         Where the mouse is, m; a slider's value, and for a mass the body's number.
     """
@@ -166,6 +167,8 @@ class Game:
             self._kept = None
         elif given.kind == "restore" and self._kept is not None:
             self.restore(self._kept)
+        elif given.kind == "open":
+            self.open_scene(given.key)
         elif given.kind in MOUSE:
             getattr(self, MOUSE[given.kind])(given.place)
 
@@ -329,6 +332,14 @@ class Game:
 
     def let_go(self, place: XY) -> None:
         """Handle the release of the mouse button."""
+
+    def set_up(self) -> dict[str, Any]:
+        """Return what a scene file holds of the game as it is now."""
+        raise ValueError("scene files are for the simulator: this program has rules of its own")
+
+    def open_scene(self, text: str) -> None:
+        """Begin with the scene of a file's text."""
+        self.set_up()
 
     def touched(self, touch: Touch) -> None:
         """Handle two bodies that begin to touch."""

@@ -12,7 +12,7 @@ from typing import Any
 from lesson_code.view.pygame.program import MOUSE, Input
 
 VERSION = 1
-KINDS = ("press", "release", "set", "keep", "restore", "forget", "show", *MOUSE)
+KINDS = ("press", "release", "set", "keep", "restore", "forget", "show", "open", *MOUSE)
 
 
 class Recording:

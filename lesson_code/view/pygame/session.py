@@ -221,6 +221,14 @@ class Session:
         self.give(Input("keep"))
         self.say("kept: R comes back to this")
 
+    def open_scene(self, text: str) -> None:
+        """Begin with the scene of a file's text; R comes back to it."""
+        if not self.recording.is_played:
+            given = Input("open", text)
+            self._take(given)  # what is refused is not written down
+            self.recording.note(self.steps, given)
+            self.give(Input("keep"))
+
     def restart(self) -> None:
         """Come back to what was kept, or to the start; what sliders were set to stays."""
         if self.game.has_kept:
@@ -432,6 +440,8 @@ ACTIONS = (
     Action("s", "set-up", "keep this as your set-up", Session.keep),
     Action("backspace", "set-up", "as the program came", Session.restart_as_given),
     _wants("f4", "ledger as a CSV file", "ledger"),
+    _wants("f5", "scene as a file", "save scene"),
+    _wants("f6", "open the newest scene file here", "open scene"),
     _wants("f9", "film: begin, end", "film"),
     _wants("f12", "screenshot", "screenshot"),
     _wants("f11", "full screen", "full screen"),

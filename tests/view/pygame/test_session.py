@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from lesson_code.chapters.programs import load, program_summaries
-from lesson_code.view.pygame.frame import MachineCode, free_name, play
+from lesson_code.view.pygame.frame import MachineCode, _do_wanted, free_name, play
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import Picture
 from lesson_code.view.pygame.program import Input
@@ -215,6 +215,71 @@ def test_ledger_accounts_for_all_energy(begin: Callable[[str], Session], name: s
         sum(m * (vx**2 + vy**2) / 2 for m, (vx, vy) in zip(mass, states[:, 3:5], strict=True))
     )
     assert row.moving == pytest.approx(moving)
+
+
+def test_scene_file_is_written_opened_stepped_back_and_replayed(
+    begin: Callable[[str], Session], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """F5 and F6 of the simulator; R comes back to what was opened, and a recording holds it."""
+    monkeypatch.chdir(tmp_path)
+    session = begin("simulator")
+    for _ in range(5):
+        session.step()
+    _do_wanted_of(session, "f5")
+    written = session.game.snapshot()
+    for _ in range(5):
+        session.step()
+    _do_wanted_of(session, "f6")
+    opened = session.game.snapshot()
+    assert opened == pytest.approx(written, abs=ROUNDING)
+    session.step()
+    session.step()
+    after = session.game.snapshot()
+    session.step_back()
+    session.step()
+    assert (session.game.snapshot() == after).all()
+    session.press("r")
+    assert (session.game.snapshot() == opened).all()
+    session.recording.write(tmp_path / "run.json", session.steps)
+    again = Recording.read(tmp_path / "run.json", "simulator")
+    replayed = Session(session.program, session.program.game(2), again)
+    for _ in range(13):
+        replayed.step()
+    replayed.step_back()
+    assert (replayed.game.snapshot() == after).all()
+
+
+def test_scene_file_that_cannot_be_opened_changes_nothing(
+    begin: Callable[[str], Session], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A broken one, one whose room is too large, none at all, and a program with other rules."""
+    monkeypatch.chdir(tmp_path)
+    session = begin("simulator")
+    before = session.game.snapshot()
+    for text, words in (
+        ("", "no scene*.json in this folder"),
+        (
+            '{"bodies": 3}',
+            "scene.json holds no scene: bodies must be a list of at most 1000, got 3",
+        ),
+        ('{"bodies": [], "room": [9, 6]}', "room must fit into [8, 6], got [9, 6]"),
+    ):
+        if text:
+            (tmp_path / "scene.json").write_text(text, encoding="utf-8")
+        _do_wanted_of(session, "f6")
+        assert session.message == words
+        assert (session.game.snapshot() == before).all()
+        assert not session.recording.as_dict(0)["inputs"]
+    other = begin("pool")
+    _do_wanted_of(other, "f5")
+    assert other.message.startswith("scene files are for the simulator")
+
+
+def _do_wanted_of(session: Session, key: str) -> None:
+    """Press a key that asks something of the window, and let the window do it."""
+    session.press(key)
+    nobody: Any = None  # neither window nor camera is asked for a scene
+    _do_wanted(session, nobody, nobody)
 
 
 def test_ledger_becomes_a_table_with_units(begin: Callable[[str], Session], tmp_path: Path) -> None:

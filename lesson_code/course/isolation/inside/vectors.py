@@ -23,11 +23,21 @@ class Vector(tuple[Any, ...]):
     >>> v = Vector((3.0, 4.0))
     >>> 2 * v - (1, 1), v @ v
     (Vector(5.0, 7.0), 25.0)
+
+    Rows of them, too.
+
+    >>> rows = Vector((Vector((3.0, 4.0)), Vector((1.0, 0.0))))
+    >>> rows - (1, 1), rows @ v
+    (Vector(Vector(2.0, 3.0), Vector(0.0, -1.0)), Vector(25.0, 3.0))
     """
 
     __slots__ = ()
 
     def _each(self, other: Any, do: Callable[[Any, Any], Any]) -> Vector:
+        if _has_rows(self) and isinstance(other, list | tuple) and not _has_rows(other):
+            return Vector(row._each(other, do) for row in self)
+        if _has_rows(other) and not _has_rows(self):
+            return Vector(self._each(row, do) for row in other)
         if isinstance(other, list | tuple):
             return Vector(do(a, b) for a, b in zip(self, other, strict=True))
         return Vector(do(a, other) for a in self)
@@ -56,6 +66,8 @@ class Vector(tuple[Any, ...]):
     __radd__, __rmul__ = __add__, __mul__
 
     def __matmul__(self, other: Any) -> Any:
+        if _has_rows(self):
+            return Vector(row @ other for row in self)
         return sum(a * b for a, b in zip(self, other, strict=True))
 
     def __rmatmul__(self, other: Any) -> Any:
@@ -76,6 +88,11 @@ class Vector(tuple[Any, ...]):
 
     def __repr__(self) -> str:
         return f"Vector({', '.join(map(repr, self))})"
+
+
+def _has_rows(value: Any) -> bool:
+    """Return whether a value is a list of vectors."""
+    return isinstance(value, list | tuple) and bool(value) and isinstance(value[0], list | tuple)
 
 
 def vector(values: Any) -> Any:
