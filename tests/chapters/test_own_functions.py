@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lesson_code.chapters import programs
-from lesson_code.chapters.own_functions import Watched, alike, load_own
+from lesson_code.chapters.own_functions import LIMIT, Watched, alike, load_own
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.view.pygame.frame import play
 from lesson_code.view.pygame.painter import Painter
@@ -150,6 +150,62 @@ def test_program_goes_on_whatever_a_function_does_and_says_what(
             assert game.missing[one].startswith(f"{one.__name__} failed: ")
             assert one.difference.startswith(f"{one.__name__}(")
             assert one.reading()[1] == "yours, and not the lesson's"
+
+
+def never_ends(*arguments: Any) -> Any:
+    """Forget to leave a loop."""
+    while True:
+        pass
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_program_goes_on_when_a_function_never_ends_and_names_its_call(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each of the seven plays its tour on as the lesson's, bit for bit; the call is named.
+
+    The picture names it, and so does the panel; it is called once.
+    """
+    monkeypatch.setattr(LIMIT, "seconds", 0.1)
+    program = load_own(name).program
+    assert program.with_own is not None
+    watched = []
+    for one in program.own:
+        never_ends.__name__ = one.__name__
+        watched.append(Watched(never_ends, one))
+    settings = program.with_own(*watched)
+    game = play(program, frames=60, headless=True, tour=True, settings=settings).game
+    lesson = program.with_own(*program.own)
+    plain = play(program, frames=60, headless=True, tour=True, settings=lesson).game
+    assert (game.snapshot() == plain.snapshot()).all()
+    assert game.missing
+    for one in watched:
+        if one in game.missing:
+            call = f"{one.__name__}("
+            assert game.missing[one].startswith(f"{one.__name__} failed: {call}")
+            assert game.missing[one].endswith("no answer within 0.1 s; the lesson's runs now")
+            assert one.difference.startswith(call)
+            assert one.difference.endswith("gives no answer within 0.1 s")
+            assert one.reading()[1] == "the lesson's"
+
+
+@pytest.mark.parametrize("name", EXERCISES)
+def test_students_copy_goes_on_when_a_function_never_ends(
+    name: str, write: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where the lesson's answers are not there, it goes on as for any function that fails."""
+    monkeypatch.setattr(LIMIT, "seconds", 0.1)
+    program = load_own(name).program
+    lines = [f"def {one.__name__}(*given):\n    while True:\n        pass\n" for one in program.own]
+    (write / f"{name}.py").write_text("\n".join(lines))
+    assert program.with_own is not None
+    answers = [programs.own_answer(name, one.__name__) for one in program.own]
+    watched = [Watched(one, one) for one in answers]
+    settings = program.with_own(*watched)
+    game = play(program, frames=60, headless=True, tour=True, settings=settings).game
+    assert np.isfinite(game.snapshot()).all()
+    assert game.missing
+    assert all(said.endswith("no answer within 0.1 s") for said in game.missing.values())
 
 
 def test_notice_that_is_long_is_written_in_lines(program_window: Window) -> None:

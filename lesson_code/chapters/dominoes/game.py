@@ -15,7 +15,7 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Polygon
 from lesson_code.view.pygame.effects import Sparks
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
+from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -135,11 +135,11 @@ class Dominoes(Game):
 
     def push(self) -> None:
         """Give the first domino just enough, and a little more."""
-        least = self.ask(toppling_rate, *SIZE, form=numbers(), otherwise=None)
-        if self.pushed or least is None:
+        least = self.ask_number(toppling_rate, *SIZE, otherwise=math.nan)
+        if self.pushed or math.isnan(least):
             return
         self.pushed = True
-        rate, first = -NUDGE * float(least), self.below[0]
+        rate, first = -NUDGE * least, self.below[0]
         self.world.throw(first, (-rate * SIZE[1] / 2, 0.0), rate)
 
     def down(self, place: XY) -> None:
@@ -193,7 +193,7 @@ class Dominoes(Game):
 
     def leans(self, size: XY) -> float:
         """Return how far a domino can lean before it has fallen, rad: any way without the rule."""
-        return float(self.ask(tipping_angle, *size, form=numbers(), otherwise=math.inf))
+        return self.ask_number(tipping_angle, *size, otherwise=math.inf)
 
 
 def draw(game: Dominoes, picture: Picture, effects: ImpactEffects) -> None:

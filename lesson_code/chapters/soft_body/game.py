@@ -261,7 +261,7 @@ class SoftBody(Game):
 
     def _area(self, points: Any) -> float:
         """Return the area of a body, m^2; without the rule it is not known."""
-        return float(self.ask(ring_area, points, form=numbers(), otherwise=math.nan))
+        return self.ask_number(ring_area, points, otherwise=math.nan)
 
     @property
     def friction(self) -> float:

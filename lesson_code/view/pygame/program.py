@@ -82,6 +82,22 @@ class UnreadableError(ValueError):
     """A player's file cannot be read, so that no rule of it can be asked."""
 
 
+class EndlessError(TimeoutError):
+    """A player's function gave no answer in time.
+
+    Parameters
+    ----------
+    words : str
+        Which call it was.
+    lesson : callable, optional
+        The lesson's own, which answers in its place; in a student's copy it is not there.
+    """
+
+    def __init__(self, words: str, lesson: Callable[..., Any] | None = None) -> None:
+        super().__init__(words)
+        self.lesson = lesson
+
+
 Matter: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
 
@@ -271,7 +287,8 @@ class Game:
         """Return what a rule says that a player may write; `otherwise` where that is nothing.
 
         It is nothing while the rule is not written, and where a player's fails or gives what is of
-        no use. As in a check, it is given vectors as NumPy arrays of its own.
+        no use. For one that never ends, the lesson's own answers. As in a check, it is given
+        vectors as NumPy arrays of its own.
 
         Parameters
         ----------
@@ -289,6 +306,10 @@ class Game:
         except NotImplementedError as error:
             self.missing[rule] = f"not written yet: {str(error) or rule.__name__}"
             return otherwise
+        except EndlessError as error:
+            self.missing[rule] = f"{rule.__name__} failed: {error}"
+            lesson = error.lesson
+            return otherwise if lesson is None else form(lesson(*map(_own, arguments)))
         except Exception as error:  # a player's code may raise anything
             if isinstance(error, UnreadableError) or not hasattr(rule, "is_own"):
                 raise
@@ -296,6 +317,10 @@ class Game:
             return otherwise
         self.missing.pop(rule, None)
         return answer
+
+    def ask_number(self, rule: Callable[..., Any], *arguments: Any, otherwise: float) -> float:
+        """Return the number that a rule says: see :meth:`ask`."""
+        return float(self.ask(rule, *arguments, form=numbers(), otherwise=otherwise))
 
     @property
     def notice(self) -> str:
