@@ -108,10 +108,10 @@ class Laboratory:
             beside = np.column_stack([-ways[:, 1], ways[:, 0]])
             beside /= np.maximum(np.hypot(*ways.T), 1e-9)[:, None]
             tails = tails + apart * beside
-        rows = list(zip(tails.tolist(), ways.tolist(), sizes.tolist(), strict=True))
-        if len(rows) > MOST_ROUND_ARROWS:
+        if len(sizes) > MOST_ROUND_ARROWS:
             self._strokes(tails, ways, colour)
             return per
+        rows = list(zip(tails.tolist(), ways.tolist(), sizes.tolist(), strict=True))
         for tail, tip, _ in rows:
             self._window.arrow((tail[0], tail[1]), (tip[0], tip[1]), colour, width=2.5)
         if len(rows) <= MOST_VALUES:
@@ -127,10 +127,13 @@ class Laboratory:
 
     def _strokes(self, tails: Rows, along: Rows, colour: Colour) -> None:
         """Draw lines with dots at their ends."""
-        surface, dot = self._window.surface, self._window.px(3)
-        for tail, tip in zip(tails.tolist(), (tails + along).tolist(), strict=True):
+        surface, side = self._window.surface, self._window.px(3)
+        dot = pygame.Surface((side, side)).convert()
+        dot.fill(colour)
+        tips = tails + along
+        for tail, tip in zip(tails.tolist(), tips.tolist(), strict=True):
             pygame.draw.line(surface, colour, tail, tip)
-            surface.fill(colour, (tip[0] - dot / 2, tip[1] - dot / 2, dot, dot))
+        surface.blits([(dot, corner) for corner in (tips - side / 2).tolist()], False)
 
     def _value(self, tail: list[float], along: list[float], words: str, colour: Colour) -> None:
         """Write a value beyond the tip of an arrow, or where else there is room for it."""

@@ -111,9 +111,9 @@ class Panel:
             self._tick(words, place, anchor)
         if len(values) > 1:
             across, high = box.width / (len(values) - 1), box.height - px(6)
+            foot, scale = box.bottom - px(3), high / largest
             points = [
-                (box.left + k * across, box.bottom - px(3) - high * abs(value) / largest)
-                for k, value in enumerate(values)
+                (box.left + k * across, foot - scale * abs(value)) for k, value in enumerate(values)
             ]
             pygame.draw.aalines(surface, colour, False, points)
         self._y = box.bottom + px(17)
