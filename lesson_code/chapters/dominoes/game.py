@@ -14,6 +14,7 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Polygon
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
 from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
@@ -196,12 +197,22 @@ class Dominoes(Game):
         return self.ask_number(tipping_angle, *size, otherwise=math.inf)
 
 
+TALL_ONE = Mark("area", ORANGE, "tall domino")
+BELOW = Mark("area", SKY, "domino on the floor")
+ABOVE = Mark("area", GREEN, "domino on the shelf")
+FALLEN = Mark("area", blend(SKY, BACKGROUND, 0.4), "dark: fallen, in this order")
+HERE = Mark("disc", YELLOW, "speed at this spacing")
+ELSEWHERE = Mark("disc", SKY, "speed at another spacing")
+LEGEND = (TALL_ONE, BELOW, ABOVE, FALLEN, HERE, ELSEWHERE)
+
+
 def draw(game: Dominoes, picture: Picture, effects: ImpactEffects) -> None:
     """Draw floor, shelf and dominoes; those that have fallen are dark."""
     for number in game.supports:
         picture.body(game.world.body(number), game.world.position(number), 0.0, WALL)
     for number in game.dominoes:
-        colour = ORANGE if number == game.tall else SKY if number in game.below else GREEN
+        mark = TALL_ONE if number == game.tall else BELOW if number in game.below else ABOVE
+        colour = mark.colour
         if number in game.order:
             colour = blend(colour, BACKGROUND, 0.4)
         place, angle = game.world.position(number), game.world.angle(number)
@@ -232,7 +243,7 @@ def _draw_graph(game: Dominoes, picture: Picture) -> None:
         picture.text(f"{spacing:g}", (x, bottom - 0.18), colour=FADED_INK)
     for spacing, speed in sorted(game.measured.items()):
         place = left + width * spacing / 0.5, bottom + height * min(speed / FASTEST, 1.0)
-        picture.disc(place, 0.05, YELLOW if spacing == game.spacing else SKY)
+        picture.disc(place, 0.05, (HERE if spacing == game.spacing else ELSEWHERE).colour)
 
 
 def readings(game: Dominoes) -> Readings:
@@ -257,6 +268,7 @@ PROGRAM = Program(
     game=Dominoes,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("SPACE", "push the first one"),
         ("click", "push any one"),

@@ -277,6 +277,15 @@ class Picture:
         place = self.camera.world_to_screen(point)
         self.window.text(words, place, colour=colour, size=size, anchor=anchor)
 
+    def label(self, words: str, point: XY, colour: Colour) -> None:
+        """Write a line that begins at a point of the world, on a dark ground, over bodies."""
+        x, y = self.camera.world_to_screen(point)
+        high = self.window.px(SMALL_TEXT_SIZE)
+        box = pygame.Rect(0, 0, self.window.width(words, SMALL_TEXT_SIZE), high)
+        box.midleft = round(x), round(y)
+        self._field.fill(BACKGROUND, box.inflate(self.window.px(8), 0))
+        self.window.text(words, (x, y), colour=colour, size=SMALL_TEXT_SIZE, anchor="midleft")
+
     def notice(self, words: str) -> None:
         """Write words in a box in the middle of the field, over everything; no words, no box."""
         if not words:

@@ -23,6 +23,7 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.geometry.shapes import Segment
 from lesson_code.view.pygame.effects import Flashes, Sparks, Trails
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import COLOURS, WALL, Camera, Picture
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import Colour
@@ -455,6 +456,8 @@ class Program:
         The lesson's functions that a player may write for it.
     with_own : callable, optional
         ``with_own(*functions)`` returns the settings of a game that runs on others in their place.
+    legend : tuple of Mark
+        What its colours and arrows mean; they are drawn from the same marks.
     """
 
     name: str
@@ -471,6 +474,7 @@ class Program:
     length: str = "m"
     own: tuple[Callable[..., Any], ...] = ()
     with_own: Callable[..., dict[str, Any]] | None = None
+    legend: tuple[Mark, ...] = ()
 
 
 def room(left: float, bottom: float, right: float, top: float, material: Material) -> list[Body]:

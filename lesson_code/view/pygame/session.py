@@ -427,6 +427,7 @@ ACTIONS = (
     _shows("i", "impulses, with values", "impulses"),
     _shows("x", "centre of mass", "centre"),
     _shows("j", "energy and its parts", "energy"),
+    _shows("t", "colours and arrows: their key", "legend"),
     _shows("tab", "sliders", "sliders"),
     Action("r", "set-up", "start again: your set-up", Session.restart),
     Action("s", "set-up", "keep this as your set-up", Session.keep),
