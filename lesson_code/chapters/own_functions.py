@@ -14,7 +14,8 @@ import numpy as np
 from lesson_code.chapters.programs import load, own_answer
 from lesson_code.course.chapters import chapters_with
 from lesson_code.course.time_limit import NoAnswerError, TimeLimit
-from lesson_code.view.pygame.program import EndlessError, Program
+from lesson_code.view.pygame.game import EndlessError
+from lesson_code.view.pygame.program import Program
 
 LIMIT = TimeLimit(1.0)
 """s, for each call of a player's function, with the reading of its file: as long the window waits

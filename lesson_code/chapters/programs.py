@@ -69,7 +69,7 @@ def _module(path: Path) -> ModuleType:
     try:
         spec.loader.exec_module(module)
     except Exception as error:  # what a student writes may fail in any way
-        from lesson_code.view.pygame.program import UnreadableError
+        from lesson_code.view.pygame.game import UnreadableError
 
         raise UnreadableError(f"{path}: cannot be read: {error!r}") from error
     return module

@@ -13,9 +13,9 @@ from lesson_code.chapters import programs
 from lesson_code.chapters.own_functions import LIMIT, Watched, alike, load_own
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.view.pygame.frame import play
+from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import FIELD_SIZE, Picture
-from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import Window, pygame

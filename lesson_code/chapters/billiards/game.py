@@ -27,9 +27,10 @@ from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY
 from lesson_code.formulas.validation import Vector, non_negative, one_vector
 from lesson_code.view.pygame.effects import Flashes
+from lesson_code.view.pygame.game import Game, Input, Matter
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import FLASH, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Matter, Program, Readings
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     GREEN,

@@ -20,17 +20,10 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.formulas import bounce
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.view.pygame.effects import Sparks, Trails
+from lesson_code.view.pygame.game import Game, Input, numbers
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import (
-    Game,
-    ImpactEffects,
-    Input,
-    Program,
-    Readings,
-    numbers,
-    room,
-)
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import GREEN, INK, ORANGE, PURPLE, SKY, VERMILION, YELLOW
 

@@ -18,9 +18,10 @@ from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.formulas import kinetic_energy, momentum
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
+from lesson_code.view.pygame.game import Game, Input, numbers
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import FLASH, WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import FADED_INK, INK, ORANGE, SKY, YELLOW
 

@@ -14,12 +14,11 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle, Shape
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import COLOURS, FLASH, Picture
 from lesson_code.view.pygame.program import (
-    Game,
     ImpactEffects,
-    Input,
     Program,
     Readings,
     draw_bodies,

@@ -14,9 +14,10 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Polygon
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,

@@ -21,9 +21,10 @@ from lesson_code.formulas import disc_inertia
 from lesson_code.geometry import time_of_impact
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Flashes, Trails
+from lesson_code.view.pygame.game import Game, Input, numbers
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import COLOURS, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import INK, ORANGE, SKY, Colour, blend
 

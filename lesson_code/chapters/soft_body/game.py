@@ -27,18 +27,11 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.game import Game, Input, numbers
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import (
-    Game,
-    ImpactEffects,
-    Input,
-    Program,
-    Readings,
-    numbers,
-    room,
-)
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from lesson_code.view.pygame.game import Game
 from lesson_code.view.pygame.laboratory import Laboratory
 from lesson_code.view.pygame.legend import SHARED
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects
+from lesson_code.view.pygame.program import ImpactEffects
 from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import YELLOW, Window, pygame
 

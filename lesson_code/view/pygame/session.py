@@ -16,9 +16,10 @@ from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.formulas.arithmetic import whole_parts
+from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.ledger import Ledger
 from lesson_code.view.pygame.picture import FIELD_SIZE, Camera
-from lesson_code.view.pygame.program import Game, Input, Program, Readings
+from lesson_code.view.pygame.program import Program, Readings
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.window import pygame
 

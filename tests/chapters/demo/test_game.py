@@ -6,8 +6,8 @@ import pytest
 
 from lesson_code.chapters.demo import game as demo
 from lesson_code.chapters.demo.game import Demo
+from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.window import Window
 
 from ..conftest import run
