@@ -240,8 +240,9 @@ from __future__ import annotations
 import numpy as np
 
 from lesson_code.engine.live_world import TIME_STEP
+from lesson_code.view.pygame.game import Game
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import ImpactEffects, Game, Program, Readings
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.window import ORANGE
 
 

@@ -6,13 +6,20 @@ from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from lesson_code.chapters.programs import load, own_answer
 from lesson_code.course.chapters import chapters_with
+from lesson_code.course.time_limit import NoAnswerError, TimeLimit
+from lesson_code.view.pygame.game import EndlessError
 from lesson_code.view.pygame.program import Program
+
+LIMIT = TimeLimit(1.0)
+"""s, for each call of a player's function, with the reading of its file: as long the window waits
+for one that never ends, once."""
 
 
 class OwnProgram(NamedTuple):
@@ -77,6 +84,7 @@ class Watched:
     def __init__(self, own: Callable[..., Any], lesson: Callable[..., Any]) -> None:
         self._own, self._lesson, self.__name__ = own, lesson, own.__name__
         self._is_written: bool | None = None
+        self._endless = ""
         self.difference = ""
 
     @property
@@ -85,13 +93,20 @@ class Watched:
         return not hasattr(self._lesson, "is_own")
 
     def __call__(self, *arguments: Any) -> Any:
-        """Return the player's answer."""
+        """Return the player's answer; one that has not ended once is not called again."""
+        if self._endless:
+            raise self._endless_error()
         given = deepcopy(arguments)
         try:
-            answer = self._own(*arguments)
+            answer = LIMIT.call(self._own, *arguments)
         except NotImplementedError:
             self._is_written = False
             raise
+        except NoAnswerError as error:
+            self._is_written = True
+            self._endless = f"{self._call(given)}: {error}"
+            self._tell(given, f"gives {error}")
+            raise self._endless_error() from None
         except Exception as error:  # a player's code may raise anything
             self._is_written = True
             self._tell(given, f"fails with {type(error).__name__}: {error}")
@@ -106,7 +121,17 @@ class Watched:
     def _tell(self, given: tuple[Any, ...], what: str) -> None:
         """Say what is wrong with a call, if it is the first one."""
         if not self.difference:
-            self.difference = f"{self.__name__}({', '.join(map(in_short, given))}) {what}"
+            self.difference = f"{self._call(given)} {what}"
+
+    def _call(self, given: tuple[Any, ...]) -> str:
+        """Return a call in words."""
+        return f"{self.__name__}({', '.join(map(in_short, given))})"
+
+    def _endless_error(self) -> EndlessError:
+        """Return the error that says which call did not end, and who answers now."""
+        if self.is_compared:
+            return EndlessError(f"{self._endless}; the lesson's runs now", self._lesson)
+        return EndlessError(self._endless)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Watched:
         """Return itself: what it has seen is no part of a game's state."""
@@ -118,6 +143,8 @@ class Watched:
             return self.__name__, "yours, not called yet"
         if not self._is_written:
             return self.__name__, "not written yet"
+        if self._endless:
+            return self.__name__, "the lesson's" if self.is_compared else "yours, never ends"
         if self.difference:
             return self.__name__, "yours, and not the lesson's"
         return self.__name__, "yours, as the lesson's" if self.is_compared else "yours"
@@ -136,7 +163,8 @@ def alike(answer: Any, expected: Any) -> bool:
             return type(answer) is type(expected) and bool(answer == expected)
     if isinstance(answer, str) or not np.iterable(answer):
         return False
-    mine, theirs = list(answer), list(expected)
+    theirs = list(expected)
+    mine = list(islice(answer, len(theirs) + 1))
     return len(mine) == len(theirs) and all(map(alike, mine, theirs))
 
 
@@ -148,5 +176,5 @@ def in_short(value: Any) -> str:
     """
     if isinstance(value, str) or not np.iterable(value):
         return f"{value:.3g}" if isinstance(value, float | int) else str(value)
-    inside = list(map(in_short, value))
+    inside = list(map(in_short, islice(value, 5)))
     return f"({', '.join(inside[:4])}{', ...' if len(inside) > 4 else ''})"

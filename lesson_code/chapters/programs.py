@@ -13,15 +13,11 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from lesson_code.chapters.time_limit import call
 from lesson_code.course.chapters import chapters_with
 from lesson_code.course.notebooks.root import find_root
 
 if TYPE_CHECKING:
     from lesson_code.view.pygame.program import Program
-
-MOST_SECONDS = 2.0
-"""s of the processor, for a call of a student's function: right ones take milliseconds."""
 
 
 def program_summaries() -> dict[str, str]:
@@ -47,23 +43,16 @@ def load(name: str) -> Program:
 def own_answer(exercise: str, function: str) -> Callable[..., Any]:
     """Return a function of a student's exercise; the file is read when it is first called.
 
-    It raises a NotImplementedError that names the file while the function is not written, an
-    UnreadableError where the file cannot be read, and a TimeoutError where a call takes
-    :data:`MOST_SECONDS`; from then on the function is not called again.
+    It raises a NotImplementedError that names the file while the function is not written, and an
+    UnreadableError where the file cannot be read.
     """
-    late: list[TimeoutError] = []
 
     def answer(*arguments: Any) -> Any:
-        if late:
-            raise late[0]
         path = find_root() / "exercises" / f"{exercise}.py"
         try:
-            return call(MOST_SECONDS, lambda: getattr(_module(path), function)(*arguments))
+            return getattr(_module(path), function)(*arguments)
         except NotImplementedError as missing:
             raise NotImplementedError(f"{missing}, in exercises/{path.name}") from missing
-        except TimeoutError as error:
-            late.append(error)
-            raise
 
     answer.__name__ = function
     vars(answer)["is_own"] = True
@@ -80,7 +69,7 @@ def _module(path: Path) -> ModuleType:
     try:
         spec.loader.exec_module(module)
     except Exception as error:  # what a student writes may fail in any way
-        from lesson_code.view.pygame.program import UnreadableError
+        from lesson_code.view.pygame.game import UnreadableError
 
         raise UnreadableError(f"{path}: cannot be read: {error!r}") from error
     return module

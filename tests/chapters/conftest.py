@@ -8,7 +8,7 @@ import numpy as np
 
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
-from lesson_code.view.pygame.program import Game
+from lesson_code.view.pygame.game import Game
 
 
 def run(game: Game, steps: int) -> None:

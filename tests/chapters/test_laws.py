@@ -16,7 +16,8 @@ import pytest
 from tiers import share
 
 from lesson_code.chapters.programs import load
-from lesson_code.view.pygame.program import Game, Input, Program
+from lesson_code.view.pygame.game import Game, Input
+from lesson_code.view.pygame.program import Program
 
 from .conftest import deepest_in_room, deepest_overlap
 from .conftest import energy as energy_of

@@ -20,16 +20,10 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.view.pygame.effects import Flashes, Sparks
+from lesson_code.view.pygame.game import Game, Input, numbers
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import (
-    Game,
-    ImpactEffects,
-    Input,
-    Program,
-    Readings,
-    numbers,
-    short,
-)
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings, short
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -346,9 +340,20 @@ def around(place: XY, reach: float, heading: float) -> list[XY]:
     return [(place[0] + reach * math.cos(t), place[1] + reach * math.sin(t)) for t in turns]
 
 
+LIGHT = Mark("disc", SKY, "light asteroid")
+HEAVY = Mark("disc", VERMILION, "heavy one; its mass in kg")
+SHIP = Mark("area", YELLOW, "ship; darker: nothing harms it")
+SHOT = Mark("disc", INK, "shot")
+EXHAUST = Mark("arrow", ORANGE, "exhaust")
+IN_FIELD = Mark("arrow", SKY, "momentum in the field")
+CARRIED = Mark("arrow", ORANGE, "momentum carried away")
+SUM = Mark("arrow", INK, "sum of both: it is kept")
+LEGEND = (LIGHT, HEAVY, SHIP, SHOT, EXHAUST, IN_FIELD, CARRIED, SUM)
+
+
 def rock_colour(mass: float) -> Colour:
     """Return the colour of an asteroid: the heavier, the more of vermilion."""
-    return blend(SKY, VERMILION, min(mass / 25.0, 1.0))
+    return blend(LIGHT.colour, HEAVY.colour, min(mass / 25.0, 1.0))
 
 
 def draw(game: Asteroids, picture: Picture, effects: ImpactEffects) -> None:
@@ -360,26 +365,28 @@ def draw(game: Asteroids, picture: Picture, effects: ImpactEffects) -> None:
         if r > 0.2 and 0 < x < SIZE[0] and 0 < y < SIZE[1]:
             picture.text(f"{game.mass(rock):.0f}", (x, y), colour=(20, 24, 30))
     for shot in game.shots:
-        picture.disc(game.world.position(shot), SHOT_RADIUS, INK)
+        picture.disc(game.world.position(shot), SHOT_RADIUS, SHOT.colour)
     place, angle = game.world.position(game.ship), game.world.angle(game.ship)
     if "up" in game.held:
         tail = place[0] - 0.2 * math.cos(angle), place[1] - 0.2 * math.sin(angle)
-        picture.arrow(tail, (-0.3 * math.cos(angle), -0.3 * math.sin(angle)), ORANGE, 5.0)
+        picture.arrow(tail, (-0.3 * math.cos(angle), -0.3 * math.sin(angle)), EXHAUST.colour, 5.0)
     is_safe = game.world.steps < game.safe_until
-    colour = effects.colour(game.ship, blend(YELLOW, BACKGROUND, 0.5) if is_safe else YELLOW)
+    colour = effects.colour(
+        game.ship, blend(SHIP.colour, BACKGROUND, 0.5) if is_safe else SHIP.colour
+    )
     picture.body(game.world.body(game.ship), place, angle, colour)
     _draw_ledger(game, picture)
 
 
 def _draw_ledger(game: Asteroids, picture: Picture) -> None:
     """Draw the momentum in the field and what was carried away tip to tail, and their sum."""
+    lx, ly = game.ledger()
+    picture.arrow(LEDGER_PLACE, (LEDGER_SCALE * lx, LEDGER_SCALE * ly), SUM.colour, 5.0)
     x, y = LEDGER_PLACE
-    parts = (game.world.momentum(), SKY), (game.carried_away, ORANGE)
+    parts = (game.world.momentum(), IN_FIELD.colour), (game.carried_away, CARRIED.colour)
     for (px, py), colour in parts:
         picture.arrow((x, y), (LEDGER_SCALE * px, LEDGER_SCALE * py), colour)
         x, y = x + LEDGER_SCALE * px, y + LEDGER_SCALE * py
-    lx, ly = game.ledger()
-    picture.arrow(LEDGER_PLACE, (LEDGER_SCALE * lx, LEDGER_SCALE * ly), INK, 5.0)
 
 
 def readings(game: Asteroids) -> Readings:
@@ -407,6 +414,7 @@ PROGRAM = Program(
     game=Asteroids,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("left right", "turn"),
         ("up", "thrust"),

@@ -27,8 +27,10 @@ from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY
 from lesson_code.formulas.validation import Vector, non_negative, one_vector
 from lesson_code.view.pygame.effects import Flashes
-from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Matter, Program, Readings
+from lesson_code.view.pygame.game import Game, Input, Matter
+from lesson_code.view.pygame.legend import Mark
+from lesson_code.view.pygame.picture import FLASH, Camera, Picture
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     GREEN,
@@ -258,18 +260,29 @@ def _checked_answer(answer: Any) -> tuple[Any, Any, list[str], float]:
     )
 
 
+WAY = Mark("disc", INK, "ball, and the way it came")
+LAUNCH = Mark("arrow", ORANGE, "velocity of the launch")
+INCIDENT = Mark("arrow", YELLOW, "I: velocity before a bounce")
+NORMAL_PART = Mark("arrow", VERMILION, "(I.N)N: its part along N")
+REFLECTED = Mark("arrow", GREEN, "R: velocity after it")
+NORMAL = Mark("arrow", SKY, "N: normals of the sides")
+BUMPER = Mark("area", PURPLE, "bumper")
+HIT = Mark("area", FLASH, "what was just hit")
+LEGEND = (WAY, LAUNCH, INCIDENT, NORMAL_PART, REFLECTED, NORMAL, BUMPER, HIT)
+
+
 def draw(game: Billiards, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the table, the way of the ball, what is asked for of arrows, and the ball."""
     _draw_table(picture, effects)
-    picture.trail(list(game.trail), INK, CLOTH)
+    picture.trail(list(game.trail), WAY.colour, CLOTH)
     if game.shows_normals:
         _draw_normals(picture)
     if game.last_bounce is not None:
         _draw_bounce(game.last_bounce, picture)
     ball = as_place(game.position)
-    picture.disc(ball, TABLE.radius, INK)
+    picture.disc(ball, TABLE.radius, WAY.colour)
     if game.aim is not None:
-        picture.arrow(ball, as_place(velocity_shown(game) * ARROW_SECONDS), ORANGE)
+        picture.arrow(ball, as_place(velocity_shown(game) * ARROW_SECONDS), LAUNCH.colour)
 
 
 def _draw_bounce(bounce: Bounce, picture: Picture) -> None:
@@ -280,13 +293,16 @@ def _draw_bounce(bounce: Bounce, picture: Picture) -> None:
     """
     (x, y), k = bounce.place, BOUNCE_SECONDS
     (ix, iy), (rx, ry) = bounce.incident, bounce.reflected
-    picture.arrow((x - k * ix, y - k * iy), (k * ix, k * iy), YELLOW)
-    picture.arrow((x, y), (k * bounce.normal_part[0], k * bounce.normal_part[1]), VERMILION)
-    picture.arrow((x, y), (k * rx, k * ry), GREEN)
-    for name, (vx, vy), end, colour in (("I", (ix, iy), -k, YELLOW), ("R", (rx, ry), k, GREEN)):
+    picture.arrow((x - k * ix, y - k * iy), (k * ix, k * iy), INCIDENT.colour)
+    picture.arrow(
+        (x, y), (k * bounce.normal_part[0], k * bounce.normal_part[1]), NORMAL_PART.colour
+    )
+    picture.arrow((x, y), (k * rx, k * ry), REFLECTED.colour)
+    names = ("I", (ix, iy), -k), ("R", (rx, ry), k)
+    for name, (vx, vy), end in names:
         size = math.hypot(vx, vy) or 1.0
         aside = NAME_ASIDE / size
-        picture.text(name, (x + end * vx - aside * vy, y + end * vy + aside * vx), colour=colour)
+        picture.text(name, (x + end * vx - aside * vy, y + end * vy + aside * vx))
 
 
 def _draw_table(picture: Picture, effects: ImpactEffects) -> None:
@@ -297,7 +313,7 @@ def _draw_table(picture: Picture, effects: ImpactEffects) -> None:
     for name, sides in {"top": (0, 1), "right": (1, 2), "bottom": (2, 3), "left": (3, 0)}.items():
         corners = [inner[sides[0]], inner[sides[1]], outer[sides[1]], outer[sides[0]]]
         picture.polygon(corners, effects.colour(CUSHIONS.index(name), CUSHION_CLOTH))
-    colour = effects.colour(CUSHIONS.index("bumper"), PURPLE)
+    colour = effects.colour(CUSHIONS.index("bumper"), BUMPER.colour)
     picture.capsule(TABLE.bumper_start, TABLE.bumper_end, TABLE.bumper_half_thickness, colour)
 
 
@@ -310,9 +326,9 @@ def _frame(grow: float) -> list[XY]:
 def _draw_normals(picture: Picture) -> None:
     """Draw the normal of each wall, and of both sides of the bumper."""
     for (x, y), (nx, ny) in _normals():
-        picture.arrow((x, y), (40 * nx, 40 * ny), SKY)
+        picture.arrow((x, y), (40 * nx, 40 * ny), NORMAL.colour)
         beside = (x + 80 * nx, y + 56 * ny)
-        picture.text(f"({nx:.4g}, {ny:.4g})", beside, colour=SKY)
+        picture.text(f"({nx:.4g}, {ny:.4g})", beside, colour=NORMAL.colour)
 
 
 def _normals() -> list[tuple[XY, XY]]:
@@ -363,6 +379,7 @@ PROGRAM = Program(
     game=Billiards,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("drag", "from the ball: launch it"),
         ("N", "normals"),

@@ -20,16 +20,10 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.formulas import bounce
 from lesson_code.geometry.shapes import Circle, Polygon
 from lesson_code.view.pygame.effects import Sparks, Trails
+from lesson_code.view.pygame.game import Game, Input, numbers
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import Camera, Picture
-from lesson_code.view.pygame.program import (
-    Game,
-    ImpactEffects,
-    Input,
-    Program,
-    Readings,
-    numbers,
-    room,
-)
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import GREEN, INK, ORANGE, PURPLE, SKY, VERMILION, YELLOW
 
@@ -330,6 +324,15 @@ def steady(velocity: XY, speed: float) -> XY:
     return speed * vx, speed * vy
 
 
+PADDLE_MARK = Mark("area", INK, "paddle")
+BALL = Mark("disc", ORANGE, "ball")
+HEAVY_BALL = Mark("disc", VERMILION, "ball of three times the mass")
+CAPSULE = Mark("disc", YELLOW, "capsule: catch it")
+WAY = Mark("line", SKY, "the way the ball came")
+BOUNCE = Mark("arrow", SKY, "the way the paddle sends it")
+LEGEND = (PADDLE_MARK, BALL, HEAVY_BALL, CAPSULE, WAY, BOUNCE)
+
+
 def draw(game: Breakout, picture: Picture, effects: ImpactEffects) -> None:
     """Draw bricks, paddle and ball."""
     for number, hits in game.bricks.items():
@@ -340,13 +343,13 @@ def draw(game: Breakout, picture: Picture, effects: ImpactEffects) -> None:
         if label:
             picture.text(label.strip(), (x, y), colour=(20, 24, 30))
     for letter, capsule in game.falling:
-        picture.disc(capsule, CAPSULE_RADIUS, YELLOW)
+        picture.disc(capsule, CAPSULE_RADIUS, CAPSULE.colour)
         picture.text(letter, capsule, colour=(20, 24, 30))
     place = game.world.position(game.paddle)
-    picture.body(game.world.body(game.paddle), place, 0.0, INK)
+    picture.body(game.world.body(game.paddle), place, 0.0, PADDLE_MARK.colour)
     if effects.trails is not None:
-        effects.trails.draw(picture, SKY)
-    colour = VERMILION if "m" in game.powers else ORANGE
+        effects.trails.draw(picture, WAY.colour)
+    colour = (HEAVY_BALL if "m" in game.powers else BALL).colour
     picture.disc(game.world.position(game.ball), RADIUS, colour)
     if game.serves and not game.is_over:
         picture.text("SPACE or click to serve", (WIDTH / 2, 1.6))
@@ -354,7 +357,7 @@ def draw(game: Breakout, picture: Picture, effects: ImpactEffects) -> None:
             x = place[0] + offset * PADDLE[0] / 2
             angle = offset * STEEPEST
             tail = (x, PADDLE_Y + 0.45)
-            picture.arrow(tail, (0.4 * math.sin(angle), 0.4 * math.cos(angle)), SKY, 2.0)
+            picture.arrow(tail, (0.4 * math.sin(angle), 0.4 * math.cos(angle)), BOUNCE.colour, 2.0)
 
 
 def readings(game: Breakout) -> Readings:
@@ -379,6 +382,7 @@ PROGRAM = Program(
     game=Breakout,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("mouse", "move the paddle"),
         ("left right", "the same by keys"),

@@ -18,8 +18,10 @@ from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.formulas import kinetic_energy, momentum
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.effects import Flashes
-from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
+from lesson_code.view.pygame.game import Game, Input, numbers
+from lesson_code.view.pygame.legend import Mark
+from lesson_code.view.pygame.picture import FLASH, WALL, Camera, Picture
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import FADED_INK, INK, ORANGE, SKY, YELLOW
 
@@ -185,6 +187,14 @@ class Cradle(Game):
         return law
 
 
+PULLED = Mark("disc", ORANGE, "ball that was pulled out")
+HANGING = Mark("disc", SKY, "ball that hung still")
+STRUCK = Mark("disc", FLASH, "just struck")
+LAW = Mark("arrow", INK, "velocities, by the law that is on")
+OTHER_LAW = Mark("arrow", FADED_INK, "velocities, by the other one")
+LEGEND = (PULLED, HANGING, STRUCK, LAW, OTHER_LAW)
+
+
 def draw(game: Cradle, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the beam, the strings and the balls."""
     left, right = game.pivots[0][0] - 1.0, game.pivots[-1][0] + 1.0
@@ -192,7 +202,7 @@ def draw(game: Cradle, picture: Picture, effects: ImpactEffects) -> None:
     for k, pivot in enumerate(game.pivots):
         picture.line(pivot, game.world.position(k), FADED_INK)
     for k in range(game.count):
-        colour = effects.colour(k, ORANGE if k < game.pulled else SKY)
+        colour = effects.colour(k, (PULLED if k < game.pulled else HANGING).colour)
         place = game.world.position(k)
         picture.disc(place, game.radii[k], colour)
         label = f"{game.row.masses[k]:g}" if game.is_unequal else f"{k + 1}"
@@ -209,7 +219,7 @@ def _draw_answer(
 ) -> None:
     """Draw what a law makes of the first impact: an arrow a ball, and both sums."""
     is_on = name == game.law
-    ink = INK if is_on else FADED_INK
+    ink = (LAW if is_on else OTHER_LAW).colour
     picture.text(name, (-5.1, y), colour=YELLOW if is_on else FADED_INK, anchor="midleft")
     for k, velocity in enumerate(velocities):
         place = (-3.2 + 0.62 * k, y)
@@ -241,6 +251,7 @@ PROGRAM = Program(
     game=Cradle,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("drag", "pull balls out"),
         ("1 ... 9", "balls to pull out"),

@@ -14,11 +14,11 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle, Shape
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.game import Game, Input
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import COLOURS, FLASH, Picture
 from lesson_code.view.pygame.program import (
-    Game,
     ImpactEffects,
-    Input,
     Program,
     Readings,
     draw_bodies,
@@ -27,7 +27,7 @@ from lesson_code.view.pygame.program import (
     short,
 )
 from lesson_code.view.pygame.sound import Sounds
-from lesson_code.view.pygame.window import YELLOW
+from lesson_code.view.pygame.window import INK, YELLOW
 
 WIDTH, HEIGHT = 8.0, 6.0
 """m: 800 x 600 px."""
@@ -135,19 +135,25 @@ class Demo(Game):
         )
 
 
+TOUCHING = Mark("disc", FLASH, "body that is touched now")
+BODY = Mark("disc", COLOURS[0], "body: colours tell them apart")
+QUESTION = Mark("line", YELLOW, "question; sparks of an impact")
+LEGEND = (TOUCHING, BODY, QUESTION)
+
+
 def draw(game: Demo, picture: Picture, effects: ImpactEffects) -> None:
     """Draw grid and bodies, white while they touch."""
     picture.grid(GRID_SPACING)
-    picture.text(game.scene.question, (0.25, 5.75), colour=YELLOW, anchor="midleft")
-    if game.world.steps >= ANSWER_STEPS:
-        picture.text(game.scene.answer, (0.25, 5.45), anchor="midleft")
     touching = game.world.touching()
     draw_bodies(
         game.world,
         picture,
         effects,
-        lambda number: FLASH if number in touching else COLOURS[number % len(COLOURS)],
+        lambda number: TOUCHING.colour if number in touching else COLOURS[number % len(COLOURS)],
     )
+    picture.label(game.scene.question, (0.25, 5.75), QUESTION.colour)
+    if game.world.steps >= ANSWER_STEPS:
+        picture.label(game.scene.answer, (0.25, 5.45), INK)
 
 
 def readings(game: Demo) -> Readings:
@@ -166,6 +172,7 @@ PROGRAM = Program(
     game=Demo,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("1 ... 4", "a scene and its question"),
         ("click", "add a circle"),

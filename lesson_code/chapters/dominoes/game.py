@@ -14,8 +14,10 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Polygon
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.game import Game, Input
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -135,11 +137,11 @@ class Dominoes(Game):
 
     def push(self) -> None:
         """Give the first domino just enough, and a little more."""
-        least = self.ask(toppling_rate, *SIZE, form=numbers(), otherwise=None)
-        if self.pushed or least is None:
+        least = self.ask_number(toppling_rate, *SIZE, otherwise=math.nan)
+        if self.pushed or math.isnan(least):
             return
         self.pushed = True
-        rate, first = -NUDGE * float(least), self.below[0]
+        rate, first = -NUDGE * least, self.below[0]
         self.world.throw(first, (-rate * SIZE[1] / 2, 0.0), rate)
 
     def down(self, place: XY) -> None:
@@ -193,7 +195,16 @@ class Dominoes(Game):
 
     def leans(self, size: XY) -> float:
         """Return how far a domino can lean before it has fallen, rad: any way without the rule."""
-        return float(self.ask(tipping_angle, *size, form=numbers(), otherwise=math.inf))
+        return self.ask_number(tipping_angle, *size, otherwise=math.inf)
+
+
+TALL_ONE = Mark("area", ORANGE, "tall domino")
+BELOW = Mark("area", SKY, "domino on the floor")
+ABOVE = Mark("area", GREEN, "domino on the shelf")
+FALLEN = Mark("area", blend(SKY, BACKGROUND, 0.4), "dark: fallen, in this order")
+HERE = Mark("disc", YELLOW, "speed at this spacing")
+ELSEWHERE = Mark("disc", SKY, "speed at another spacing")
+LEGEND = (TALL_ONE, BELOW, ABOVE, FALLEN, HERE, ELSEWHERE)
 
 
 def draw(game: Dominoes, picture: Picture, effects: ImpactEffects) -> None:
@@ -201,7 +212,8 @@ def draw(game: Dominoes, picture: Picture, effects: ImpactEffects) -> None:
     for number in game.supports:
         picture.body(game.world.body(number), game.world.position(number), 0.0, WALL)
     for number in game.dominoes:
-        colour = ORANGE if number == game.tall else SKY if number in game.below else GREEN
+        mark = TALL_ONE if number == game.tall else BELOW if number in game.below else ABOVE
+        colour = mark.colour
         if number in game.order:
             colour = blend(colour, BACKGROUND, 0.4)
         place, angle = game.world.position(number), game.world.angle(number)
@@ -232,7 +244,7 @@ def _draw_graph(game: Dominoes, picture: Picture) -> None:
         picture.text(f"{spacing:g}", (x, bottom - 0.18), colour=FADED_INK)
     for spacing, speed in sorted(game.measured.items()):
         place = left + width * spacing / 0.5, bottom + height * min(speed / FASTEST, 1.0)
-        picture.disc(place, 0.05, YELLOW if spacing == game.spacing else SKY)
+        picture.disc(place, 0.05, (HERE if spacing == game.spacing else ELSEWHERE).colour)
 
 
 def readings(game: Dominoes) -> Readings:
@@ -257,6 +269,7 @@ PROGRAM = Program(
     game=Dominoes,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("SPACE", "push the first one"),
         ("click", "push any one"),

@@ -21,8 +21,10 @@ from lesson_code.formulas import disc_inertia
 from lesson_code.geometry import time_of_impact
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Flashes, Trails
+from lesson_code.view.pygame.game import Game, Input, numbers
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import COLOURS, Camera, Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Input, Program, Readings, numbers
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import INK, ORANGE, SKY, Colour, blend
 
@@ -338,11 +340,20 @@ def _struck(answer: Any) -> tuple[XY, float]:
     return (x, y), float(spin)
 
 
+CUE_BALL = Mark("disc", INK, "cue ball, and ways balls came")
+STRIPED = Mark("ring", COLOURS[0], "white middle: 9 to 15, and the 8")
+READY = Mark("ring", ORANGE, "the cue ball may be struck")
+CUE = Mark("line", ORANGE, "cue, and strength of the stroke")
+TARGET_WAY = Mark("arrow", SKY, "way of the ball that is hit")
+CUE_WAY = Mark("arrow", INK, "way of the cue ball after it")
+LEGEND = (CUE_BALL, STRIPED, READY, CUE, TARGET_WAY, CUE_WAY)
+
+
 def draw(game: Pool, picture: Picture, effects: ImpactEffects) -> None:
     """Draw the table, the balls and the cue."""
     _draw_table(picture)
     if effects.trails is not None:
-        effects.trails.draw(picture, INK, CLOTH)
+        effects.trails.draw(picture, CUE_BALL.colour, CLOTH)
     for ball in game.balls:
         place = game.world.position(ball)
         label = game.label(ball)
@@ -351,7 +362,7 @@ def draw(game: Pool, picture: Picture, effects: ImpactEffects) -> None:
     if game.aim is not None:
         _draw_cue(game, picture)
     elif game.is_at_rest:
-        picture.ring(game.world.position(game.cue), 1.6 * RADIUS, ORANGE)
+        picture.ring(game.world.position(game.cue), 1.6 * RADIUS, READY.colour)
 
 
 def _draw_ball(picture: Picture, place: XY, number: int, colour: Colour) -> None:
@@ -390,16 +401,16 @@ def _draw_cue(game: Pool, picture: Picture) -> None:
     side = game.offset * RADIUS
     back = RADIUS + 0.02 + 0.12 * size
     tip = (x - back * ux - side * uy, y - back * uy + side * ux)
-    picture.capsule(tip, (tip[0] - 0.6 * ux, tip[1] - 0.6 * uy), 0.008, ORANGE)
+    picture.capsule(tip, (tip[0] - 0.6 * ux, tip[1] - 0.6 * uy), 0.008, CUE.colour)
     ghost, target = game.first_hit()
     picture.line((x, y), ghost, blend(CLOTH, INK, 0.6))
     picture.ring(ghost, RADIUS, INK, 1)
     if target is not None:
         away = (target[0] - ghost[0]) / (2 * RADIUS), (target[1] - ghost[1]) / (2 * RADIUS)
-        picture.arrow(target, (0.2 * away[0], 0.2 * away[1]), SKY, 2.0)
+        picture.arrow(target, (0.2 * away[0], 0.2 * away[1]), TARGET_WAY.colour, 2.0)
         along = ux * away[0] + uy * away[1]  # equal masses: the rest goes at a right angle to it
         rest = ux - along * away[0], uy - along * away[1]
-        picture.arrow(ghost, (0.2 * rest[0], 0.2 * rest[1]), INK, 2.0)
+        picture.arrow(ghost, (0.2 * rest[0], 0.2 * rest[1]), CUE_WAY.colour, 2.0)
     _draw_strength(size, picture)
 
 
@@ -407,8 +418,8 @@ def _draw_strength(impulse: float, picture: Picture) -> None:
     """Draw a bar as long as the stroke is strong, and its value."""
     start, full = (1.45, -0.22), 0.45
     end = (start[0] + full * impulse / LARGEST_IMPULSE, start[1])
-    picture.capsule(start, (start[0] + full, start[1]), 0.012, blend(ORANGE, HOLE, 0.7))
-    picture.capsule(start, end, 0.012, ORANGE)
+    picture.capsule(start, (start[0] + full, start[1]), 0.012, blend(CUE.colour, HOLE, 0.7))
+    picture.capsule(start, end, 0.012, CUE.colour)
     words = f"{impulse:.2f} N s: {impulse / MASS:.1f} m/s"
     picture.text(words, (start[0] + full + 0.06, start[1]), anchor="midleft")
 
@@ -443,6 +454,7 @@ PROGRAM = Program(
     game=Pool,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     keys=(
         ("drag", "aim and strike: pull back"),
         ("left right", "hit off centre: spin"),

@@ -20,12 +20,12 @@ from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
 from lesson_code.scene_file import ROOMS, scene_of, set_up_of, understood
 from lesson_code.view.pygame.effects import Flashes
+from lesson_code.view.pygame.game import Game, Input
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.panel import Panel
-from lesson_code.view.pygame.picture import COLOURS, Picture
+from lesson_code.view.pygame.picture import COLOURS, FLASH, Picture
 from lesson_code.view.pygame.program import (
-    Game,
     ImpactEffects,
-    Input,
     Program,
     Readings,
     draw_bodies,
@@ -266,6 +266,14 @@ def _is_inside(place: XY, radius: float) -> bool:
     return radius < place[0] < WIDTH - radius and radius < place[1] < HEIGHT - radius
 
 
+BALL = Mark("disc", COLOURS[0], "ball: colours tell them apart")
+HIT = Mark("disc", FLASH, "just hit")
+LAUNCH = Mark("arrow", ORANGE, "velocity of the launch")
+MOMENTUM = Mark("line", SKY, "curve: size of the momentum")
+ENERGY = Mark("line", ORANGE, "curve: kinetic energy")
+LEGEND = (BALL, HIT, LAUNCH, MOMENTUM, ENERGY)
+
+
 def draw(game: Simulator, picture: Picture, effects: ImpactEffects) -> None:
     """Draw balls, and what is asked for of arrows and contacts."""
     picture.grid(1.0)
@@ -276,7 +284,9 @@ def draw(game: Simulator, picture: Picture, effects: ImpactEffects) -> None:
     if game.aim is not None:
         ball, place = game.aim
         vx, vy = game.launch_velocity(ball, place)
-        picture.arrow(game.world.position(ball), (vx / LAUNCH_RATE, vy / LAUNCH_RATE), ORANGE)
+        picture.arrow(
+            game.world.position(ball), (vx / LAUNCH_RATE, vy / LAUNCH_RATE), LAUNCH.colour
+        )
     if game.plan is not None:
         time, plan = game.plan
         title = f"Plan for the scene as it was at {time:.1f} s (F closes it)"
@@ -308,8 +318,8 @@ def readings(game: Simulator) -> Readings:
 
 def more(game: Simulator, panel: Panel) -> None:
     """Draw the history of momentum and energy."""
-    panel.curve("size of the momentum, 4 s", [p for p, _ in game.history], SKY)
-    panel.curve("kinetic energy, 4 s", [e for _, e in game.history], ORANGE)
+    panel.curve("size of the momentum, 4 s", [p for p, _ in game.history], MOMENTUM.colour)
+    panel.curve("kinetic energy, 4 s", [e for _, e in game.history], ENERGY.colour)
 
 
 PROGRAM = Program(
@@ -318,6 +328,7 @@ PROGRAM = Program(
     game=Simulator,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     more=more,
     keys=(
         ("drag", "launch a ball, old or new"),

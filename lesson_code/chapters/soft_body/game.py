@@ -27,17 +27,11 @@ from lesson_code.engine.core.scene import XY, Body, Material
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.geometry.shapes import Circle, Segment
 from lesson_code.view.pygame.effects import Sparks
+from lesson_code.view.pygame.game import Game, Input, numbers
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import (
-    Game,
-    ImpactEffects,
-    Input,
-    Program,
-    Readings,
-    numbers,
-    room,
-)
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings, room
 from lesson_code.view.pygame.sound import Sounds
 from lesson_code.view.pygame.window import (
     BACKGROUND,
@@ -261,7 +255,7 @@ class SoftBody(Game):
 
     def _area(self, points: Any) -> float:
         """Return the area of a body, m^2; without the rule it is not known."""
-        return float(self.ask(ring_area, points, form=numbers(), otherwise=math.nan))
+        return self.ask_number(ring_area, points, otherwise=math.nan)
 
     @property
     def friction(self) -> float:
@@ -310,6 +304,14 @@ def rest_length(stride: int) -> float:
     return 2 * RADIUS * math.sin(math.pi * stride / MASSES)
 
 
+MASS = Mark("disc", SKY, "mass: a colour for each body")
+GAS = Mark("area", blend(SKY, BACKGROUND, 0.6), "gas inside, and its pressure")
+SPRING = Mark("line", blend(SKY, BACKGROUND, 0.35), "spring")
+PULL = Mark("line", INK, "pull of the mouse")
+ENERGY = Mark("line", ORANGE, "curve: all of the energy")
+LEGEND = (MASS, GAS, SPRING, PULL, ENERGY)
+
+
 def draw(game: SoftBody, picture: Picture, effects: ImpactEffects) -> None:
     """Draw ledges, skins, springs and masses."""
     for number in game.walls:
@@ -326,7 +328,7 @@ def draw(game: SoftBody, picture: Picture, effects: ImpactEffects) -> None:
         picture.text(f"{pressures[k]:+.1f} N/m", (x, y - 0.16))
     if game.grip is not None:
         bead, place = game.grip
-        picture.line(game.world.position(bead), place, INK)
+        picture.line(game.world.position(bead), place, PULL.colour)
 
 
 def readings(game: SoftBody) -> Readings:
@@ -345,7 +347,7 @@ def readings(game: SoftBody) -> Readings:
 
 def more(game: SoftBody, panel: Panel) -> None:
     """Draw the history of the whole energy."""
-    panel.curve("energy, 4 s", [sum(parts) for parts in game.history], ORANGE)
+    panel.curve("energy, 4 s", [sum(parts) for parts in game.history], ENERGY.colour)
 
 
 PROGRAM = Program(
@@ -354,6 +356,7 @@ PROGRAM = Program(
     game=SoftBody,
     draw=draw,
     readings=readings,
+    legend=LEGEND,
     more=more,
     keys=(
         ("drag", "pull at a body"),

@@ -12,7 +12,7 @@ from lesson_code.engine.core.scene import XY
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.own_world import OwnWorld
 from lesson_code.view.pygame.picture import WALL, Camera, Picture
-from lesson_code.view.pygame.program import ImpactEffects, Program, Readings, numbers
+from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
 from lesson_code.view.pygame.window import BACKGROUND, ORANGE, blend
 
 RING, RING_RADIUS, RING_HEIGHT = 20, 0.8, 3.0
@@ -34,7 +34,7 @@ class OwnSoftBody(OwnWorld):
 
     def area_of(self, ring: Any) -> float:
         """Return the area inside a ring, m^2; without the rule it is not known."""
-        return float(self.ask(ring_area, ring, form=numbers(), otherwise=math.nan))
+        return self.ask_number(ring_area, ring, otherwise=math.nan)
 
     def press(self, key: str) -> None:
         """Throw the ring up."""

@@ -25,11 +25,12 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled import Code
 from lesson_code.engine.live_world import TIME_STEP, WORTH_COMPILING, LiveWorld
 from lesson_code.scene_file import set_up_in, write_scene
+from lesson_code.view.pygame.game import Game
 from lesson_code.view.pygame.gif import MOST_SECONDS, Gif
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.panel import PROGRAM_SIZE
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects, Program
+from lesson_code.view.pygame.program import ImpactEffects, Program
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import STEPPING_SECONDS, Session
 from lesson_code.view.pygame.window import Window, open_window, pygame

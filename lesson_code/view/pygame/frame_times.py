@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lesson_code.view.pygame.frame import play
-from lesson_code.view.pygame.program import Input, Program
+from lesson_code.view.pygame.game import Input
+from lesson_code.view.pygame.program import Program
 
 PROJECTOR = (1920, 1080)
 """px."""

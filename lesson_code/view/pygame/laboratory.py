@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY
+from lesson_code.view.pygame.legend import CENTRE, IMPULSE, MOMENTUM, VELOCITY
 from lesson_code.view.pygame.picture import FAR, Picture
 from lesson_code.view.pygame.program import Program, short
 from lesson_code.view.pygame.session import ACTIONS, NEWS_STEPS, Session
@@ -19,7 +20,6 @@ from lesson_code.view.pygame.window import (
     FADED_INK,
     GREEN,
     INK,
-    ORANGE,
     SKY,
     VERMILION,
     YELLOW,
@@ -71,18 +71,18 @@ class Laboratory:
         unit = self._session.program.length
         states, mass, _ = self._session.game.matter()
         if "velocities" in shown:
-            per = self._arrows("velocities", states, states[:, 3:5], INK, f"{unit}/s")
-            legend.append((INK, f"velocity {per:g} {unit}/s", per))
+            per = self._arrows("velocities", states, states[:, 3:5], VELOCITY.colour, f"{unit}/s")
+            legend.append((VELOCITY.colour, f"velocity {per:g} {unit}/s", per))
         if "momenta" in shown:
             p = states[:, 3:5] * mass[:, None]
-            per = self._arrows("momenta", states, p, ORANGE, f"kg {unit}/s")
-            legend.append((ORANGE, f"momentum {per:g} kg {unit}/s", per))
+            per = self._arrows("momenta", states, p, MOMENTUM.colour, f"kg {unit}/s")
+            legend.append((MOMENTUM.colour, f"momentum {per:g} kg {unit}/s", per))
         if "impulses" in shown:
             per = self._impulses()
-            legend.append((YELLOW, f"impulse {per:g} N s", per))
+            legend.append((IMPULSE.colour, f"impulse {per:g} N s", per))
         if "centre" in shown and len(mass):
             self._centre(states, mass)
-            legend.append((GREEN, "centre of mass", 0.0))
+            legend.append((CENTRE.colour, "centre of mass", 0.0))
         if "energy" in shown:
             self._energy()
         if legend:
@@ -108,10 +108,10 @@ class Laboratory:
             beside = np.column_stack([-ways[:, 1], ways[:, 0]])
             beside /= np.maximum(np.hypot(*ways.T), 1e-9)[:, None]
             tails = tails + apart * beside
-        rows = list(zip(tails.tolist(), ways.tolist(), sizes.tolist(), strict=True))
-        if len(rows) > MOST_ROUND_ARROWS:
+        if len(sizes) > MOST_ROUND_ARROWS:
             self._strokes(tails, ways, colour)
             return per
+        rows = list(zip(tails.tolist(), ways.tolist(), sizes.tolist(), strict=True))
         for tail, tip, _ in rows:
             self._window.arrow((tail[0], tail[1]), (tip[0], tip[1]), colour, width=2.5)
         if len(rows) <= MOST_VALUES:
@@ -127,10 +127,13 @@ class Laboratory:
 
     def _strokes(self, tails: Rows, along: Rows, colour: Colour) -> None:
         """Draw lines with dots at their ends."""
-        surface, dot = self._window.surface, self._window.px(3)
-        for tail, tip in zip(tails.tolist(), (tails + along).tolist(), strict=True):
+        surface, side = self._window.surface, self._window.px(3)
+        dot = pygame.Surface((side, side)).convert()
+        dot.fill(colour)
+        tips = tails + along
+        for tail, tip in zip(tails.tolist(), tips.tolist(), strict=True):
             pygame.draw.line(surface, colour, tail, tip)
-            surface.fill(colour, (tip[0] - dot / 2, tip[1] - dot / 2, dot, dot))
+        surface.blits([(dot, corner) for corner in (tips - side / 2).tolist()], False)
 
     def _value(self, tail: list[float], along: list[float], words: str, colour: Colour) -> None:
         """Write a value beyond the tip of an arrow, or where else there is room for it."""
@@ -167,10 +170,10 @@ class Laboratory:
             place = camera.world_to_screen(touch.points[0])
             along = jx * pixels, -jy * pixels * camera.up
             pygame.draw.circle(self._window.surface, VERMILION, place, self._window.px(3))
-            self._window.arrow(place, along, YELLOW, width=3.0)
+            self._window.arrow(place, along, IMPULSE.colour, width=3.0)
             if math.hypot(*along) > 1:
                 words = f"{short(size_of(touch))} N s"
-                self._values.append(([*place], [*along], words, YELLOW))
+                self._values.append(([*place], [*along], words, IMPULSE.colour))
         return per
 
     # Centre of mass, energy, scale
@@ -185,13 +188,13 @@ class Laboratory:
         for dx, dy in ((reach, reach), (reach, -reach)):
             ends = (x - dx, y - dy), (x + dx, y + dy)
             pygame.draw.line(self._window.surface, BACKGROUND, *ends, self._window.px(5))
-            pygame.draw.line(self._window.surface, GREEN, *ends, self._window.px(2))
+            pygame.draw.line(self._window.surface, CENTRE.colour, *ends, self._window.px(2))
         unit = self._session.program.length
         words = f"{short(math.hypot(*velocity))} {unit}/s"
-        self._written(words, (x, y + self._window.px(22)), GREEN)
+        self._written(words, (x, y + self._window.px(22)), CENTRE.colour)
 
     def _energy(self) -> None:
-        """Draw the energy as a bar of its parts, with what was put in and lost."""
+        """Draw the energy as a bar of its parts, below two lines that a program may write."""
         row = self._session.ledger.last
         parts = [
             ("motion", row.moving, SKY),
@@ -204,7 +207,7 @@ class Laboratory:
         seen, px = self._picture.seen, self._window.px
         line = px(SMALL)
         size = px(300), line * (len(parts) + 2) + px(14)
-        box = self._box(pygame.Rect((seen.left + px(10), seen.top + px(10)), size))
+        box = self._box(pygame.Rect((seen.left + px(10), seen.top + px(70)), size))
         whole = sum(abs(value) for _, value, _ in parts) or 1.0
         y = box.top + px(6)
         for name, value, colour in parts:

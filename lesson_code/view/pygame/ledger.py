@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
-from lesson_code.view.pygame.program import Game
+from lesson_code.view.pygame.game import Game
 
 MOST_ROWS = 216_000
 """Steps that are kept: an hour."""

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lesson_code.engine.live_world import TIME_STEP
-from lesson_code.view.pygame.program import Game, Readings, numbers
+from lesson_code.view.pygame.game import Game, numbers
+from lesson_code.view.pygame.program import Readings
 
 PARTS = 10
 """Of a step: a player's function makes this many at once; 600 in a second."""

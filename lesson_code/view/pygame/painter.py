@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from lesson_code.view.pygame.game import Game
 from lesson_code.view.pygame.laboratory import Laboratory
+from lesson_code.view.pygame.legend import SHARED
 from lesson_code.view.pygame.panel import Panel
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Game, ImpactEffects
+from lesson_code.view.pygame.program import ImpactEffects
 from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import YELLOW, Window, pygame
 
-HELP = (("R", "start again"), ("TAB", "sliders"), ("H", "all keys"))
+HELP = (("R", "start again"), ("T   TAB", "colours   sliders"), ("H", "all keys"))
 """What the panel says of the keys that all programs share; the page of help has them all."""
 
 GHOST = 130
@@ -53,7 +55,7 @@ class Painter:
         )
 
     def _draw_panel(self) -> None:
-        """Draw title, clock, read-outs, curves, and keys or sliders."""
+        """Draw title, clock, read-outs, curves, and keys, sliders or legend."""
         session, program = self._session, self._session.program
         self.panel.begin()
         self.panel.readings([("clock", f"{session.ledger.last.time:.2f} s")])
@@ -62,9 +64,13 @@ class Painter:
         self.panel.readings(session.switched(), YELLOW)
         if program.more is not None:
             program.more(session.game, self.panel)
-        if "sliders" in session.shown:
+        session.rails = {}
+        if "legend" in session.shown:
+            self.panel.legend(program.legend + SHARED)
+            self.panel.keys((("T", "back to the keys"),))
+        elif "sliders" in session.shown:
             self.panel.slide(session.slider_values())
-            self.panel.keys(HELP[1:2])
+            self.panel.keys((("TAB", "back to the keys"),))
+            session.rails = self.panel.sliders
         else:
             self.panel.keys(program.keys + HELP)
-        session.rails = self.panel.sliders if "sliders" in session.shown else {}

@@ -1,4 +1,4 @@
-"""The panel beside the field: title, clock, read-outs, curves, and keys or sliders."""
+"""The panel beside the field: title, clock, read-outs, curves, and keys, sliders or legend."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from lesson_code.engine.live_world import TIME_STEP
+from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import GRID, LINE, PANEL_WIDTH
 from lesson_code.view.pygame.window import FADED_INK, INK, SKY, YELLOW, Colour, Window, pygame
 
@@ -25,13 +26,16 @@ TITLE_SIZE, READING_SIZE, KEY_SIZE = 28, 20, 18
 KEY_COLUMN = 88
 """From the keys to what they do."""
 
+MARK_WIDTH = 26
+"""Of a colour or an arrow in the legend."""
+
 CURVE_HEIGHT = 44
 SLIDER_LINE, KNOB = 38, 6
 """From one slider to the next; the radius of its knob."""
 
 
 class Panel:
-    """Writes from the top downward; keys or sliders stand at the bottom.
+    """Writes from the top downward; keys, sliders or the legend stand at the bottom.
 
     Parameters
     ----------
@@ -111,9 +115,9 @@ class Panel:
             self._tick(words, place, anchor)
         if len(values) > 1:
             across, high = box.width / (len(values) - 1), box.height - px(6)
+            foot, scale = box.bottom - px(3), high / largest
             points = [
-                (box.left + k * across, box.bottom - px(3) - high * abs(value) / largest)
-                for k, value in enumerate(values)
+                (box.left + k * across, foot - scale * abs(value)) for k, value in enumerate(values)
             ]
             pygame.draw.aalines(surface, colour, False, points)
         self._y = box.bottom + px(17)
@@ -130,6 +134,22 @@ class Panel:
             self._window.text(key, (self._left, y), colour=INK, size=KEY_SIZE)
             place = self._left + px(KEY_COLUMN), y
             self._window.text(meaning, place, colour=FADED_INK, size=KEY_SIZE)
+            y += px(KEY_LINE)
+
+    def legend(self, marks: Sequence[Mark]) -> None:
+        """Write what colours and arrows mean, at the bottom, over read-outs that reach so far.
+
+        Below it one line is left, for a key.
+        """
+        px, (width, height) = self._window.px, self._window.surface.get_size()
+        y = height - px(MARGIN) - px(KEY_LINE) * (len(marks) + 1)
+        covered = max(math.ceil((self._y - y) / px(LINE)), 0)  # whole lines
+        top = min(self._y - covered * px(LINE), y)
+        self._window.surface.fill(PANEL, (self._left, top, width - self._left, height - top))
+        for mark in marks:
+            mark.draw(self._window, pygame.Rect(self._left, y, px(MARK_WIDTH), px(KEY_LINE)))
+            place = self._left + px(MARK_WIDTH + 8), y
+            self._window.text(mark.meaning, place, colour=FADED_INK, size=KEY_SIZE)
             y += px(KEY_LINE)
 
     def slide(self, sliders: Mapping[str, tuple[str, float, float, float | None]]) -> None:

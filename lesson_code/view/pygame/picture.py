@@ -188,7 +188,7 @@ class Picture:
         places = np.round(self.camera.places_of(centres)).astype(int).tolist()
         sprites, scale = [], self.camera.scale
         for (x, y), radius, colour in zip(places, radii, colours, strict=True):
-            sprite, half = _disc(round(radius * scale, 1), colour)
+            sprite, half = _disc(round(2 * radius * scale) / 2, colour)
             sprites.append((sprite, (x - half, y - half)))
         self._field.blits(sprites, False)
 
@@ -221,14 +221,19 @@ class Picture:
             left, top, right, bottom = map(round, (min(xs), min(ys), max(xs), max(ys)))
             self._field.fill(colour, (left, top, right - left, bottom - top))
             return
-        pygame.draw.aalines(self._field, colour, True, places)
+        for start, end in zip(places, [*places[1:], places[0]], strict=True):
+            if start[0] != end[0] and start[1] != end[1]:  # others are smooth, and long ones dear
+                pygame.draw.aaline(self._field, colour, start, end)
         pygame.draw.polygon(self._field, colour, places)
 
     def capsule(self, start: XY, end: XY, radius: float, colour: Colour) -> None:
-        """Draw a thick line with round ends; at least 2 px thick."""
+        """Draw a thick line with round ends, 2 px thick at least; none out of sight."""
         half = max(radius * self.camera.scale, self.window.unit)
         a, b = self.camera.world_to_screen(start), self.camera.world_to_screen(end)
-        draw_capsule(self._field, a, b, half, colour)
+        (left, right), (top, bottom) = (sorted(ends) for ends in zip(a, b, strict=True))
+        across = left - half < self.seen.right and right + half > self.seen.left
+        if across and top - half < self.seen.bottom and bottom + half > self.seen.top:
+            draw_capsule(self._field, a, b, half, colour)
 
     def line(self, start: XY, end: XY, colour: Colour) -> None:
         """Draw a thin line."""
@@ -237,15 +242,21 @@ class Picture:
 
     def lines(self, starts: Vector, ends: Vector, colour: Colour) -> None:
         """Draw many thin lines between points of shape (N, 2), m; faster than one by one."""
-        for a, b in zip(self.camera.places_of(starts), self.camera.places_of(ends), strict=True):
-            pygame.draw.line(self._field, colour, a, b, self.window.px(2))
+        width, many = (
+            self.window.px(2),
+            [self.camera.places_of(ps).tolist() for ps in (starts, ends)],
+        )
+        for a, b in zip(*many, strict=True):
+            pygame.draw.line(self._field, colour, a, b, width)
 
     def trail(self, places: Sequence[XY], colour: Colour, ground: Colour = BACKGROUND) -> None:
         """Draw the way that something has come, out of the ground into its colour."""
-        way = [self.camera.world_to_screen(place) for place in places]
-        for k in range(1, len(way)):
-            faded = blend(ground, colour, k / len(way))
-            pygame.draw.line(self._field, faded, way[k - 1], way[k], self.window.px(2))
+        if len(places) < 2:
+            return
+        way, width = self.camera.places_of(np.array(places)).tolist(), self.window.px(2)
+        shades = _shades(ground, colour, len(way))
+        for start, end, faded in zip(way, way[1:], shades, strict=False):
+            pygame.draw.line(self._field, faded, start, end, width)
 
     def arrow(self, tail: XY, along: XY, colour: Colour, width: float = 3.0) -> None:
         """Draw an arrow from `tail` to `tail` + `along`, m."""
@@ -265,6 +276,15 @@ class Picture:
         """Write a line at a point of the world."""
         place = self.camera.world_to_screen(point)
         self.window.text(words, place, colour=colour, size=size, anchor=anchor)
+
+    def label(self, words: str, point: XY, colour: Colour) -> None:
+        """Write a line that begins at a point of the world, on a dark ground, over bodies."""
+        x, y = self.camera.world_to_screen(point)
+        high = self.window.px(SMALL_TEXT_SIZE)
+        box = pygame.Rect(0, 0, self.window.width(words, SMALL_TEXT_SIZE), high)
+        box.midleft = round(x), round(y)
+        self._field.fill(BACKGROUND, box.inflate(self.window.px(8), 0))
+        self.window.text(words, (x, y), colour=colour, size=SMALL_TEXT_SIZE, anchor="midleft")
 
     def notice(self, words: str) -> None:
         """Write words in a box in the middle of the field, over everything; no words, no box."""
@@ -305,6 +325,12 @@ def moved(point: XY, position: XY, angle: float) -> XY:
     c, s = math.cos(angle), math.sin(angle)
     x, y = point
     return position[0] + c * x - s * y, position[1] + s * x + c * y
+
+
+@cache
+def _shades(ground: Colour, colour: Colour, count: int) -> list[Colour]:
+    """Return the colours from a ground to a colour, without the ground."""
+    return [blend(ground, colour, k / count) for k in range(1, count)]
 
 
 @cache

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from lesson_code.view.pygame.program import MOUSE, Input
+from lesson_code.view.pygame.game import MOUSE, Input
 
 VERSION = 1
 KINDS = ("press", "release", "set", "keep", "restore", "forget", "show", "open", *MOUSE)

@@ -16,9 +16,10 @@ from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.formulas.arithmetic import whole_parts
+from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.ledger import Ledger
 from lesson_code.view.pygame.picture import FIELD_SIZE, Camera
-from lesson_code.view.pygame.program import Game, Input, Program, Readings
+from lesson_code.view.pygame.program import Program, Readings
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.window import pygame
 
@@ -435,6 +436,7 @@ ACTIONS = (
     _shows("i", "impulses, with values", "impulses"),
     _shows("x", "centre of mass", "centre"),
     _shows("j", "energy and its parts", "energy"),
+    _shows("t", "colours and arrows: their key", "legend"),
     _shows("tab", "sliders", "sliders"),
     Action("r", "set-up", "start again: your set-up", Session.restart),
     Action("s", "set-up", "keep this as your set-up", Session.keep),

@@ -120,6 +120,7 @@ class Window:
         self._clock = pygame.time.Clock()
         self._size = surface.get_size()
         self._written = lru_cache(KEPT_LINES)(self._write)
+        self._measured = lru_cache(KEPT_LINES)(_width)
 
     @property
     def unit(self) -> float:
@@ -159,7 +160,7 @@ class Window:
 
     def width(self, words: str, size: float = TEXT_SIZE) -> int:
         """Return the width of a line, px."""
-        return letters(self._letters(size)).size(words)[0]
+        return self._measured(words, self._letters(size))
 
     def wrapped(self, words: str, width: float, size: float = TEXT_SIZE) -> list[str]:
         """Return words in lines that are no wider than `width` px; a long word has its own line."""
@@ -278,6 +279,11 @@ def letters(size: int) -> pygame.font.Font:
     if found is None or found.origin is None:
         return pygame.font.Font(None, size)
     return pygame.font.Font(Path(found.origin).parent / "mpl-data" / DEJAVU, size)
+
+
+def _width(words: str, size: int) -> int:
+    """Return the width of a line in letters of a size, px."""
+    return letters(size).size(words)[0]
 
 
 def blend(colour: Colour, other: Colour, part: float) -> Colour:

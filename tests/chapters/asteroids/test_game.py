@@ -9,7 +9,7 @@ import pytest
 
 from lesson_code.chapters.asteroids.game import LIVES, PROGRAM, WAVES, Asteroids
 from lesson_code.engine.live_world import TIME_STEP
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.game import Input
 
 from ..conftest import run
 

@@ -21,9 +21,10 @@ from lesson_code.chapters.billiards.rules import (
     TIME_STEP,
 )
 from lesson_code.view.pygame.frame import play
+from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import ImpactEffects, Input
+from lesson_code.view.pygame.program import ImpactEffects
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import PURPLE, Window, pygame

@@ -8,7 +8,7 @@ import pytest
 
 from lesson_code.chapters.cradle.game import PIVOT_HEIGHT, Cradle
 from lesson_code.chapters.cradle.rules import STRING
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.game import Input
 
 from ..conftest import deepest_overlap, run
 

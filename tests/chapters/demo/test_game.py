@@ -6,8 +6,8 @@ import pytest
 
 from lesson_code.chapters.demo import game as demo
 from lesson_code.chapters.demo.game import Demo
+from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.window import Window
 
 from ..conftest import run
@@ -119,7 +119,7 @@ def test_demo_answer_comes_after_the_scene(
 ) -> None:
     """The question at once, the answer four seconds later; R asks again."""
     told: list[str] = []
-    monkeypatch.setattr(Picture, "text", lambda _, words, *__, **___: told.append(words))
+    monkeypatch.setattr(Picture, "label", lambda _, words, *__, **___: told.append(words))
     game = Demo(0)
     for steps, lines in ((0, 1), (240, 2)):
         run(game, steps)

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from lesson_code.chapters.dominoes.game import FLOOR, PROGRAM, Dominoes
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.game import Input
 
 from ..conftest import run
 

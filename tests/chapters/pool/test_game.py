@@ -6,7 +6,7 @@ import pytest
 
 from lesson_code.chapters.pool.game import HEAD, MASS, PROGRAM, Pool
 from lesson_code.chapters.pool.game import Rules as PoolRules
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.game import Input
 
 from ..conftest import deepest_overlap, run
 

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from lesson_code.chapters.simulator.game import HEIGHT, WIDTH, Simulator
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.game import Input
 
 from ..conftest import deepest_in_room, deepest_overlap, energy, run
 

@@ -10,7 +10,7 @@ from tiers import share
 
 from lesson_code.chapters.soft_body.contacts import Skins, Walls, resolve
 from lesson_code.chapters.soft_body.game import RADIUS, SoftBody
-from lesson_code.view.pygame.program import Input
+from lesson_code.view.pygame.game import Input
 
 from ..conftest import run
 

@@ -15,9 +15,9 @@ from lesson_code.engine.compiled import choice
 from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.view.pygame.frame import FILM_HEIGHT, play
+from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import SLOW_MOTION, Session
 from lesson_code.view.pygame.window import Window, pygame

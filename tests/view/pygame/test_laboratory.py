@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.view.pygame.game import Game
 from lesson_code.view.pygame.laboratory import LARGEST_ARROW, MOST_VALUES
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Game
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import Window, open_window, pygame

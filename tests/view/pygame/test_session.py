@@ -13,9 +13,9 @@ import pytest
 
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.view.pygame.frame import MachineCode, _do_wanted, free_name, play
+from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
 from lesson_code.view.pygame.picture import Picture
-from lesson_code.view.pygame.program import Input
 from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import ACTIONS, SLIDERS, STEPS_A_SAVE, Session
 from lesson_code.view.pygame.window import Window, pygame
