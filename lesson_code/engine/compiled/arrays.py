@@ -141,8 +141,8 @@ def write_numbers(table: Any, numbers: NDArray[np.float64]) -> None:
         for place, name in enumerate(table.dtype.names or ()):
             numbers[:, place] = table[name]
     elif table:
-        names = [field.name for field in dataclasses.fields(table[0])]
-        numbers[:] = [[getattr(row, name) for name in names] for row in table]
+        kind: Any = type(table[0])
+        numbers[:] = list(map(_values_of(kind), table))
 
 
 def lengthened(table: NDArray[Any], rows: int) -> NDArray[Any]:
