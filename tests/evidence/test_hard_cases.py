@@ -32,6 +32,7 @@ from lesson_code.evidence.hard_cases import (
     family,
     family_by_name,
     installed_engines,
+    loads,
     measure_hard_cases,
     replay,
     run_draw,
@@ -40,6 +41,7 @@ from lesson_code.evidence.hard_cases import (
     stored,
     summed_up,
 )
+from lesson_code.evidence.hard_cases.measures import DT, pair_forces
 from lesson_code.parallel import WorkerDiedError
 
 FEWEST = 70
@@ -84,6 +86,18 @@ def test_seeded_draws_hold_the_law(name: str) -> None:
     """One family of some themes in the quick tier, too."""
     for seed in range(tiers.share(3)):
         assert run_draw(family_by_name(name), OURS, seed).held
+
+
+def test_pair_forces_of_a_step_in_parts_sums_the_impulses_of_all_parts() -> None:
+    """The load of seed 520026 has an impact in its last step; F = m (g + dv/dt) over both parts."""
+    scene = loads.loaded(Draw(seeded("forces-under-load", 520026)))
+    run = Trial(OURS).run(scene, 1.0, sample=None)
+    masses = [float(body.mass or 0.0) for body in scene.bodies[1:]]
+    forces = pair_forces(run)
+    change = (run.velocities[-1] - run.velocities[-2])[1:, 1] / DT
+    assert forces[0, 1] == pytest.approx(
+        sum(m * (10.0 + a) for m, a in zip(masses, change, strict=True)), rel=1e-9
+    )
 
 
 def test_known_failures_are_families() -> None:
