@@ -233,3 +233,29 @@ def uses_up_the_rest(position: Vector, velocity: Vector, elapsed: float) -> Any:
         position, velocity, found = step(position, velocity, dt)
         hits += found
     return position, velocity, hits, 0.0
+
+
+@wrong_model("B.1", "On a screen: is y = 0 at the top or at the bottom?")
+def y_points_upwards(position: Vector) -> Any:
+    """The top of the table is where y is largest."""
+    x, y = position
+    depths = {
+        "top": y + RADIUS - HEIGHT,
+        "bottom": RADIUS - y,
+        "left": RADIUS - x,
+        "right": x + RADIUS - WIDTH,
+    }
+    return [(name, NORMALS[name], depth) for name, depth in depths.items() if depth > 0]
+
+
+@wrong_model(
+    "B.2", "You projected on a unit vector. In which unit is your number, and how far may it go?"
+)
+def length_taken_for_a_part(position: Vector) -> Any:
+    """The way along the bumper goes from 0 to 1."""
+    along = (BUMPER_END - BUMPER_START) / np.hypot(*(BUMPER_END - BUMPER_START))
+    part = min(max((position - BUMPER_START) @ along, 0.0), 1.0)
+    away = position - BUMPER_START - part * along
+    distance = np.hypot(*away)
+    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
+    return (away / distance, depth) if depth > 0 else None

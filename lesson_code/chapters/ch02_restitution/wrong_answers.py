@@ -161,3 +161,14 @@ def falls_shrink_like_heights(height: float, restitution: float, gravity: float)
 def speeds_added_up(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
     """Approach and separation are sums of speeds, whichever way each body goes."""
     return (abs(v1_after) + abs(v2_after)) / (abs(v1) + abs(v2))
+
+
+@wrong_model("2.3", "In the second turn of your loop: which power of e do you multiply by?")
+def squares_again_each_time(height: float, restitution: float, count: int) -> list[float]:
+    """Each bounce squares the factor once more."""
+    heights, factor = [], restitution
+    for _ in range(int(count)):
+        factor = factor * factor
+        height = height * factor
+        heights.append(height)
+    return heights

@@ -148,3 +148,15 @@ def bounces_when_leaving(
     """Whatever overlaps is bounced, whichever way it moves."""
     v_n = np.dot(velocity, normal)
     return position + depth * normal, velocity - (1 + restitution) * v_n * normal
+
+
+@wrong_model(
+    "3.2", "Tilt the wall. Is it still one component alone that is turned round and shrinks?"
+)
+def bounces_along_an_axis(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """A wall turns round the component of the axis that it faces most, and multiplies it by e."""
+    after = np.array(velocity, dtype=float)
+    if after @ normal < 0:
+        axis = int(np.argmax(np.abs(normal)))
+        after[axis] = -restitution * after[axis]
+    return after

@@ -280,3 +280,10 @@ def hits_when_leaving(
     jn = -(1 + restitution) * v_n
     jt = np.clip(-v_t / 3, -friction * abs(jn), friction * abs(jn))
     return velocity + jn * normal + jt * tangent, w - 2 * jt / radius
+
+
+@wrong_model("5.4", "Push a box harder than friction can hold. Does it slide without any friction?")
+def none_beyond_the_limit(vt: float, jn: float, friction: float, k: float) -> float:
+    """Friction that cannot hold lets go."""
+    needed = -vt / k
+    return needed if abs(needed) <= friction * jn else 0.0

@@ -324,3 +324,34 @@ def cuts_the_end_always(start: Vector, end: Vector, normal: Vector, offset: floa
 )
 def depth_of_the_last_axis() -> None:
     """The depth is what stands in the variable when all axes have been tried."""
+
+
+@wrong_model("6.1", "Draw a long triangle. Does your axis stand at right angles to its edge?")
+def from_the_middle_to_the_edges(vertices: Vector) -> Any:
+    """The axes run from the middle of the polygon to the middles of its edges."""
+    ends = np.roll(vertices, -1, axis=0)
+    axes = [(a + b) / 2 - vertices.mean(axis=0) for a, b in zip(vertices, ends, strict=True)]
+    edges = (ends - vertices).any(axis=1)
+    return [
+        axis / np.hypot(*axis) for axis, has_length in zip(axes, edges, strict=True) if has_length
+    ]
+
+
+@wrong_model("6.5", "The segment comes in from outside. Which of your two points comes first?")
+def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """First the ends that are inside, then the cut."""
+    at_start, at_end = start @ normal - offset, end @ normal - offset
+    if at_start > 0 and at_end > 0:
+        return None
+    cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
+    return (end, cut) if at_start > 0 else (start, cut)
+
+
+@wrong_model("6.4", "Move both far to the right. Does the way from A to B turn round by that?")
+def as_seen_from_the_origin(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The normal points to the side of the origin where B lies."""
+    found = both_ways_along_each_axis.function(vertices_a, vertices_b)
+    if found is None:
+        return None
+    normal, depth = found
+    return (normal if vertices_b.mean(axis=0) @ normal > 0 else -normal), depth

@@ -211,3 +211,19 @@ def sticks_together(masses: Vector, velocities: Vector) -> Any:
     if (v[:-1] <= v[1:]).all():
         return v
     return np.full(len(v), masses @ v / masses.sum())
+
+
+@wrong_model("9.1", "Three boxes stand on the lowest. How many of them does it carry?")
+def the_next_box_alone(masses: Vector, gravity: float) -> Any:
+    """A box carries the one above it, and that one the next."""
+    above = [*list(masses)[1:], 0.0]
+    return [(m + n) * gravity for m, n in zip(masses, above, strict=True)]
+
+
+@wrong_model("9.3", "The tip slides twice as fast. Is the friction twice as large?")
+def grows_with_the_sliding(vn: float, vt: float, knn: float, knt: float, friction: float) -> Any:
+    """Friction is in proportion to the speed of the sliding."""
+    if vn >= 0:
+        return 0.0
+    share = knn - friction * vt * knt
+    return None if share <= 0 else -vn / share

@@ -281,3 +281,13 @@ def turns_back_in_y_only(
     if 0 < top < duration:
         y.append(position[1] + velocity[1] * top + gravity[1] * top * top / 2)
     return min(x) - radius, max(x) + radius, min(y) - radius, max(y) + radius
+
+
+@wrong_model("10.2", "A rough disc on ice: does one rough body make friction?")
+def each_body_by_itself(bodies: Any, gravity: Any) -> list[str]:
+    """One rough body calls for friction, and one that bounces for restitution."""
+    rubs, bounces = any(body[3] > 0 for body in bodies), any(body[2] > 0 for body in bodies)
+    corners = any(body[0] > 0 and body[1] > 0 for body in bodies)
+    turns = corners or rubs or any(body[4] != 0 for body in bodies)
+    found = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
+    return [name for name, is_needed in found.items() if is_needed]

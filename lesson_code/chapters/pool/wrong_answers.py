@@ -179,3 +179,29 @@ def changed_within_the_round(
             v[a] -= change
             v[b] += change
     return v
+
+
+@wrong_model("P.2", "Push a book at its edge and at its middle. Does its centre move less fast?")
+def spin_takes_a_part(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A stroke beside the centre moves the ball less, since a part of it makes the spin."""
+    part = np.sqrt(max(0.0, 1 - (offset / radius) ** 2))
+    spin = -offset * np.hypot(*impulse) / (0.4 * mass * radius**2)
+    return np.asarray(impulse) / mass * part, spin
+
+
+@wrong_model("P.3", "Two balls touch and part. Does their pair count in your division?")
+def all_that_touch_count(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """An impulse is divided by how many balls are touched."""
+    pairs, v = _touching(positions, radius), velocities.copy()
+    busy = np.bincount([ball for a, b, _ in pairs for ball in (a, b)], minlength=len(v))
+    for _ in range(ROUNDS):
+        changes = np.zeros_like(v)
+        for a, b, normal in pairs:
+            approach = max(np.dot(v[a] - v[b], normal), 0.0)
+            change = (1 + restitution) / 2 * approach / max(busy[a], busy[b]) * normal
+            changes[a] -= change
+            changes[b] += change
+        v += changes
+    return v

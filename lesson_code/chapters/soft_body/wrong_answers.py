@@ -203,3 +203,35 @@ def springs_left_open(
     pull = (stiffness * (distance - length) + damping * faster)[:, None] * u
     pull[-1] = 0.0
     return pull - np.roll(pull, 1, axis=0)
+
+
+@wrong_model(
+    "S.2", "Two masses come nearer. Which way does your damper act: is it ever turned round?"
+)
+def damps_the_speed(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """A damper pulls in proportion to the speed between its ends, whichever way that is."""
+    distance, u = _directions(positions)
+    speed = np.hypot(*(_next(velocities) - velocities).T)
+    pull = (stiffness * (distance - length) + damping * speed)[:, None] * u
+    return pull - np.roll(pull, 1, axis=0)
+
+
+@wrong_model(
+    "S.3", "Which way does the gas push an edge: away from the middle, or at right angles?"
+)
+def edges_away_from_the_middle(positions: Vector, area: float, stiffness: float) -> Any:
+    """Pressure pushes every edge away from the middle."""
+    away = (positions + _next(positions)) / 2 - positions.mean(axis=0)
+    length, _ = _directions(positions)
+    pressure = stiffness * (area / ring_area(positions) - 1)
+    far = np.maximum(np.hypot(*away.T), LEAST_LENGTH)
+    half = (pressure * length / far / 2)[:, None] * away
+    return half + np.roll(half, 1, axis=0)
+
+
+@wrong_model("S.4", "You divide all forces by the mass. Was g a force?")
+@edited(force_by_force, {"-BLOB.gravity": "-BLOB.gravity / BLOB.mass"})
+def gravity_over_the_mass() -> None:
+    """Gravity is added to the forces as it is given."""

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from course.recognition.hobbyists import FIFTH
+from course.recognition.mathematicians import SEVENTH
 from course.recognition.newcomers import FIRST, FOURTH, SECOND, THIRD
 from course.recognition.pupils import SIXTH
 from course.recognition.students import WRONG, Wrong
@@ -91,8 +92,9 @@ def is_right(wrong: Wrong, verdict: Verdict) -> bool:
         *(WRONG, FIRST, SECOND, THIRD, FOURTH),
         pytest.param(FIFTH, marks=pytest.mark.full),
         pytest.param(SIXTH, marks=pytest.mark.full),
+        pytest.param(SEVENTH, marks=pytest.mark.full),
     ],
-    ids=["students", "first", "second", "third", "fourth", "fifth", "sixth"],
+    ids=["students", "first", "second", "third", "fourth", "fifth", "sixth", "seventh"],
 )
 def test_wrong_answers_by_hand_are_recognised_nine_times_in_ten(answers: tuple[Wrong, ...]) -> None:
     """Of wrong answers written by hand at least nine in ten are explained, and none wrongly."""
