@@ -237,6 +237,8 @@ except ValueError as refused:
     print(refused)
 
 # %% [markdown]
+# ## 5 How fast can a body become?
+#
 # How does it know before the hit? Impacts change speeds. But without gravity, driven walls and
 # corners that rub (chapter 09), the *energy* of all bodies never grows. At worst the lightest body
 # gets all of it. How fast is it then?
@@ -259,7 +261,7 @@ check("your bound, m in a step", fastest(800, 0.01) / 60, way, tolerance=1e-12)
 # %% [markdown]
 # With gravity there is no such bound, and the engine always watches.
 #
-# ## 5 What it saves, and what you wait for
+# ## 6 What it saves, and what you wait for
 #
 # How much time does a superfluous effect cost? The times are stored, since they differ in each run;
 # `workbook measure effects` takes them on your machine.
@@ -296,9 +298,9 @@ print(WholeRuns.stored().as_text(100))
 # fresh process it stays ahead up to 1,000 discs; from 10,000 on the steps decide, and what a plan
 # leaves out of them. Where the last table says NO, we missed our aim.
 #
-# ## 6 Quiz
+# ## 7 Quiz
 #
-# The last question is about section 8.
+# The last question is about section 9.
 
 # %%
 show_quiz("10")
@@ -311,13 +313,13 @@ show_quiz("10")
 # - A rule has to be conservative. To call for too much costs time; to call for too little is wrong.
 # - A slow body may be fast after the next impact; the energy bounds how fast.
 #
-# ## 7 Appendix: can two flights meet?
+# ## 8 Appendix: can two flights meet?
 #
 # A cheap rule puts a **box** around each flight. If two boxes share no point, their discs cannot
 # meet. If they share a part, the discs may still pass it at different times, and the rule calls for
 # collisions all the same: it errs on the harmless side.
 #
-# ## 8 Appendix: islands that sleep
+# ## 9 Appendix: islands that sleep
 #
 # The engine works out the contacts of a body at rest, to learn that nothing happens. So it lets
 # bodies **sleep**, an island at a time. An **island** is a set of bodies that hang together by

@@ -348,10 +348,12 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
 
 
 @wrong_model("6.4", "Move both far to the right. Does the way from A to B turn round by that?")
-def as_seen_from_the_origin(vertices_a: Vector, vertices_b: Vector) -> Any:
+@edited(
+    both_ways_along_each_axis,
+    {
+        "return best": "side = best and np.sign(vertices_b.mean(axis=0) @ best[0])\n"
+        "    return best and (side * best[0], best[1])"
+    },
+)
+def as_seen_from_the_origin() -> None:
     """The normal points to the side of the origin where B lies."""
-    found = both_ways_along_each_axis.function(vertices_a, vertices_b)
-    if found is None:
-        return None
-    normal, depth = found
-    return (normal if vertices_b.mean(axis=0) @ normal > 0 else -normal), depth

@@ -11,7 +11,6 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters.ch07_time_of_impact.right_answers import (
-    called_again_for_the_rest,
     from_hit_to_hit,
     pair_by_pair,
     with_the_quadratic_formula,
@@ -392,9 +391,3 @@ def nearest_approach_if_near_enough(
         return 0.0
     t = -(d @ v) / (v @ v)
     return t if t <= dt and (d + v * t) @ (d + v * t) <= (r1 + r2) ** 2 else None
-
-
-@wrong_model("7.3", "After the second wall: how much of the step have both flights used up?")
-@edited(called_again_for_the_rest, {"left - times.min())": "dt - times.min())"})
-def rest_of_the_whole_step() -> None:
-    """After each impact the whole step is left but for the last flight."""

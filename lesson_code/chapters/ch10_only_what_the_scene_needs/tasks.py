@@ -362,7 +362,7 @@ TASKS = (
     Task(
         id="10.3",
         function="fastest_way",
-        section=4,
+        section=5,
         objective="How far a body can move in a step, from the energy of all.",
         expected=_fastest_way,
         criteria=(
@@ -375,7 +375,7 @@ TASKS = (
     Task(
         id="10.4",
         function="box_of_flight",
-        section=7,
+        section=8,
         objective="The box that a flight stays in.",
         expected=_box_of_flight,
         criteria=(
@@ -388,7 +388,7 @@ TASKS = (
     Task(
         id="10.5",
         function="bodies_asleep",
-        section=8,
+        section=9,
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
         criteria=(

@@ -255,10 +255,14 @@ def floors_sleep(inverse_masses: Vector, still: Vector, touches: Table) -> list[
 @wrong_model("10.2", "A rough disc rolls down a slope. You cannot see it turn; does it?")
 def only_corners_turn(bodies: Any, gravity: Any) -> list[str]:
     """Only a body with corners can be seen to turn, so a disc needs no rotation."""
-    called_for = asks_effect_by_effect.function(bodies, gravity)
-    names = [name for name in called_for if name != "rotation"]
-    turns = any(body[0] > 0 and body[1] > 0 for body in bodies)
-    return [*names, "rotation"] if turns else names
+    pairs = [(a, b) for n, a in enumerate(bodies) for b in bodies[n + 1 :] if a[0] > 0 or b[0] > 0]
+    found = {
+        "friction": any(a[3] * b[3] > 0 for a, b in pairs),
+        "gravity": any(gravity),
+        "restitution": any(min(a[2], b[2]) > 0 for a, b in pairs),
+        "rotation": any(body[0] > 0 and body[1] > 0 for body in bodies),
+    }
+    return [name for name, is_needed in found.items() if is_needed]
 
 
 @wrong_model("10.3", "With all the momenta, what energy would the lightest have? Is there so much?")

@@ -104,12 +104,17 @@ def _falling(stream: Random, height: float, velocity: draws.Vector, steps: int) 
     return ring, (velocity,) * MASSES, edge, AREA, steps
 
 
+WIDER = 1.3
+"""Width of the squashed ring over its height, at least: it is 1.6 when it is flattest."""
+
+
 def keeps_area(answer: Any) -> list[bool]:
-    """Return whether the area is kept, and no mass is below the floor."""
+    """Return whether the area is kept, no mass is below the floor, and the blow has squashed it."""
     positions = np.asarray(answer[0], dtype=float)
     area = cross(positions.T, np.roll(positions, -1, axis=0).T).sum() / 2
     is_kept = abs(area / AREA - 1) <= KEPT
-    return [bool(is_kept), bool(positions[:, 1].min() >= 0)]
+    width, height = np.ptp(positions, axis=0)
+    return [bool(is_kept), bool(positions[:, 1].min() >= 0), bool(width >= WIDER * height)]
 
 
 def is_damped(answer: Any) -> list[bool]:

@@ -38,7 +38,8 @@ def test_keeps_area_holds_of_every_fall_by_the_rules() -> None:
     """The right answer keeps its area at its landing."""
     for seed in range(share(FALLS)):
         for fall in landings(Random(seed)):  # noqa: S311
-            assert keeps_area(drop(*fall)) == [True, True]
+            assert keeps_area(drop(*fall)) == [True, True, True]
+            assert keeps_area(fall[:2]) == [True, True, False], "a ring that has not fallen"
 
 
 @pytest.mark.parametrize("blob", [replace(BLOB, air=0.0), replace(BLOB, damping=0.0)])
