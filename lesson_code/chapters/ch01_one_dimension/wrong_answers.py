@@ -71,7 +71,7 @@ def weights_exchanged(m1: float, v1: float, m2: float, v2: float) -> tuple[float
 def keeps_energy(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
     """Sticking together keeps the kinetic energy."""
     v = ((m1 * v1**2 + m2 * v2**2) / (m1 + m2)) ** 0.5
-    return v, v
+    return (v, v) if m1 * v1 + m2 * v2 >= 0 else (-v, -v)
 
 
 @wrong_model("1.2", "The first body is still there after the collision. Which mass now moves?")
@@ -103,13 +103,6 @@ def impulse_on_the_first(m1: float, v1: float, m2: float, v2: float) -> float:
 def ignores_second_velocity(m1: float, v1: float, m2: float, v2: float) -> float:
     """Only the first body's velocity makes the blow."""
     return 2 * v1 * m1 * m2 / (m1 + m2)
-
-
-@wrong_model("1.2", "Two lumps of clay meet head on and stick. Where did their energy go?")
-def energy_of_both_kept(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
-    """Bodies that stick together keep their kinetic energy."""
-    v = ((m1 * v1 * v1 + m2 * v2 * v2) / (m1 + m2)) ** 0.5
-    return (v, v) if m1 * v1 + m2 * v2 >= 0 else (-v, -v)
 
 
 @wrong_model("1.3", "A ball meets a truck at rest. Does it stop dead, whatever the truck's mass?")

@@ -26,7 +26,7 @@ def elastic_1d(m1, v1, m2, v2):
         "1.2",
         "The student believes that kinetic energy is conserved even when the bodies stick "
         "together, and solves the energy equation for the common velocity",
-        ("energy_of_both_kept", "keeps_energy"),
+        ("keeps_energy",),
         """
 from math import sqrt
 

@@ -25,7 +25,7 @@ def elastic_1d(m1, v1, m2, v2):
         "1.2",
         "The student believes that kinetic energy is what survives when the bodies stick "
         "together, and gets the common speed from it",
-        ("energy_of_both_kept", "keeps_energy"),
+        ("keeps_energy",),
         """
 import math
 
