@@ -345,15 +345,3 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
         return None
     cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
     return (end, cut) if at_start > 0 else (start, cut)
-
-
-@wrong_model("6.4", "Move both far to the right. Does the way from A to B turn round by that?")
-@edited(
-    both_ways_along_each_axis,
-    {
-        "return best": "side = best and np.sign(vertices_b.mean(axis=0) @ best[0])\n"
-        "    return best and (side * best[0], best[1])"
-    },
-)
-def as_seen_from_the_origin() -> None:
-    """The normal points to the side of the origin where B lies."""

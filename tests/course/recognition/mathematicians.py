@@ -352,7 +352,7 @@ def sat_axes(vertices):
         "6.4",
         "Decides which way the normal points by where B lies as seen from the origin, not as "
         "seen from A",
-        ("as_seen_from_the_origin",),
+        ("direction_from_the_centres",),
         """
 import numpy as np
 
