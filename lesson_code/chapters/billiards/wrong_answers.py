@@ -70,15 +70,20 @@ def endless_half_plane(position: Vector) -> Any:
     return (normal, depth) if depth > 0 else None
 
 
+def _beside(position: Vector, nearest: Vector) -> Any:
+    """Return normal and depth of a ball at the point of the bumper that is taken as nearest."""
+    offset = position - nearest
+    distance = np.hypot(offset[0], offset[1])
+    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
+    return (offset / distance, depth) if depth > 0 else None
+
+
 @wrong_model("B.2", "Roll a ball past the end of the bumper. Does the line go on for ever?")
 def endless_line(position: Vector) -> Any:
     """The bumper goes on beyond its ends."""
     along = BUMPER_END - BUMPER_START
     part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
-    offset = position - (BUMPER_START + part * along)
-    distance = np.hypot(offset[0], offset[1])
-    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
-    return (offset / distance, depth) if depth > 0 else None
+    return _beside(position, BUMPER_START + part * along)
 
 
 @wrong_model("B.2", "Come from the other side. Which way should the bumper push you there?")
@@ -217,10 +222,7 @@ def goes_on_beyond_one_end(position: Vector) -> Any:
     """Only the start of the bumper is an end."""
     along = BUMPER_END - BUMPER_START
     part = max((position - BUMPER_START) @ along / (along @ along), 0.0)
-    away = position - BUMPER_START - part * along
-    distance = np.hypot(*away)
-    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
-    return (away / distance, depth) if depth > 0 else None
+    return _beside(position, BUMPER_START + part * along)
 
 
 @wrong_model("B.5", "Two frames of half a step, or one of a whole step: the same table afterwards?")
@@ -255,7 +257,4 @@ def length_taken_for_a_part(position: Vector) -> Any:
     """The way along the bumper goes from 0 to 1."""
     along = (BUMPER_END - BUMPER_START) / np.hypot(*(BUMPER_END - BUMPER_START))
     part = min(max((position - BUMPER_START) @ along, 0.0), 1.0)
-    away = position - BUMPER_START - part * along
-    distance = np.hypot(*away)
-    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
-    return (away / distance, depth) if depth > 0 else None
+    return _beside(position, BUMPER_START + part * along)

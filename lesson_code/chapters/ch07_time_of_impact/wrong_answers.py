@@ -380,14 +380,9 @@ def steps_in_time(mass_ratio: float) -> int:
 
 
 @wrong_model("7.1", "When their centres are nearest, have the rims not met long before?")
-def nearest_approach_if_near_enough(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(
+    nearest_approach,
+    {"    t = -": "    if d @ d <= (r1 + r2) ** 2:\n        return 0.0\n    t = -"},
+)
+def nearest_approach_if_near_enough() -> None:
     """Circles whose centres come near enough meet when they are nearest."""
-    d, v = p2 - p1, v2 - v1
-    if d @ v >= 0:
-        return None
-    if d @ d <= (r1 + r2) ** 2:
-        return 0.0
-    t = -(d @ v) / (v @ v)
-    return t if t <= dt and (d + v * t) @ (d + v * t) <= (r1 + r2) ** 2 else None

@@ -253,16 +253,9 @@ def floors_sleep(inverse_masses: Vector, still: Vector, touches: Table) -> list[
 
 
 @wrong_model("10.2", "A rough disc rolls down a slope. You cannot see it turn; does it?")
-def only_corners_turn(bodies: Any, gravity: Any) -> list[str]:
+@edited(asks_effect_by_effect, {"w.any() or ": "", " or (m.any() and rubs)": ""})
+def only_corners_turn() -> None:
     """Only a body with corners can be seen to turn, so a disc needs no rotation."""
-    pairs = [(a, b) for n, a in enumerate(bodies) for b in bodies[n + 1 :] if a[0] > 0 or b[0] > 0]
-    found = {
-        "friction": any(a[3] * b[3] > 0 for a, b in pairs),
-        "gravity": any(gravity),
-        "restitution": any(min(a[2], b[2]) > 0 for a, b in pairs),
-        "rotation": any(body[0] > 0 and body[1] > 0 for body in bodies),
-    }
-    return [name for name, is_needed in found.items() if is_needed]
 
 
 @wrong_model("10.3", "With all the momenta, what energy would the lightest have? Is there so much?")
@@ -288,10 +281,12 @@ def turns_back_in_y_only(
 
 
 @wrong_model("10.2", "A rough disc on ice: does one rough body make friction?")
-def each_body_by_itself(bodies: Any, gravity: Any) -> list[str]:
+@edited(
+    asks_effect_by_effect,
+    {
+        "any(mu[a] * mu[b] > 0 for a, b in pairs)": "mu.any()",
+        "any(e[a] * e[b] > 0 for a, b in pairs)": "e.any()",
+    },
+)
+def each_body_by_itself() -> None:
     """One rough body calls for friction, and one that bounces for restitution."""
-    rubs, bounces = any(body[3] > 0 for body in bodies), any(body[2] > 0 for body in bodies)
-    corners = any(body[0] > 0 and body[1] > 0 for body in bodies)
-    turns = corners or rubs or any(body[4] != 0 for body in bodies)
-    found = {"friction": rubs, "gravity": any(gravity), "restitution": bounces, "rotation": turns}
-    return [name for name, is_needed in found.items() if is_needed]

@@ -242,11 +242,8 @@ class Picture:
 
     def lines(self, starts: Vector, ends: Vector, colour: Colour) -> None:
         """Draw many thin lines between points of shape (N, 2), m; faster than one by one."""
-        width, many = (
-            self.window.px(2),
-            [self.camera.places_of(ps).tolist() for ps in (starts, ends)],
-        )
-        for a, b in zip(*many, strict=True):
+        width, (firsts, lasts) = self.window.px(2), map(self.camera.places_of, (starts, ends))
+        for a, b in zip(firsts.tolist(), lasts.tolist(), strict=True):
             pygame.draw.line(self._field, colour, a, b, width)
 
     def trail(self, places: Sequence[XY], colour: Colour, ground: Colour = BACKGROUND) -> None:
