@@ -300,8 +300,8 @@ def store(world: World, effects: Effects = EVERY_EFFECT, *, islands: list[Island
     """Stop what sticks, and remember the impulses of the forces; then add those of the impacts.
 
     At theta = 1/2 it is the mean velocity of a contact that is 0 where it sticks. What it slid with
-    before, it slides back with after: that is taken from it, which can only cost energy. The
-    bodies move as they would have.
+    before, it slides back with after: that is taken from it, which can only cost energy. So is what
+    a contact slides back with that stops on the way. The bodies move as they would have.
     """
     if midpoint(world.state) < 1.0:
         for island in islands:
@@ -322,13 +322,16 @@ def settle(island: Island, quiet: float) -> None:
     contacts, m = island.contacts, len(island.contacts)
     u = velocities(island)
     rests = [k for k, c in enumerate(contacts) if c.normal_impulse > 0.0 and abs(u[k]) <= quiet]
+    sides = [SIDE.get(c.case, 0.0) for c in contacts]
+    for k, side in enumerate(sides):
+        if island.friction[k] > 0.0 and side * u[m + k] > 0.0:  # friction has turned it round
+            contacts[k].case, sides[k] = STICK, 0.0
     sticks = [m + k for k, c in enumerate(contacts) if c.case == STICK]
     held = np.array(rests + sticks, dtype=int)
     if u[held].any():
         d = np.concatenate((island.scale, island.scale))[held]
         rows = island.delassus[held] * d[:, np.newaxis]
-        sides = np.array([SIDE.get(contacts[k].case, 0.0) for k in rests])
-        edge = sides * island.friction[rests]
+        edge = np.array(sides)[rests] * island.friction[rests]
         equations = rows[:, held] * d
         equations[:, : len(rests)] += rows[:, m + held[: len(rests)]] * (d[: len(rests)] * edge)
         y = d * least_solution(equations, d * u[held])
