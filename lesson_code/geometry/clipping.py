@@ -44,8 +44,9 @@ def collide_outlines(
         gap_x, gap_y = nearest_gap(corners, a, edge_a, b, edge_b)
         gap, to_b_x, to_b_y = direction(gap_x, gap_y, nx, ny)
         # Farther than the face is: corner against corner. Outlines that overlap by a rounding error
-        # have a gap, too, but it points back.
-        if gap + overlap > rounding_error and to_b_x * nx + to_b_y * ny > -0.5:
+        # have a gap, too, but it points back, or anywhere if it is a rounding error itself.
+        is_farther = gap + min(overlap, 0.0) > rounding_error
+        if is_farther and to_b_x * nx + to_b_y * ny > -0.5:
             nx, ny, overlap = to_b_x, to_b_y, -gap
             edge_a = facing_edge(corners, a, nx, ny)
             edge_b = facing_edge(corners, b, -nx, -ny)

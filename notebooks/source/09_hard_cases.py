@@ -86,8 +86,8 @@ live(
 )
 
 # %% [markdown]
-# For 1,000,000 : 1 it takes fourteen million sweeps to bring the rest down to a millionth. So the
-# box is squeezed out, or the load falls through it.
+# For 1,000,000 : 1 it takes fourteen million sweeps to bring the rest down to a millionth. No
+# engine waits that long: the box is squeezed out, or the load falls through it.
 #
 # **What helps.** `solver="direct"` makes no sweeps. It writes down all the contacts of bodies that
 # touch as linear equations with conditions, and solves them together. Here the load is a thousand
@@ -166,8 +166,8 @@ check("pymunk has fallen: 10 sweeps after 11 s, 100 after 14 s", fallen, [True, 
 
 # %% [markdown]
 # **What helps.** More sweeps alone do not: they delay the fall. The direct solver sees all twenty
-# contacts at once. So does a solver with many short steps, in which an error is passed on before it
-# grows.
+# contacts at once. A solver with many short steps helps, too: it passes an error on before it can
+# grow.
 #
 # ## 3 Break it on purpose: a floor made of tiles
 #
@@ -278,8 +278,8 @@ check("direct", run.contacts.normal_impulse.sum(), 1e-3 / 5.5, tolerance=1e-11)
 #
 # ## 5 Two right answers: Newton's cradle
 #
-# Five equal elastic balls hang in a row, in touch. The first comes with 1 m/s. Momentum and energy
-# are two equations for five velocities, so they do **not** say what happens. Two rules:
+# Five equal elastic balls hang in a row, in touch. The first one arrives at 1 m/s. Momentum and
+# energy are two equations for five velocities, so they do **not** say what happens. Two rules:
 #
 # - **One after the other:** 1 strikes 2, 2 strikes 3, and so on. The last one leaves alone.
 # - **All at the same instant,** each contact with e = 1: the first comes back with -3/5, and the
@@ -327,8 +327,9 @@ for moving in range(1, 5):
 # %% [markdown]
 # Which rule does nature take? Neither, quite. The steel balls of a toy cradle give a little under
 # the blow, so several contacts push at the same time: most of the motion reaches the far end, and
-# the balls between drift a little. One after the other comes closest. An engine has to *say* which
-# rule it has. pymunk has neither: it stops after ten sweeps on its way to the second one.
+# the balls between drift a little. One after the other comes closest. An engine has to *say*
+# which rule it follows. pymunk follows neither: after ten sweeps it stops, on its way to the
+# second one.
 
 # %%
 v = simulate(together.cradle(1), 1e-9, dt=1e-9, solver="pymunk", sample="end").velocities[-1, :, 0]
@@ -349,9 +350,9 @@ print("pymunk, 10 sweeps:", *(f"{x:.3f}" for x in v), f"energy {(v * v).sum():.3
 #   share the blow. `impacts="sequential"` passes it on.
 # - **Where bodies touch, or in good time?** The first two impacts of a step come where the bodies
 #   touch, in groups of up to 16 contacts. Others may come a thousandth of a width early.
-# - **Right, or fast?** The contacts of up to 40 bodies of which no more than 24 fall, or of 100
-#   that all stand from the start, are solved at once. The price: a step may take far longer than
-#   one of sweeps. Larger piles get the sweeps, and break the laws that sweeps break.
+# - **Right, or fast?** Our default solves all contacts at once for up to 40 bodies, of which no
+#   more than 24 fall, or for 100 that all stand from the start. The price: a step may take far
+#   longer than one of sweeps. Larger piles get the sweeps, and break the laws that sweeps break.
 #
 # ## 7 Quiz
 
@@ -490,8 +491,8 @@ print(case_plots.least_held(measured).as_text(115))
 # ### What ours does not hold
 #
 # A table in which one engine holds everything would make you suspicious, and rightly. **Which
-# families does our default call not hold?** They are the list of what is to be done; for each, the
-# law, and the worst draw.
+# families does our default call not hold?** The answer is our list of work to do: the law of each
+# family, and its worst draw.
 
 # %%
 for name in measured.not_held("ours"):
@@ -564,8 +565,8 @@ check("exact: change of L", run.angular_momentum - run.angular_momentum[0], 0, t
 # longer than it can be computed. And real boxes of a tower are not rigid.
 #
 # **Do now:** the exercise [09 Hard cases](../exercises/09_hard_cases.ipynb): five tasks, twenty
-# points. **Next:** [10 Only what the scene needs](10_only_what_the_scene_needs.ipynb): what may be
-# left out, and how one knows.
+# points. **Next:** [10 Only what the scene needs](10_only_what_the_scene_needs.ipynb): what you
+# may leave out, and how you know.
 #
 # **Sources.** Stronge, *Impact Mechanics* (2000): the energetic restitution. Kane and Levinson,
 # *Dynamics: Theory and Applications* (1985): impacts that gain energy. Champneys and Várkonyi, *The

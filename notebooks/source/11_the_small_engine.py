@@ -45,10 +45,9 @@ from lesson_code.view.svg.animation import animate
 # %% [markdown]
 # ## 1 The pipeline, with your functions in it
 #
-# The next cell reads your exercises and takes out the functions an engine needs. For each it says
-# whether it is yours, and what marks it has. A function that you have not written yet is lent by
-# the workbook, so that the engine runs in any case. Write it, save the exercise, and run this
-# notebook again.
+# The next cell reads your exercises and takes out the functions that an engine needs. It tells
+# you which of them are yours, and their marks. The workbook lends you what you have not written
+# yet, so the engine runs in any case. Write it, save the exercise, and run this notebook again.
 
 # %%
 yours = own_engine.OwnEngine()
@@ -76,8 +75,8 @@ show(
 #
 # ## 2 A step
 #
-# Your functions need somebody who calls them in the right order. This is that order, from the
-# module `lesson_code.engine.small_engine`. It takes no stage from the workbook's own engine.
+# Something has to call your functions in the right order. Here it is: the module
+# `lesson_code.engine.small_engine`. It takes no stage from the workbook's own engine.
 
 # %%
 print(listing(small_engine, "step", "move"))
@@ -232,8 +231,8 @@ animate(
 )
 
 # %% [markdown]
-# While it ran, each of your answers was compared with the workbook's for the very same bodies. The
-# first difference of each function is named, with its time.
+# While it ran, the workbook answered the same questions for the very same bodies. For each of
+# your functions you see the first answer that differs, and its time.
 
 # %%
 print("\n".join(yours.differences.values()) or "no function of yours answered otherwise")
@@ -242,9 +241,9 @@ apart = float(np.abs(room.positions - lesson.positions).max())
 print("your engine and the lesson's, after 3 s:", "the same" if apart < 1e-6 else f"{apart:.3g} m")
 
 # %% [markdown]
-# The laws do not need anybody's answer to compare with. With e = 0.9 and friction, energy can only
-# go down. **Break it:** open exercise 04, let `separate` move both discs by the whole depth, save,
-# and run this section again. Which line tells you first?
+# To test the laws you need no second engine. With e = 0.9 and friction, energy can only go down.
+# **Break it:** open exercise 04, let `separate` move both discs by the whole depth, save, and run
+# this section again. Which line tells you first?
 
 # %%
 for who, run in (("yours", room), ("the lesson's", lesson)):
@@ -286,8 +285,8 @@ live(
 # %% [markdown]
 # ## 7 Break it on purpose: where a page is not enough
 #
-# Every engine has an edge. Let it build a tower, stop a fast ball with a thin wall, and break a
-# rack.
+# Every engine fails somewhere. Let it build a tower, stop a fast ball with a thin wall, and break
+# a rack.
 
 # %%
 predict("11-edges")
@@ -376,13 +375,13 @@ after_impacts.play(
 # %% [markdown]
 # ## 9 What the workbook's engine adds
 #
-# It has the same stages, and for each edge a chapter:
+# It has the same stages. For each failure that you have just seen, a chapter says what helps:
 #
 # - contacts that last: two points for polygons, sweeps, memory, slop (06);
 # - exact times of impact, and no step at all where discs fly freely (07);
 # - a choice of methods, whose price is known (08);
 # - all contacts of an island at once, and laws that cannot make energy (09);
-# - and nothing of it where the scene does not call for it (10).
+# - and none of these where the scene does not call for it (10).
 
 # %%
 for name, (_, theirs) in both.items():
@@ -417,18 +416,18 @@ show_quiz("11")
 # - **Momentum** decides: what one body loses another gains. Equal impulses, opposite signs; the
 #   change of velocity is J/m, so the heavy one moves less (01).
 # - **Restitution** is a ratio of velocities along the normal. Energy goes with its square (02).
-# - A wall **reflects**: the normal part turns round, the tangent part stays. Only who moves into
-#   the wall is turned (03).
+# - A wall **reflects**: the normal part turns round, the tangent part stays. Only a ball that
+#   moves into the wall is turned round (03).
 # - Two dimensions are one dimension along the **normal**, and friction along the tangent (04).
-# - A contact beside the centre turns bodies. The **effective mass** knows by how much they yield;
+# - A contact beside the centre turns bodies. The **effective mass** says how much they yield;
 #   friction is at most mu jn, and stops sliding but never turns it round (05).
 # - Convex shapes overlap unless some **axis** separates them, and the axis with the least overlap
 #   is the way out (06).
 
 # %% [markdown]
 # - Between collisions everything is known. So a **time of impact** is a root, and exact (07).
-# - An error is a number. Half the step, half the error, is what stepping gives; what more costs can
-#   be measured (08).
+# - An error is a number. Half the step gives half the error; what a better method costs, you can
+#   measure (08).
 # - What is **hard** is what is far apart: masses, sizes, speeds. Say the law and the bound first,
 #   then measure (09).
 # - What a scene does not call for can be left out, and nothing changes, **bit for bit** (10).

@@ -91,7 +91,8 @@ check_task("6.2", project)
 # ## Task 6.3 The overlap of two shadows (3 points)
 #
 # Intervals are pairs (low, high). Return how far B must move along the axis, the shorter way, to
-# be out of A. Return `None` where they do not overlap. Touching is not overlapping.
+# be out of A: a length, whichever way it goes. Return `None` where they do not overlap. Touching
+# is not overlapping.
 
 
 # %% tags=["task"]

@@ -261,6 +261,20 @@ def test_contact_tilted_box_is_deeper_at_its_lower_corner(tilt: float) -> None:
     np.testing.assert_allclose(by_place(contact), expected, atol=ROUNDING)
 
 
+def test_contact_of_a_box_that_lies_flat_but_for_rounding_has_the_normal_of_the_floor() -> None:
+    """The direction of a gap that is a rounding error says nothing: it points anywhere."""
+    rng = np.random.default_rng(20)
+    for _ in range(2000):
+        length, size = 10 ** rng.uniform(0, 3), 10 ** rng.uniform(-2, 0)
+        tilt, lift = rng.choice([-1, 1], 2) * 10 ** rng.uniform(-16, -11, 2)
+        floor = Segment((-length, 0), (length, 0), radius=size / 1000)
+        place = (rng.uniform(-0.5, 0.5) * length, size / 2 + lift, tilt)
+        contact = collide(floor, (0, 0, 0), Polygon.box(size, size), place)
+        assert contact is not None
+        assert abs(contact.normal[0]) <= 2 * abs(tilt)  # the floor's or the box's own
+        assert contact.penetrations == pytest.approx(size / 1000, abs=1e-10)
+
+
 def test_contact_deepest_point_has_the_depth_of_the_overlap() -> None:
     """A corner 0.19 m through a side: cutting the edges does not change the depth."""
     contact = collide(BOX, (0, 0, 0), BOX, (2.2, 0, 0.6))

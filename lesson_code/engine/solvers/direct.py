@@ -269,7 +269,7 @@ def solve(world: World, effects: Effects = EVERY_EFFECT, *, islands: list[Island
         x = np.zeros(2 * m)
         if not any(body.waits for body in island.bodies):
             u = (1.0 - theta) * start_velocities(island) + theta * velocities(island)
-            u[:m] += np.array([gap_of(c) for c in contacts]) / state.dt
+            u[:m] += gaps_left(world, island) / state.dt
             problem = Problem(theta * island.delassus, u, island.friction, island.scale)
             answer = solve_contacts(problem, np.array([c.case for c in contacts]))
             x = answer.impulses
@@ -281,17 +281,32 @@ def solve(world: World, effects: Effects = EVERY_EFFECT, *, islands: list[Island
             c.case = case_of(c)
 
 
+def gaps_left(world: World, island: Island) -> Floats:
+    """Return how far each contact may still close, m, shape (m,).
+
+    A gap counts as closed if what rounding leaves of the velocities opens as much in one step. A
+    light box under a heavy load would rock on its corners for ever.
+    """
+    gap = np.array([gap_of(c) for c in island.contacts])
+    return np.where(gap > world.state.dt * standing_rounding(world, island), gap, 0.0)
+
+
+def standing_rounding(world: World, island: Island) -> float:
+    """Return what rounding leaves of the velocities of an island that stands, m/s."""
+    return rounding_of(island, gravity_of(world.state) * world.state.dt)
+
+
 def store(world: World, effects: Effects = EVERY_EFFECT, *, islands: list[Island]) -> None:
     """Stop what sticks, and remember the impulses of the forces; then add those of the impacts.
 
     At theta = 1/2 it is the mean velocity of a contact that is 0 where it sticks. What it slid with
-    before, it slides back with after: that is taken from it, which can only cost energy. The
-    bodies move as they would have.
+    before, it slides back with after: that is taken from it, which can only cost energy. So is what
+    a contact slides back with that stops on the way. The bodies move as they would have.
     """
     if midpoint(world.state) < 1.0:
         for island in islands:
             if any(c.normal_impulse > 0.0 for c in island.contacts):
-                settle(island, quiet_speed(world.state))
+                settle(island, max(quiet_speed(world.state), standing_rounding(world, island)))
     contact_solver.store(world, effects)
     for c in world.contacts[: world.state.contact_count]:
         c.normal_impulse += c.normal_total
@@ -307,13 +322,16 @@ def settle(island: Island, quiet: float) -> None:
     contacts, m = island.contacts, len(island.contacts)
     u = velocities(island)
     rests = [k for k, c in enumerate(contacts) if c.normal_impulse > 0.0 and abs(u[k]) <= quiet]
+    sides = [SIDE.get(c.case, 0.0) for c in contacts]
+    for k, side in enumerate(sides):
+        if island.friction[k] > 0.0 and side * u[m + k] > 0.0:  # friction has turned it round
+            contacts[k].case, sides[k] = STICK, 0.0
     sticks = [m + k for k, c in enumerate(contacts) if c.case == STICK]
     held = np.array(rests + sticks, dtype=int)
     if u[held].any():
         d = np.concatenate((island.scale, island.scale))[held]
         rows = island.delassus[held] * d[:, np.newaxis]
-        sides = np.array([SIDE.get(contacts[k].case, 0.0) for k in rests])
-        edge = sides * island.friction[rests]
+        edge = np.array(sides)[rests] * island.friction[rests]
         equations = rows[:, held] * d
         equations[:, : len(rests)] += rows[:, m + held[: len(rests)]] * (d[: len(rests)] * edge)
         y = d * least_solution(equations, d * u[held])

@@ -210,7 +210,7 @@ class Comparison(Measurement):
             caption="Not held by every draw: x. A draw without a result: -. 0 is right.",
             box=None,
         )
-        made.columns[0].max_width, made.columns[1].max_width = 24, 4
+        made.columns[0].max_width, made.columns[1].max_width = 23, 4
         counts = [str(self.holds(engine)) for engine in self.engines]
         made.add_row(f"[bold]held whole, of {len(self.names)}[/bold]", "", "", *counts)
         shares = [f"{100 * self.share(engine):.1f} %" for engine in self.engines]
@@ -219,9 +219,9 @@ class Comparison(Measurement):
 
     def _cell(self, engine: str, name: str) -> str:
         result = self.result(name, engine)
-        worst = "-" if math.isnan(result.worst) else _number(result.worst)
+        worst = "-" if math.isnan(result.worst) else _short(result.worst)
         held = f"{result.held}/{result.draws}" if result.draws < MANY else _percent(result.share)
-        text = f"{held}{' ' if result.holds else 'x'} {worst:>7}"
+        text = f"{held}{' ' if result.holds else 'x'} {worst:>6}"
         return text if result.holds else f"[red]{text}[/red]"
 
 
@@ -229,9 +229,9 @@ def _percent(share: float) -> str:
     """Return a share in whole per cent, rounded down: 100 % is all.
 
     >>> _percent(0.999), _percent(1.0)
-    ('99 %', '100 %')
+    ('99%', '100%')
     """
-    return f"{math.floor(100 * share)} %"
+    return f"{math.floor(100 * share)}%"
 
 
 def _measured(result: Result) -> dict[str, Any]:
@@ -252,6 +252,19 @@ def _number(value: float) -> str:
     if value == 0.0 or (value >= 1.0 and value.is_integer() and value < 1e4):
         return f"{value:.0f}"
     return f"{value:.1e}" if not 0.01 <= value < 1000 else f"{value:.3g}"
+
+
+def _short(value: float) -> str:
+    """Return a number in six characters at the most.
+
+    >>> _short(0.25), _short(1.2345e-7), _short(1.2345e-15), _short(2345678.0)
+    ('0.25', '1.2e-7', '1e-15', '2.3e6')
+    """
+    if value == 0.0 or 0.01 <= value < 1000:
+        return _number(value)[:6]
+    mantissa, exponent = f"{value:.1e}".split("e")
+    power = str(int(exponent))
+    return f"{mantissa}e{power}" if len(power) < 3 else f"{value:.0e}"
 
 
 @dataclass(frozen=True)

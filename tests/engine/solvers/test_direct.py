@@ -158,6 +158,32 @@ def test_box_on_a_slope_slides_as_the_closed_form(mu: float) -> None:
     assert -run.velocities[-1, 1, 0] == pytest.approx(max(expected, 0.0), abs=1e-10)
 
 
+def test_friction_stops_sliding_but_never_turns_it_round() -> None:
+    """Whenever in a step a box stops on a plank that slides: after each step, whatever is drawn."""
+    rng = np.random.default_rng(6)
+    smooth = Body(Segment((-100, 0), (100, 0)), material=Material(0.0, 0.0))
+    for _ in range(40):
+        speed, mu, mass = rng.uniform(0.2, 2.0), rng.uniform(0.2, 1.0), 10 ** rng.uniform(-2, 2)
+        rough = Material(0.0, mu)
+        plank = Body(
+            Polygon.box(12, 0.5),
+            mass=1.0,
+            position=(0, 0.25),
+            velocity=(speed, 0),
+            material=rough,
+        )
+        box = Body(Polygon.box(2, 0.5), mass=mass, position=(0, 0.75), material=rough)
+        stopped = speed / (mu * G * (1 + mass))
+        steps = math.ceil(stopped / DT) + 2
+        times = DT * np.arange(steps + 1)
+        scene = Scene([smooth, plank, box], gravity=(0, -G))
+        run = simulate(scene, steps * DT, solver="direct", sample=times)
+        slides = run.velocities[:, 1, 0] - run.velocities[:, 2, 0]
+        assert slides == pytest.approx(
+            np.maximum(speed - mu * G * (1 + mass) * times, 0.0), abs=1e-9
+        )
+
+
 @pytest.mark.parametrize(("beside", "tips"), [(-1e-4, False), (1e-4, True)])
 def test_tall_box_tips_at_the_closed_form(beside: float, tips: bool) -> None:
     """w/h = 1/2: it stands up to atan(1/2), and no further."""
