@@ -41,6 +41,8 @@ from lesson_code.view.matplotlib import plots, style
 # %% [markdown]
 # ## 8 Three slopes: roll or slip, stay or slide, stand or tip
 #
+# Put a body on a slope with the angle θ. What it does depends on its shape and on μ:
+#
 # - A **box** stays if $\mu \ge \tan\theta$. Otherwise it slides, and speeds up by $g(\sin\theta -
 #   \mu \cos\theta)$.
 # - A **round body** rolls down if friction can turn it fast enough. Then it speeds up by $g

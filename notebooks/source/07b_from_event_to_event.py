@@ -37,11 +37,10 @@ from lesson_code.view.matplotlib import plots, style
 from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
-# ## 8 From event to event
+# ## 8 Between two collisions there is nothing to compute
 #
 # Between two collisions every disc moves in a way that you can write down: a straight line, or with
-# gravity a parabola. So there is nothing to compute until the next collision. An **event-driven**
-# simulation goes from one to the next:
+# gravity a parabola. So an **event-driven** simulation goes from one collision to the next:
 #
 # 1. For every disc, predict its next event: the earliest of all its times of impact.
 # 2. Take the earliest event of all. (A *heap* has it on top.)
@@ -274,5 +273,5 @@ show(
 # You can now simulate from collision to collision, and hold the result to answers that are known
 # exactly. That is what the last two tasks of the exercise
 # [07 Time of impact](../exercises/07_time_of_impact.ipynb) ask for. **Next:**
-# [07c The gas](07c_the_gas.ipynb): what is left to compare where chaos rules, what exactness costs,
-# and the quiz of the chapter.
+# [07c The gas](07c_the_gas.ipynb), where you measure what is not chaotic, and what exactness costs.
+# It ends with the quiz of the chapter.
