@@ -20,13 +20,15 @@
 # 2. hold such a simulation to answers that are known exactly, after any number of collisions;
 # 3. say for how many collisions you can trust the place of each disc in a gas, and why no longer.
 #
-# **You need** notebook 07. **Time:** about 15 minutes to read, a few seconds to run.
+# **You need** notebook 07. **Time:** about 20 minutes to read and to write one line, a few seconds
+# to run.
 
 # %% tags=["plumbing"]
 import numpy as np
 
 from lesson_code import simulate
 from lesson_code.chapters.ch07_time_of_impact import figures, scenes
+from lesson_code.course.grading.gaps import gap
 from lesson_code.course.quiz.notebook import predict
 from lesson_code.evidence import check
 from lesson_code.evidence.scenes import events
@@ -143,8 +145,7 @@ show(
 #
 # A bounce off a wall is a mirror image. Instead of the ball, mirror the *box*: then the ball flies
 # straight on, through a wallpaper of mirrored boxes. Where it is after any time is a
-# multiplication and a fold. So there is an answer to compare with, after any number of bounces;
-# it is worked out in fractions, without rounding.
+# multiplication and a fold.
 
 # %% tags=["plumbing"]
 start, velocity = np.array(events.BALL_START), np.array(events.BALL_VELOCITY)
@@ -158,12 +159,31 @@ show(
     "mirror images of the box, which lie beside it and above it.",
 )
 
+# %% [markdown]
+# Write the fold, for one direction. In the box the ball can be from 0 to `room`. Without walls it
+# would be at `x`: far beyond, or below 0. Where is it? The wallpaper repeats after 2 `room`. In
+# Python `x % p` moves x by whole p to a place from 0 to p, also from below 0.
+
+
+# %%
+@gap("07-fold")
+def fold(x, room):
+    return ...
+
+
+# %% [markdown]
+# So there is an answer to compare with, after any number of bounces. In the checks it is worked out
+# in fractions, without rounding.
+
 # %%
 scene = events.ball_in_a_box()
 for duration in (10, 100, 1000):
     run = simulate(scene, duration, solver="exact", sample=np.linspace(0, duration, 101))
     off = events.error_in_the_box(run)
     check(f"exact, {duration} s, {len(run.contacts)} bounces: error, m", off, 0, 1e-13 * duration)
+ways = start - radius + 1000 * velocity
+folded = [fold(x, size) for x, size in zip(ways, room, strict=True)]
+check("your fold, after 1000 s, m", np.add(folded, radius), run.positions[-1, -1], 1e-10)
 
 # %%
 rates, errors = np.array([30, 60, 120, 240, 480, 960, 1920]), []
