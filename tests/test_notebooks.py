@@ -14,19 +14,26 @@ import nbformat
 import pytest
 
 from lesson_code.course.grading.gaps import all_gaps
-from lesson_code.course.quiz.bank import load_quiz
+from lesson_code.course.quiz.bank import chapter_numbers, load_quiz
 
 ROOT = Path(__file__).parents[1]
 CHAPTERS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+PARTS = {
+    number: [path for path in CHAPTERS if path.stem.startswith(number)]
+    for number in chapter_numbers()
+}
+"""The notebooks of each chapter, in the order in which they are read: most have one."""
+
 SOLUTIONS = sorted((ROOT / "solutions").glob("*.ipynb"))
 STUDENT_COPIES = sorted((ROOT / "exercises").glob("*.ipynb"))
 ALL = [*CHAPTERS, *SOLUTIONS, *STUDENT_COPIES]
 
-CONVERTED = [path for path in CHAPTERS if "@gap(" in path.read_text(encoding="utf-8")]
-"""Notebooks in which the reader predicts and writes.
-
-All chapters that have a gap; notebook 00 has no formula to write.
-"""
+CONVERTED = [
+    number
+    for number, paths in PARTS.items()
+    if any("@gap(" in path.read_text(encoding="utf-8") for path in paths)
+]
+"""Chapters in which the reader predicts and writes: all that have a gap."""
 
 MOST_LINES_IN_A_CELL = 15
 MOST_WORDS_IN_A_PARAGRAPH = 119
@@ -83,8 +90,23 @@ def words_in(output: Any) -> str:
 
 
 def chapters(function: Any) -> Any:
-    """Run a test for each chapter's notebook."""
+    """Run a test for each notebook of a chapter, each part for itself."""
     return pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)(function)
+
+
+def whole_chapters(function: Any) -> Any:
+    """Run a test for each chapter, its parts together."""
+    return pytest.mark.parametrize("number", PARTS)(function)
+
+
+def code_of(number: str) -> str:
+    """Return the code of a chapter, all parts together."""
+    return "\n".join(cell.source for path in PARTS[number] for cell in code_cells(path))
+
+
+def prose_of(number: str) -> str:
+    """Return the text of a chapter, all parts together."""
+    return "\n".join(text for path in PARTS[number] for text in prose(path))
 
 
 def notebooks(function: Any) -> Any:
@@ -106,7 +128,7 @@ def test_there_are_notebooks_to_look_at() -> None:
 def test_chapter_opens_with_its_number_and_three_things_to_learn(path: Path) -> None:
     """The first cell has the title, and three numbered things the reader will be able to do."""
     first = prose(path)[0]
-    assert first.startswith(f"# {path.stem[:2]} ")
+    assert first.startswith(f"# {path.stem.partition('_')[0]} ")
     _, found, aims = first.partition("you will be able to")
     assert found
     assert re.findall(r"^(\d)\. ", aims, flags=re.MULTILINE) == ["1", "2", "3"]
@@ -120,32 +142,33 @@ def test_chapter_says_what_it_needs_and_how_long_it_takes(path: Path) -> None:
     assert re.search(r"\*\*Time:\*\*\s+about\s+\d+\s+minutes", first)
 
 
-@chapters
-def test_chapter_has_its_own_quiz(path: Path) -> None:
-    """One cell shows the quiz of this chapter, under a heading that says so."""
-    assert [c.source for c in code_cells(path) if "show_quiz(" in c.source] == [
-        f'show_quiz("{path.stem[:2]}")'
+@whole_chapters
+def test_chapter_has_its_own_quiz(number: str) -> None:
+    """One cell of its last part shows it, under a heading that says so; no other part does."""
+    assert re.findall(r"^.*show_quiz\(.*$", code_of(number), re.MULTILINE) == [
+        f'show_quiz("{number}")'
     ]
-    assert any(re.search(r"^## \d+ Quiz$", text, flags=re.MULTILINE) for text in prose(path))
+    last = "\n".join(prose(PARTS[number][-1]))
+    assert re.search(r"^## \d+ Quiz$", last, flags=re.MULTILINE)
 
 
-@chapters
-def test_chapter_has_something_to_move(path: Path) -> None:
+@whole_chapters
+def test_chapter_has_something_to_move(number: str) -> None:
     """At least one figure answers to a hand."""
-    moved = re.compile(r"^(explore|live)\(", re.MULTILINE)
-    assert any(moved.search(c.source) for c in code_cells(path))
+    assert re.search(r"^(explore|live)\(", code_of(number), re.MULTILINE)
 
 
-@chapters
-def test_chapter_breaks_something_on_purpose(path: Path) -> None:
+@whole_chapters
+def test_chapter_breaks_something_on_purpose(number: str) -> None:
     """A section shows what goes wrong, and why; the gate of chapter 03 is one too."""
-    headings = re.findall(r"^## .*$", "\n".join(prose(path)), flags=re.MULTILINE)
+    headings = re.findall(r"^## .*$", prose_of(number), flags=re.MULTILINE)
     assert any("Break it on purpose" in heading for heading in headings)
 
 
-@chapters
-def test_chapter_closes_with_what_was_checked_and_sources(path: Path) -> None:
+@whole_chapters
+def test_chapter_closes_with_what_was_checked_and_sources(number: str) -> None:
     """The last cell says what was checked, what comes next, and where it is from."""
+    path = PARTS[number][-1]
     last = prose(path)[-1]
     assert read(path).cells[-1].source == last
     assert last.startswith("## What was checked")
@@ -154,10 +177,22 @@ def test_chapter_closes_with_what_was_checked_and_sources(path: Path) -> None:
     assert "**Sources.**" in last
 
 
-@chapters
-def test_sections_are_numbered_without_gaps(path: Path) -> None:
-    """A section can be pointed to by its number."""
-    numbers = re.findall(r"^## (\d+) ", "\n".join(prose(path)), flags=re.MULTILINE)
+@whole_chapters
+def test_part_ends_with_a_paragraph_that_leads_to_the_next(number: str) -> None:
+    """It says what the reader can do now; and the next part says that it needs this one."""
+    for path, follows in pairwise(PARTS[number]):
+        last = read(path).cells[-1].source
+        assert last.startswith("You can now ")
+        assert len(paragraphs(last)) == 1
+        assert f"]({follows.name})" in last.partition("**Next:**")[2]
+        needed = prose(follows)[0].partition("**You need**")[2].partition("**Time:**")[0]
+        assert path.stem.partition("_")[0] in needed
+
+
+@whole_chapters
+def test_sections_are_numbered_without_gaps(number: str) -> None:
+    """A section can be pointed to by its number, in whichever part it stands."""
+    numbers = re.findall(r"^## (\d+) ", prose_of(number), flags=re.MULTILINE)
     assert [int(number) for number in numbers] == [*range(1, len(numbers) + 1)]
     assert len(numbers) >= 5
 
@@ -179,13 +214,11 @@ def asks(cell: Any) -> bool:
     return has_tag(cell, "answer") or cell.source.startswith('predict("')
 
 
-@chapters
-def test_predictions_are_asked_once_and_where_they_stand_in_the_quiz_file(path: Path) -> None:
-    """Each prediction of the chapter's file is asked in its notebook, in the file's order."""
-    asked = re.findall(
-        r'^predict\("([^"]*)"\)', "\n".join(c.source for c in code_cells(path)), re.M
-    )
-    assert asked == [question.id for question in load_quiz(path.stem[:2]).predictions]
+@whole_chapters
+def test_predictions_are_asked_once_and_where_they_stand_in_the_quiz_file(number: str) -> None:
+    """Each prediction of the chapter's file is asked in its notebooks, in the file's order."""
+    asked = re.findall(r'^predict\("([^"]*)"\)', code_of(number), re.MULTILINE)
+    assert asked == [question.id for question in load_quiz(number).predictions]
 
 
 @chapters
@@ -216,22 +249,28 @@ def test_first_line_of_an_answer_gives_nothing_away(path: Path) -> None:
             assert first.startswith("# ") if is_code else first == THE_ANSWER, first
 
 
-@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
-def test_nobody_is_asked_to_predict_in_prose(path: Path) -> None:
+@pytest.mark.parametrize("number", CONVERTED)
+def test_nobody_is_asked_to_predict_in_prose(number: str) -> None:
     """Every prompt is a form that hides its answer."""
-    assert not [text for text in prose(path) if re.search(r"\*\*Predict|[Pp]redict first", text)]
+    assert not re.search(r"\*\*Predict|[Pp]redict first", prose_of(number))
 
 
-@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
-def test_reader_writes_two_or_three_functions(path: Path) -> None:
-    """Each gap of the chapter stands in its notebook, open, and is used further down."""
-    code = "\n".join(cell.source for cell in code_cells(path))
-    gaps = re.findall(r'@gap\("([^"]*)"\)\ndef (\w+)\(.*\):\n(?:    .*\n)?    return \.\.\.', code)
-    number = path.stem[:2]
-    assert [name for name, _ in gaps] == [g.id for g in all_gaps() if g.id.startswith(number)]
+GAP = re.compile(r'@gap\("([^"]*)"\)\ndef (\w+)\(.*\):\n(?:    .*\n)?    return \.\.\.')
+"""A function that the reader is to write: its id and its name."""
+
+
+@pytest.mark.parametrize("number", CONVERTED)
+def test_reader_writes_two_or_three_functions(number: str) -> None:
+    """Each gap of the chapter stands in its notebooks, open, and is used further down there."""
+    gaps = []
+    for path in PARTS[number]:
+        code = "\n".join(cell.source for cell in code_cells(path))
+        written = GAP.findall(code)
+        gaps += [name for name, _ in written]
+        for _, function in written:
+            assert len(re.findall(rf"\b{function}\b", code)) > 1, function
+    assert gaps == [each.id for each in all_gaps() if each.id.startswith(number)]
     assert 2 <= len(gaps) <= 3
-    for _, function in gaps:
-        assert len(re.findall(rf"\b{function}\b", code)) > 1, function
 
 
 PLUMBING = re.compile(
@@ -243,7 +282,7 @@ MOST_PLUMBING = 0.1
 """Of the code lines that are not folded."""
 
 
-@pytest.mark.parametrize("path", CONVERTED, ids=lambda path: path.stem)
+@chapters
 def test_plumbing_is_folded(path: Path) -> None:
     """Nearly all lines that a reader sees are about the subject."""
     lines = [

@@ -30,7 +30,7 @@ def start(
 
 @opening.command("open", rich_help_panel=STUDENTS)
 def open_workbook(
-    notebook: Annotated[str, typer.Argument(help="Its number, such as 03.")] = "00",
+    notebook: Annotated[str, typer.Argument(help="Its number, such as 03 or 07b.")] = "00",
     browser: Annotated[
         bool, typer.Option(help="Open a browser window, if there is a screen.")
     ] = True,
@@ -47,7 +47,7 @@ def open_workbook(
         root = _root()
         notebooks = sorted((root / "notebooks").glob("*.ipynb"))
         found = [path for path in notebooks if path.name.startswith(notebook)]
-        if len(found) != 1:
+        if len({path.name[:2] for path in found}) != 1:  # of a chapter in parts, the first
             raise ValueError(f"notebook must be the number of one, such as 00, got {notebook!r}")
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
         running = server.start(root, found[0].relative_to(root), port)

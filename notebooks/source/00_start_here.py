@@ -258,8 +258,8 @@ print("error <= 1e-9 says 'right':", error <= 1e-9)
 #   body. The cell below it checks your answer and gives points. It draws new numbers every time,
 #   so an answer cannot be learned by heart. If your answer matches a known mistake, you get a
 #   hint.
-# - **Quizzes** stand at the end of each notebook. In a terminal, `workbook quiz` asks the same
-#   questions.
+# - **Quizzes** stand at the end of each chapter. In a terminal, `workbook quiz` asks the same
+#   questions. Chapters 05 and 07 come in parts: 05 and 05b, then 07, 07b and 07c.
 # - `workbook watch 01` stays beside an exercise and checks it whenever you save;
 #   `workbook grade exercises/01_one_dimension.ipynb` marks it as your instructor will. Your code
 #   runs in a process of its own.

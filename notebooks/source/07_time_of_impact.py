@@ -11,18 +11,17 @@
 #
 # So far your engine looks at the world sixty times a second and corrects what overlaps. Between two
 # looks it is blind: a fast ball can be in front of a wall at one look and behind it at the next.
-# Here you ask for the *time* at which two bodies meet. Then nothing is missed at any speed, and in
-# the end the time step disappears altogether.
+# Here you ask for the *time* at which two bodies meet. Then nothing is missed, at any speed.
 #
 # **After this notebook you will be able to**
 #
 # 1. say how fast a ball must be to pass through a wall between two steps, and how often it does;
-# 2. compute when two bodies meet, without losing digits and without looking at samples, and use
-#    the rest of the step after the impact;
-# 3. simulate from collision to collision without any time step, and say which scenes allow it.
+# 2. compute when two bodies meet, without losing digits and without looking at samples;
+# 3. use the rest of the step after an impact, so that no time is lost.
 #
-# **You need** notebooks 00 to 06. **Time:** about 70 minutes to read and to write two lines,
-# fifteen seconds to run. Sections 8 to 14 can be read on another day.
+# **You need** notebooks 00 to 06. **Time:** about 35 minutes to read and to write two lines, a few
+# seconds to run. The chapter goes on in [07b](07b_from_event_to_event.ipynb) and
+# [07c](07c_the_gas.ipynb), on other days if you like.
 
 # %% tags=["plumbing"]
 import numpy as np
@@ -31,10 +30,9 @@ from lesson_code import Circle, Polygon, Segment, simulate
 from lesson_code.chapters.ch07_time_of_impact import figures, right_answers, scenes
 from lesson_code.chapters.ch07_time_of_impact import wrong_answers as wrong
 from lesson_code.course.grading.gaps import gap
-from lesson_code.course.quiz.notebook import predict, show_quiz
+from lesson_code.course.quiz.notebook import predict
 from lesson_code.evidence import check
-from lesson_code.evidence.scenes import events, rigid_bodies
-from lesson_code.evidence.scenes import gas as gas_scenes
+from lesson_code.evidence.scenes import events
 from lesson_code.formulas.smooth_pair import smooth_impulse
 
 # %% tags=["plumbing"]
@@ -44,7 +42,6 @@ from lesson_code.reference import closed_forms, event_closed_forms
 from lesson_code.view.browser.live import live
 from lesson_code.view.browser.show import show
 from lesson_code.view.matplotlib import plots, style
-from lesson_code.view.svg.animation import animate
 
 # %% [markdown]
 # ## 1 A step can jump over a wall
@@ -346,7 +343,8 @@ check("separation over approach, 1,000 times", turned_round, 0.5, tolerance=1e-1
 # a loop, which ends when no more impact comes in the time that is left.
 #
 # Some programs stop at the impact and lose the rest. Here are both, for a ball in a room with
-# e = 1, in 600 steps of 1/60 s. Its place after any time is known: section 10 says why.
+# e = 1, in 600 steps of 1/60 s. Its place after any time is known: section 10, in notebook 07b,
+# says why.
 
 # %%
 start, velocity = np.array(events.BALL_START), np.array(events.BALL_VELOCITY)
@@ -406,422 +404,7 @@ for turning in (5.0, 20.0, 40.0):
     check("   ours", scenes.share_passed_over(turning, "sequential"), 0)
 
 # %% [markdown]
-# ## 8 From event to event
-#
-# If one step can be ten seconds long, why have steps at all? Between two collisions every disc
-# moves in a way that you can write down: a straight line, or with gravity a parabola. So there is
-# nothing to compute until the next collision. An **event-driven** simulation goes from one to the
-# next:
-#
-# 1. For every disc, predict its next event: the earliest of all its times of impact.
-# 2. Take the earliest event of all. (A *heap* has it on top.)
-# 3. Move the discs that take part to that time, and let them bounce.
-# 4. Their other predictions no longer hold, so make new ones. All other discs fly on as predicted.
-#
-# `solver="exact"` does this. `sample` says at which times you want to see the state; with `None`
-# they are the events themselves.
-
-# %%
-scene = scenes.three_balls_and_a_post()
-run = simulate(scene, 2.0, solver="exact")
-print(run.plan)
-for t, a, b in zip(run.contacts.time, run.contacts.body_a, run.contacts.body_b, strict=True):
-    print(f"{t:.6f} s: body {a} and body {b}")
-
-# %%
-run = simulate(scene, 6.0, solver="exact", sample=np.linspace(0, 6, 181))
-check("energy kept, J", run.kinetic_energy - run.kinetic_energy[0], 0, tolerance=1e-12)
-check("deepest overlap in any state, m", run.max_penetration, 0, tolerance=1e-12)
-animate(
-    run,
-    "Three balls in a box with a round post in the middle. They bounce off the walls, off the post "
-    "and off each other.",
-    still=1.0,
-)
-
-# %% [markdown]
-# No step, so no tunnelling either, at any speed. And no overlap, so nothing to push apart.
-
-# %%
-for speed in (1.0, 1e3, 1e6):
-    scene = events.balls_at_wall(speed, count=10, dt=1 / 60, thickness=0.001)
-    run = simulate(scene, 2 / speed + 1 / 60, solver="exact", sample="end")
-    check(f"{speed:9,.0f} m/s: balls through a wall of 1 mm", events.share_beyond(run), 0)
-
-# %% [markdown]
-# ## 9 Pi, from collisions
-#
-# Two blocks slide on ice before a wall. The inner one, of 1 kg, is at rest; the outer one, of M kg,
-# comes. All is elastic. The inner block bounces to and fro between the wall and the outer block,
-# until the outer block has turned round and is the faster one.
-
-# %%
-predict("07-pi")
-
-# %% tags=["answer"]
-# the collisions, counted
-for digits in range(5):
-    run = simulate(events.two_blocks(100.0**digits), 1e5, solver="exact", sample="end")
-    predicted = event_closed_forms.block_collisions(100.0**digits)
-    check(f"M = 100^{digits}: collisions", len(run.contacts), predicted)
-    energy = run.kinetic_energy[-1] / run.kinetic_energy[0]
-    check("   energy left", energy, 1, tolerance=1e-10)
-
-# %% [markdown] tags=["answer"]
-# <b class="answer">The answer.</b>
-# These are the digits of pi. Galperin's reason is a picture. Take $\sqrt{m_1}\,x_1$ and
-# $\sqrt{m_2}\,x_2$ as the coordinates of *one* point. The two sides of a wedge with the angle
-# $\theta$, where $\tan\theta = 1/\sqrt{M}$, are "the inner block is at the wall" and "the blocks
-# touch". A collision is a reflection there. Unfold the wedge, as one unfolds a mirror: the way
-# becomes a straight line, and it crosses a side at each multiple of $\theta$ below $\pi$.
-
-# %% tags=["plumbing"]
-fig, ax = style.figure(width=8, height=3.6)
-figures.unfolded_wedge(ax, mass_ratio=9)
-show(
-    fig,
-    "Rays from one point, at equal angles, full and dotted in turn. A straight line from right to "
-    "left crosses nine of them: the nine collisions for a mass ratio of 9.",
-)
-
-# %% [markdown]
-# For M = $100^k$ the angle is nearly $10^{-k}$, and $\pi/10^{-k}$ has the digits of pi. A stepped
-# engine has a hard time here: the inner block gets faster and faster, in a narrower and narrower
-# gap. For M = $100^3$ it moves at a thousand times the speed of the outer one, in a gap of a
-# millimetre.
-
-# %%
-million = events.two_blocks(100.0**3)
-for rate in (60, 2400):
-    run = simulate(million, 10.0, dt=1 / rate, solver="pymunk", sample="end")
-    side = "behind" if run.positions[-1, 1, 0] < 0 else "before"
-    print(f"pymunk, {rate:4} steps a second: {len(run.contacts)} of 3141, ends {side} the wall")
-
-# %% tags=["plumbing"]
-run = simulate(events.two_blocks(100.0), 5.0, solver="exact")
-edges = run.positions[:, :, 0] - np.array([0, 0.5, 1.5])  # blocks drawn without their width
-fig, ax = style.figure(width=7, height=3)
-named = {"inner block": (run.times, edges[:, 1]), "outer block, 100 kg": (run.times, edges[:, 2])}
-plots.curves(ax, named, "time, s", "distance from the wall, m")
-show(
-    fig,
-    "Distance from the wall over time. The outer block comes, slows down, turns round at a tenth "
-    "of a metre and leaves. The inner one zigzags between it and the wall, fastest in the middle.",
-)
-
-# %% [markdown]
-# ## 10 A ball in a box, for ever
-#
-# A bounce off a wall is a mirror image. Instead of the ball, mirror the *box*: then the ball flies
-# straight on, through a wallpaper of mirrored boxes. Where it is after any time is a
-# multiplication and a fold. So there is an answer to compare with, after any number of bounces;
-# it is worked out in fractions, without rounding.
-
-# %% tags=["plumbing"]
-fig, ax = style.figure(width=9, height=4.4)
-room = box - 2 * radius  # what the ball's centre can reach
-figures.unfolded_box(ax, start - radius, velocity, room, time=6.0)
-show(
-    fig,
-    "A box with the zigzag way of a ball, and the same way unfolded: a straight line through the "
-    "mirror images of the box, which lie beside it and above it.",
-)
-
-# %%
-scene = events.ball_in_a_box()
-for duration in (10, 100, 1000):
-    run = simulate(scene, duration, solver="exact", sample=np.linspace(0, duration, 101))
-    off = events.error_in_the_box(run)
-    check(f"exact, {duration} s, {len(run.contacts)} bounces: error, m", off, 0, 1e-13 * duration)
-
-# %%
-rates, errors = np.array([30, 60, 120, 240, 480, 960, 1920]), []
-for rate in rates.tolist():
-    run = simulate(scene, 10, dt=1 / rate, solver="pymunk", sample=np.linspace(0, 10, 101))
-    errors.append(events.error_in_the_box(run).max())
-    print(f"pymunk, {rate:4} steps a second: off by up to {errors[-1]:.3f} m in 10 s")
-
-# %% [markdown]
-# Each impact comes late by a part of a step, and the ball never makes up for it. If you halve the
-# step, you roughly halve the error: ten times the accuracy costs ten times the work. The exact
-# solver computes ten collisions, and only rounding is left of its error.
-#
-# ## 11 Backwards in time
-#
-# Newton's laws do not know which way time runs. Turn every velocity round, and a film of balls
-# runs backwards, to the very state in which it began. This is a hard test for a simulation: let 64
-# discs in a box run for a while, turn them round, and let them run for the same time again.
-
-# %%
-predict("07-back")
-
-# %% tags=["answer"]
-# there and back again
-gas, returns = gas_scenes.disc_gas(8, covered=0.5, seed=1), []
-for duration in np.arange(0.5, 7.0, 0.5):
-    run = simulate(gas, duration, solver="exact", sample="end")
-    back = simulate(events.turned_back(run), duration, solver="exact", sample="end")
-    returns.append((gas_scenes.hits_a_disc(run), events.error_after_return(run, back)))
-hits, off = np.transpose(returns)
-check("up to 9 collisions a disc: back within, m", off[hits <= 9], 0, tolerance=1e-9)
-check("beyond 42 it is lost: over a millimetre off", bool(off[hits > 42].min() > 1e-3), True)
-
-# %% tags=["answer", "plumbing"]
-# there and back again
-fig, ax = style.figure(width=7, height=3.2)
-plots.curves(ax, {"": (hits, off)}, "collisions of each disc with others", "farthest from start, m")
-ax.set_yscale("log")
-show(
-    fig,
-    "How far the farthest disc is from its start after the way back, over the number of "
-    "collisions, on a logarithmic scale. From 1e-14 m it grows along a nearly straight line to "
-    "some decimetres.",
-)
-
-# %% [markdown]
-# So the discs of the following film do find their places again: on the way out, each meets fewer
-# than nine others.
-
-# %%
-seen = np.linspace(0, 1, 51)
-out = simulate(gas, 1.0, solver="exact", sample=seen)
-back = simulate(events.turned_back(out), 1.0, solver="exact", sample=seen)
-print(f"{gas_scenes.hits_a_disc(out):.1f} collisions a disc")
-animate(
-    {"out": out, "back": back},
-    "Two boxes with 64 discs. On the left they start in rows and columns and fly into disorder. On "
-    "the right they start in that disorder, and end in rows and columns.",
-    seconds=4,
-    still=0.9,
-)
-
-# %% [markdown]
-# A straight line on this scale is exponential growth. Discs are convex: two ways that differ a
-# little before a hit differ more after it, here by a factor of about two for each hit. That is
-# **chaos**. It is in the laws and not in the solver: with twice as many digits the line would
-# start lower and be just as steep. So do not compare long runs of many discs place by place.
-# Compare what is not chaotic: energy, momentum, pressure.
-#
-# ## 12 Infinitely many bounces in four seconds
-#
-# A ball is dropped from 1 m, with e = 0.8. Chapter 02 has shown that each flight is 0.8 times as
-# long as the one before. The flights add up to a finite time, and in it there are infinitely many
-# bounces:
-#
-# $$T = \sqrt{\frac{2h}{g}}\;\frac{1 + e}{1 - e}$$
-#
-# A simulation that goes from event to event would never get there. It needs a **rule**: a ball
-# that leaves the floor slower than $10^{-13}$ of the scene's speed rests. What it leaves out would
-# have lasted less than $10^{-12}$ s.
-
-# %%
-times = np.linspace(0, 6, 601)
-run = simulate(events.bouncing_to_rest(0.8), 6.0, solver="exact", sample=times)
-rest = closed_forms.rest_time(height=1, restitution=0.8, gravity=10)
-heights = closed_forms.bouncing_ball(times, height=1, restitution=0.8, gravity=10)
-check("the last bounce, s", run.contacts.time[-1], rest, tolerance=1e-12)
-check("its height at 601 times, m", run.positions[:, 1, 1] - 0.5, heights, tolerance=1e-12)
-check("at rest from then on", run.velocities[times > rest, 1], 0)
-print(len(run.contacts), "bounces were computed")
-
-# %% tags=["plumbing"]
-stepped = simulate(events.bouncing_to_rest(0.8), 6.0, solver="pymunk")
-fig, ax = style.figure(width=7, height=3)
-named = {"exact": (times, run.positions[:, 1, 1] - 0.5)}
-named["pymunk, 60 steps a second"] = (stepped.times, stepped.positions[:, 1, 1] - 0.5)
-plots.curves(ax, named, "time, s", "height above the floor, m")
-ax.axvline(rest, color=style.GREY, linewidth=1, linestyle="-.")
-show(
-    fig,
-    "Height of the ball over time. It bounces lower and faster, and lies still from 4.02 s on, "
-    "which a vertical line marks. pymunk's ball dips a little into the floor at each bounce, and "
-    "its later bounces are out of step.",
-)
-
-# %% [markdown]
-# ## 13 A gas
-#
-# Many discs that only collide are a gas. What a gas does on average is not chaotic. Theory gives
-# you two numbers to compare with. **Pressure:** points would press with p A = N T, where T is the
-# mean energy of a disc. Discs need room, and press more, by the factor Z. If they cover the part
-# $\eta$ of the area, Henderson's formula says
-#
-# $$Z = \frac{p A}{N T} = \frac{1 + \eta^2/8}{(1 - \eta)^2}$$
-#
-# **Collisions:** Enskog's theory says how often a disc meets another one. Measure both in the
-# middle of a box with 144 discs: near the walls a gas is denser. You count a few thousand
-# collisions, so chance leaves an error of a few per cent. To halve it you need four times as many.
-
-# %%
-measured = []
-for covered, duration in ((0.05, 150.0), (0.12, 100.0), (0.2, 80.0), (0.3, 60.0)):
-    gas = gas_scenes.disc_gas(12, covered, seed=1)
-    run = simulate(gas, duration, solver="exact", sample=np.arange(0, duration, 0.25))
-    measured.append(scenes.in_the_middle(run, since=4.0))
-eta = [m.covered for m in measured]
-z = np.array([m.compressibility for m in measured])
-rate = np.array([m.collision_rate for m in measured])
-
-# %%
-henderson = [event_closed_forms.hard_disc_compressibility(e) for e in eta]
-enskog = [event_closed_forms.hard_disc_collision_rate(e, 1, 1, 1) for e in eta]
-check("Z within 4 % of Henderson's", bool((abs(z / henderson - 1) < 0.04).all()), True)
-check("rate within 8 % of Enskog's", bool((abs(rate / enskog - 1) < 0.08).all()), True)
-
-# %% tags=["plumbing"]
-shares = np.linspace(0, 0.36, 100)
-fig, ax = style.figure(width=7, height=3.2)
-law = [event_closed_forms.hard_disc_compressibility(e) for e in shares]
-plots.curves(ax, {"Henderson": (shares, law)}, "part of the area covered", "p A / (N T)")
-ax.plot(eta, z, "o", color=style.VERMILION, label="measured")
-ax.legend(frameon=False)
-show(
-    fig,
-    "Pressure over that of points, over the covered part of the area. It rises from 1 to 2.5. Four "
-    "measured dots lie on Henderson's curve, but for their noise.",
-)
-
-# %% [markdown]
-# ## 14 What it costs, and what it cannot do
-#
-# A stepped engine pays for every step, whether anything happens in it or not. The exact solver pays
-# for every collision. The table is for the ball in the box. The times were measured on one machine,
-# in one moment; yours will differ. pymunk is written in C, and our solver in Python.
-
-# %% tags=["nbval-ignore-output"]
-scene = events.ball_in_a_box()
-costs = [scenes.milliseconds(scene, 10, solver="pymunk", dt=1 / rate) for rate in rates.tolist()]
-run = simulate(scene, 10, solver="exact", sample=np.linspace(0, 10, 101))
-cost, error = scenes.milliseconds(scene, 10, solver="exact"), events.error_in_the_box(run).max()
-for rate, ms, off in zip(rates, costs, errors, strict=True):
-    print(f"pymunk, {rate:4} steps a second: {ms:6.2f} ms, error {off:.0e} m")
-print(f"exact, no steps, 10 collisions: {cost:6.2f} ms, error {error:.0e} m")
-
-# %% tags=["nbval-ignore-output", "plumbing"]
-fig, ax = style.figure(width=7, height=3.2)
-plots.curves(ax, {"pymunk, 30 to 1920 steps a second": (costs, errors)}, "time, ms", "")
-ax.lines[0].set_marker("o")
-ax.plot(cost, error, "D", color=style.VERMILION, label="exact")
-ax.set(xscale="log", yscale="log", ylabel="error after 10 s, m")
-ax.legend(frameon=False)
-show(
-    fig,
-    "Error against computing time for the ball in the box, both axes logarithmic. pymunk's dots "
-    "go from half a metre down to a centimetre as its steps get shorter and its time longer. The "
-    "exact solver stands alone near 1e-14 m, at about the time of pymunk's longest steps.",
-)
-
-# %% [markdown]
-# What if there are many discs? A collision spoils the predictions of two discs only. And to predict
-# the next event of a disc, the solver looks only at its neighbourhood: it divides the box into
-# **cells**, and crossing into the next cell is an event too. So among a thousand discs a collision
-# has no more neighbours to look at than among sixty. Only the queue of all events still grows.
-
-# %% tags=["nbval-ignore-output"]
-for side, duration in ((8, 8.0), (16, 4.0), (32, 2.0)):
-    each, collisions = scenes.microseconds_a_collision(side, duration)
-    print(f"{side * side:5} discs: {collisions:5} collisions, {each:4.0f} µs each")
-
-# %% [markdown]
-# Why not do everything this way? Because it needs a formula for the motion between collisions, and
-# few collisions. For a turning polygon there is no formula for the time of impact. A pile at rest
-# has contacts all the time. And a ball on a ball, pressed on by gravity, would make infinitely many
-# collisions; the solver lets it hop a little. It says no where it cannot help:
-
-# %%
-try:
-    simulate(rigid_bodies.box_stack(3), 1.0, solver="exact")
-except ValueError as error:
-    print(error)
-
-# %% [markdown]
-# ## 15 Break it on purpose: three faults
-#
-# **The other root.** The quadratic has two roots.
-
-# %%
-predict("07-later-root")
-
-# %% tags=["answer"]
-# both roots
-p1, v1, p2, v2 = np.zeros(2), np.array([3.0, 0.0]), np.array([14.0, 3.0]), np.array([-2.0, 0.0])
-first = time_of_impact(one, place_1, velocity_1, two, place_2, velocity_2, duration=10)
-later = wrong.the_later_root(p1, v1, 2.0, p2, v2, 3.0, 10.0)
-for name, t in (("first root", first), ("later root", later)):
-    n = (p2 + v2 * t - p1 - v1 * t) / 5  # at both times the centres are r1 + r2 = 5 m apart
-    j = np.hypot(*smooth_impulse(v1, 1.0, v2, 1.0, n, restitution=1.0))
-    print(f"{name}: t = {t:.1f} s, vn = {(v2 - v1) @ n:+.1f} m/s, impulse {j:.1f} N s")
-
-# %% [markdown]
-# A program without a gate would pull them back together.
-#
-# **A time in the past.** Two circles that part have met before, if they flew like that for ever.
-# The quadratic says when. `t <= dt` is true for it.
-
-# %%
-t = wrong.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
-print(f"they will meet in {t:.1f} s")
-check("never", time_of_impact(one, place_1, (-3, 0, 0), two, place_2, (2, 0, 0), 6.0), None)
-
-# %% [markdown]
-# A program that goes "to the impact" then flies two circles *back* to where they were three seconds
-# and more ago. An event-driven simulation gets stuck: the earliest event of all is in the past, and
-# after it the same event comes again.
-#
-# **0/0.** Two circles fly side by side. a is 0 and b is 0. NumPy does not stop at 0/0; it gives
-# nan.
-
-# %%
-predict("07-nan")
-
-# %% tags=["answer"]
-# the two lines
-with np.errstate(invalid="ignore"):
-    t = np.float64(0.0) / np.float64(0.0)
-print("a hit, because t <= dt:", bool(t <= 6.0))
-print("a hit, because not t > dt:", bool(not t > 6.0))
-check("never", time_of_impact(one, place_1, still, two, place_2, still, 6.0), None)
-
-# %% [markdown]
-# Ask for b < 0 first, and you never divide 0 by 0: circles that do not approach do not meet.
-#
-# ## 16 Quiz
-
-# %%
-show_quiz("07")
-
-# %% [markdown]
-# ## Key takeaways
-#
-# - A program that looks at the ends of steps misses the part 1 - (r + th/2)/(v dt) of fast balls.
-#   Looking more often moves that border and costs time.
-# - The time of impact of two circles is the smaller root of a quadratic, in the form that does not
-#   subtract near numbers. "Never" is `None`, and "now" is 0.0.
-# - Move to the impact, bounce, and go on with the rest of the step.
-# - Where motion between collisions has a formula, steps are not needed at all: go from event to
-#   event.
-# - Discs are chaotic. Compare what is not: energy, momentum, pressure, a law.
-
-# %% [markdown]
-# ## What was checked, and what comes next
-#
-# **Checked here:** the law of tunnelling against pymunk at ten speeds; the law of lost hits against
-# 16,000 pairs; times of impact by hand and to fifty digits; the digits of pi up to 31,415; a ball
-# in a box for 1,000 s and the last bounce of a ball against closed forms; a gas that runs
-# backwards, and one against Henderson's and Enskog's formulas.
-#
-# **Limits.** The exact solver takes discs and fixed walls only. A gas of discs is chaotic: after
-# some thirty collisions each, no simulation can say where a single disc is. And real bodies do not
-# bounce at an instant: they are in touch for a thousandth of a second.
-#
-# **Do now:** the exercise [07 Time of impact](../exercises/07_time_of_impact.ipynb): five tasks,
-# twenty-two points. `workbook watch` checks it whenever you save. `workbook play breakout` flies
-# from impact to impact, and [its challenge](../exercises/breakout.py) lets you write the flight.
-# **Next:** [08 What accuracy costs](08_what_accuracy_costs.ipynb): accuracy and time, weighed
-# against each other.
-#
-# **Sources.** Ericson, *Real-Time Collision Detection* (2005), chapter 5: moving shapes. Galperin,
-# *Playing pool with pi*, Regular and Chaotic Dynamics 8 (2003), 375. Alder and Wainwright, *Studies
-# in Molecular Dynamics I*, Journal of Chemical Physics 31 (1959), 459: from event to event.
-# Henderson, Molecular Physics 30 (1975), 971: hard discs. Bannerman and others, Computational
-# Particle Mechanics 1 (2014), 191: what to do when discs overlap by rounding.
+# You can now say when two bodies meet, and use the rest of the step: the first three tasks of the
+# exercise [07 Time of impact](../exercises/07_time_of_impact.ipynb) ask for no more. One step of
+# ten seconds was as good as 600. **Next:**
+# [07b From event to event](07b_from_event_to_event.ipynb), which has no steps at all.

@@ -11,7 +11,8 @@
 #
 # Five functions to write, twenty-two points. Read notebook
 # [07](../notebooks/07_time_of_impact.ipynb) first. With the last two you go from one collision to
-# the next, without any time step.
+# the next, without any time step; for them read [07b](../notebooks/07b_from_event_to_event.ipynb),
+# too.
 #
 # - Replace the `raise` line of each function with your answer. Do not change its name or its
 #   arguments.

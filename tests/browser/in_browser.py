@@ -14,6 +14,7 @@ import nbformat
 from nbformat.sign import NotebookNotary
 
 from lesson_code.course.notebooks import server
+from lesson_code.course.quiz.bank import Question, load_quiz
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
@@ -31,6 +32,9 @@ KERNEL_STARTS = 60_000
 NOTEBOOK_RUNS = 300_000
 """ms: a notebook runs for some seconds, a few of them for half a minute."""
 
+
+IDLE = "Python 3 (ipykernel) | Idle"
+"""What JupyterLab says of a kernel that has nothing to do."""
 
 MOVES = """figure => {
     const slider = figure.querySelector("input[type=range]");
@@ -52,7 +56,7 @@ ALL_HAVE_RUN = r"""() => {
 }"""
 """In the page: whether every prompt holds a number, and none is empty or a star.
 
-A folded cell shows no prompt; the last cell, which is the quiz, is not folded.
+A folded cell shows no prompt. If the last one is folded, only the kernel tells that it has run.
 """
 
 
@@ -81,7 +85,7 @@ class JupyterLab:
     def open(self, page: Page, notebook: str) -> LabNotebook:
         """Open a notebook, "notebooks/02_restitution.ipynb", and wait for its kernel."""
         self.show(page, notebook)
-        page.get_by_text("Python 3 (ipykernel) | Idle").wait_for(timeout=KERNEL_STARTS)
+        page.get_by_text(IDLE).wait_for(timeout=KERNEL_STARTS)
         return LabNotebook(page)
 
     def show(self, page: Page, notebook: str) -> None:
@@ -118,10 +122,11 @@ class LabNotebook:
         return self.page.locator('[data-mime-type="application/vnd.jupyter.error"]')
 
     def run_all(self) -> None:
-        """Run all cells and wait for the last one."""
+        """Run all cells and wait for the last one, and for the kernel."""
         self._choose("Edit", "Clear Outputs of All Cells")
         self._choose("Run", "Run All Cells")
         self.page.wait_for_function(ALL_HAVE_RUN, timeout=NOTEBOOK_RUNS)
+        self.page.get_by_text(IDLE).wait_for(timeout=NOTEBOOK_RUNS)
 
     def _choose(self, menu: str, entry: str) -> None:
         """Choose an entry of a menu."""
@@ -134,6 +139,19 @@ def figures_in(notebook: Path) -> int:
     cells = nbformat.read(notebook, as_version=4).cells  # type: ignore[no-untyped-call]
     outputs = [output for cell in cells for output in cell.get("outputs", ())]
     return sum("<figure data-live=" in o.get("data", {}).get("text/html", "") for o in outputs)
+
+
+def code_of(notebook: Path) -> str:
+    """Return the code of a notebook."""
+    cells = nbformat.read(notebook, as_version=4).cells  # type: ignore[no-untyped-call]
+    return "\n".join(cell.source for cell in cells if cell.cell_type == "code")
+
+
+def predictions_in(notebook: Path) -> list[Question]:
+    """Return what a notebook asks its reader to predict; a part asks some of its chapter's."""
+    code = code_of(notebook)
+    known = load_quiz(notebook.name[:2]).predictions
+    return [question for question in known if f'predict("{question.id}")' in code]
 
 
 def expect_all_alive(page: Page, count: int) -> None:

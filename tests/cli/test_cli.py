@@ -7,6 +7,7 @@ import importlib.util
 import json
 import os
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -25,7 +26,7 @@ from lesson_code import __version__, cli
 from lesson_code.course import fresh_copies
 from lesson_code.course.grading import self_check
 from lesson_code.course.grading.exercises import exercises
-from lesson_code.course.notebooks import nbval_run, root
+from lesson_code.course.notebooks import nbval_run, root, server
 from lesson_code.course.notebooks.nbval_run import CellResult
 from lesson_code.course.quiz.bank import chapter_numbers
 from lesson_code.course.site import build
@@ -686,6 +687,24 @@ def test_open_of_no_notebook_or_of_several_ends_with_2(notebook: str) -> None:
     result = workbook("open", notebook)
     assert result.exit_code == NOT_DONE
     assert f"notebook must be the number of one, such as 00, got {notebook!r}" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("notebook", "opened"), [("01", "01_first"), ("01b", "01b_second"), ("02", "02_other")]
+)
+def test_open_of_a_chapter_in_parts_opens_the_one_that_is_named_or_the_first(
+    tiny: Path, monkeypatch: pytest.MonkeyPatch, notebook: str, opened: str
+) -> None:
+    """The number alone is that of the first part."""
+
+    def start(_root: Path, path: Path, _port: int | None) -> None:
+        raise RuntimeError(path.stem)
+
+    for name in ("01b_second", "01_first", "02_other"):
+        shutil.copy(tiny / root.FIRST_NOTEBOOK, tiny / "notebooks" / f"{name}.ipynb")
+    monkeypatch.setattr(server, "start", start)
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    assert workbook("open", notebook).stderr == f"workbook: {opened}\n"
 
 
 def test_open_without_jupyterlab_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,4 +1,4 @@
-"""What the reader of notebook 07 writes: who passes a wall, and when two circles meet."""
+"""What the reader of chapter 07 writes: who passes a wall, when circles meet, and a fold."""
 
 from __future__ import annotations
 
@@ -61,6 +61,35 @@ def with_four_times_ac(a: float, b: float, c: float) -> float:
     return 2 * c / (-b + math.sqrt(b * b - 4 * a * c))
 
 
+def fold(x: float, room: float) -> float:
+    """Return where a ball is that bounces between 0 and `room`; without walls it would be at x."""
+    return room - abs(x % (2 * room) - room)
+
+
+@wrong_model("07-fold", "Does a ball that leaves on the right come in again on the left?")
+def comes_in_on_the_other_side(x: float, room: float) -> float:
+    """The images of the room are all alike, and none is a mirror image."""
+    return x % room
+
+
+@wrong_model("07-fold", "Does the second image of the room lie as the first one, or as the room?")
+def every_image_is_mirrored(x: float, room: float) -> float:
+    """Every image of the room is a mirror image."""
+    return room - x % room
+
+
+@wrong_model("07-fold", "The ball has bounced off both ends. Where does yours say that it is?")
+def one_bounce_at_most(x: float, room: float) -> float:
+    """There is one bounce, and no other."""
+    return 2 * room - x if x > room else abs(x)
+
+
+@wrong_model("07-fold", "Does the ball stay at the wall that it has met?")
+def stays_at_the_wall(x: float, room: float) -> float:
+    """What would be beyond a wall is at the wall."""
+    return min(max(x, 0.0), room)
+
+
 def balls_at_a_wall(stream: Random) -> tuple[float, ...]:
     """Draw a speed, m/s, a step, s, a radius and a thickness, m; some balls are slow."""
     dt, r = 1 / stream.choice((30, 60, 120)), round(stream.uniform(0.05, 0.2), 2)
@@ -75,10 +104,19 @@ def that_meet(stream: Random) -> tuple[float, ...]:
     return part * b * b / c, b, c
 
 
+def straight_ways(stream: Random) -> tuple[float, ...]:
+    """Draw a place on a straight way, m, up to four images of the room away, and the room, m."""
+    room, image = round(stream.uniform(1, 6), 2), stream.choice((-3, -2, -1, 1, 2, 3, 4))
+    return round((image + stream.uniform(0.1, 0.9)) * room, 2), room
+
+
 GAPS = (
     Gap("07-passing", share_passing, balls_at_a_wall,
         (below_zero_for_slow_balls, seen_in_all_of_the_wall, those_that_are_stopped,
          a_ball_without_a_radius)),
     Gap("07-first-touch", first_touch, that_meet,
         (with_a_difference, the_other_root, with_four_times_ac)),
+    Gap("07-fold", fold, straight_ways,
+        (comes_in_on_the_other_side, every_image_is_mirrored, one_bounce_at_most,
+         stays_at_the_wall)),
 )  # fmt: skip

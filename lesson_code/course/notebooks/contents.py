@@ -6,22 +6,25 @@ import re
 from pathlib import Path
 
 from lesson_code.course.chapters import Chapter, chapters
+from lesson_code.course.notebooks.parts import parts
 
 NAME = "README.md"
 TABLE = re.compile(r"(?<=\|---\|---\|---\|\n)(\| \[\d\d .*\n)+")
 """The rows below the table's head."""
 
 
-def rows() -> str:
+def rows(root: Path) -> str:
     """Return the table's rows: notebook, exercise, and what one can do afterwards."""
-    return "".join(_row(chapter) for chapter in chapters() if chapter.number)
+    return "".join(_row(chapter, root) for chapter in chapters() if chapter.number)
 
 
-def _row(chapter: Chapter) -> str:
+def _row(chapter: Chapter, root: Path) -> str:
     file, aim = f"{chapter.name}.ipynb", chapter.summary.removesuffix(".")
     exercise = f" [exercise](exercises/{file})" if chapter.has("tasks.py") else ""
-    title = f"[{chapter.number} {chapter.title}](notebooks/{file})"
-    return f"| {title} |{exercise} | {aim[:1].lower()}{aim[1:]} |\n"
+    titles = {chapter.name: f"{chapter.number} {chapter.title}"}
+    titles |= {part.name: part.title for part in parts(root, chapter.number)[1:]}
+    links = ", ".join(f"[{title}](notebooks/{name}.ipynb)" for name, title in titles.items())
+    return f"| {links} |{exercise} | {aim[:1].lower()}{aim[1:]} |\n"
 
 
 def drifted(root: Path) -> list[str]:
@@ -44,5 +47,5 @@ def _made_anew(root: Path) -> str | None:
     if not (root / NAME).is_file():
         return None
     text = (root / NAME).read_text(encoding="utf-8")
-    made = TABLE.sub(rows(), text)
+    made = TABLE.sub(rows(root), text)
     return None if made == text else made

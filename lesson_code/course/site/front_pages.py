@@ -26,7 +26,7 @@ get the workbook's folder and follow its README: the pages are its notebooks.
 
 ## Chapters
 
-After each of them you will be able to do what stands below it.
+Below each stands how long it takes to read, and what you will be able to do afterwards.
 
 {contents}
 
@@ -108,6 +108,9 @@ LEVEL = re.compile(r"^\*\*Level:\*\*.*(?:\n.+)*", re.MULTILINE)
 ABLE = re.compile(r"\*\*After this notebook you will be able to\*\*\s+(.*?)\n\n\S", re.DOTALL)
 """The list of what a notebook teaches, in its first cell."""
 
+TIME = re.compile(r"\*\*Time:\*\*\s+about\s+(\d+)\s+minutes")
+"""How long it takes to read, there."""
+
 
 def front_page(
     notebooks: Sequence[tuple[str, Any]],
@@ -163,12 +166,13 @@ def exercise_list(root: Path, pages: Collection[Exercise]) -> str:
 
 
 def _entry(name: str, notebook: Any) -> str:
-    """Return a chapter's title, as a link, and what its reader will be able to do."""
+    """Return a notebook's title, as a link, its time, and what its reader will be able to do."""
     opening = notebook.cells[0].source
     title = opening.splitlines()[0].removeprefix("# ")
-    able = ABLE.search(opening)
-    goals = able[1] if able else ""
-    return f"### [{title}](notebooks/{name}.ipynb)\n\n{goals}".rstrip()
+    able, time = ABLE.search(opening), TIME.search(opening)
+    parts = [f"### [{title}](notebooks/{name}.ipynb)"]
+    parts += [f"About {time[1]} minutes."] if time else []
+    return "\n\n".join([*parts, able[1] if able else ""]).rstrip()
 
 
 def _row(exercise: Exercise, root: Path, *, has_page: bool) -> str:

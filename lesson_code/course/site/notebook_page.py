@@ -62,9 +62,10 @@ class NotebookPage:
             else:
                 shown = map(self._shown, cell.outputs)
                 cell.outputs = [output for output in shown if output is not None]
-        if self._name in self._answered:
-            link = f"[{IN_THE_PAGE}](../exercises/{self._name}.md)"
-            page.cells[0].source += f"\n\n**Exercise:** {link}."
+        for exercise in self._answered:
+            if exercise[:2] == self._name[:2]:  # each part of a chapter leads to its exercise
+                link = f"[{IN_THE_PAGE}](../exercises/{exercise}.md)"
+                page.cells[0].source += f"\n\n**Exercise:** {link}."
         page.cells = list(_folded(page.cells))
         return page
 

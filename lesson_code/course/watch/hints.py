@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from random import Random
 
 from lesson_code.course.grading.compare import written
@@ -10,9 +11,10 @@ from lesson_code.course.grading.feedback import NOT_WRITTEN, call_of
 from lesson_code.course.grading.task import Task
 from lesson_code.course.grading.verdict import Verdict
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
+from lesson_code.course.notebooks.parts import parts
 
 
-def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
+def hints(verdict: Verdict, exercise: Exercise, root: Path) -> list[str]:
     """Return the help there is for a task that is not right, the gentlest first.
 
     Parameters
@@ -21,12 +23,14 @@ def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
         What the check has shown.
     exercise : Exercise
         Where the task stands.
+    root : Path
+        The workbook whose notebooks are read.
     """
     messages = list(dict.fromkeys(c.message for c in verdict.criteria if c.message))
     if messages == [NOT_WRITTEN]:
         return [
             f"Not written yet. {verdict.task.objective}",
-            _where_to_read(verdict.task, exercise),
+            where_to_read(verdict.task, exercise, root),
         ]
     steps = [messages[0]]
     if verdict.recognised is not None:
@@ -36,7 +40,7 @@ def hints(verdict: Verdict, exercise: Exercise) -> list[str]:
         steps += [f"Also: {message}" for message in messages[1:]]
     steps.append(f"What is asked: {verdict.task.objective}")
     steps.append(example(verdict.task))
-    return [*steps, _where_to_read(verdict.task, exercise)]
+    return [*steps, where_to_read(verdict.task, exercise, root)]
 
 
 def example(task: Task) -> str:
@@ -52,9 +56,11 @@ def example(task: Task) -> str:
     return f"An example to follow by hand: {call_of(task, arguments)} is {written(answer)}."
 
 
-def _where_to_read(task: Task, exercise: Exercise) -> str:
+def where_to_read(task: Task, exercise: Exercise, root: Path) -> str:
     """Return which section of a chapter, or which other text, is to be read."""
     if task.section is not None:
-        notebook = f"notebook {exercise.name[:2]}, {exercise.title}"
-        return f"Read section {task.section} of {notebook}, again."
+        number = exercise.name[:2]
+        titles = (p.title for p in parts(root, number) if p.has_section(task.section))
+        title = next(titles, f"{number} {exercise.title}")
+        return f"Read section {task.section} of notebook {title} again."
     return f"Read what stands at the top of exercises/{exercise.file_name} again."

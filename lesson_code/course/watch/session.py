@@ -144,7 +144,7 @@ class WatchSession:
             self.screen.say("Nothing is left to mend in this exercise.")
             return
         self.asked[verdict.task.id] = self.asked.get(verdict.task.id, 0) + 1
-        level, steps = self._level(verdict), hints(verdict, self.current)
+        level, steps = self._level(verdict), hints(verdict, self.current, self.root)
         if level > len(steps):
             self.screen.say("That is all the help there is here. Ask whoever teaches you.")
         else:
@@ -196,7 +196,8 @@ class WatchSession:
 
     def _show_help(self, verdict: Verdict) -> None:
         """Show the help for a task, up to where it has come."""
-        self.screen.help(verdict.task.title, hints(verdict, self.current)[: self._level(verdict)])
+        steps = hints(verdict, self.current, self.root)
+        self.screen.help(verdict.task.title, steps[: self._level(verdict)])
 
     def _level(self, verdict: Verdict) -> int:
         """Return how many steps of help are due: one more with each failed try or request."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import nbformat
@@ -14,11 +15,12 @@ ROOT = Path(__file__).parents[3]
 
 
 def test_front_page_says_what_each_chapter_teaches() -> None:
-    """Title, link, and the three goals of every notebook."""
+    """Title, link, time, and the three goals of every notebook."""
     paths = sorted((ROOT / "notebooks").glob("*.ipynb"))
     page = front_page([(path.stem, nbformat.read(path, as_version=4)) for path in paths])
     for path in paths:
         entry = page.split(f"](notebooks/{path.name})")[1].split("###")[0]
+        assert re.match(r"\n\nAbout \d+ minutes\.\n", entry), path.name
         assert all(f"\n{number}. " in entry for number in (1, 2, 3)), path.name
         assert f"\nnotebooks/{path.stem}\n" in page
 
@@ -36,7 +38,7 @@ def test_lab_stands_first_and_alone() -> None:
 def test_front_page_opens_with_the_promise_of_the_readme_and_its_hours() -> None:
     """The README's first paragraph stands above the lab, level and hours below it."""
     page = front_page([], lab="<div>lab</div>", readme=(ROOT / "README.md").read_text("utf-8"))
-    parts = ("You write the formulas", "<div>lab</div>", "**Level:**", "**Time:** twelve notebooks")
+    parts = ("You write the formulas", "<div>lab</div>", "**Level:**", "**Time:** twelve chapters")
     places = [page.index(part) for part in (*parts, "## Chapters", "## For instructors")]
     assert places == sorted(places)
     assert "Two commands" not in page

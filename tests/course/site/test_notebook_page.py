@@ -95,10 +95,13 @@ def test_link_to_an_exercise_becomes_a_download(tmp_path: Path, suffix: str) -> 
 
 
 def test_link_to_an_exercise_with_a_page_leads_there(tmp_path: Path) -> None:
-    """From the text, and from the top of its own chapter; an exercise without a page is a file."""
+    """From the text, and from the top of its chapter's parts; one without a page is a file."""
     text = "Do [this](../exercises/01_one.ipynb) and [that](../exercises/pool.py)."
     notebook = new_notebook(cells=[new_markdown_cell("# 01 One"), new_markdown_cell(text)])
     page = NotebookPage("01_one", tmp_path, answered=["01_one"]).page_of(notebook)
     assert page.cells[0].source.endswith("(../exercises/01_one.md).")
     assert "[this](../exercises/01_one.md)" in page.cells[1].source
     assert '<a href="../exercises/pool.py" download>that</a>' in page.cells[1].source
+    for name, leads in (("01b_on", True), ("02_two", False)):
+        page = NotebookPage(name, tmp_path, answered=["01_one"]).page_of(notebook)
+        assert page.cells[0].source.endswith("(../exercises/01_one.md).") == leads

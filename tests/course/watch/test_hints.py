@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
-import nbformat
 import pytest
 
 from lesson_code.course.grading.exercises import Exercise, exercises, task_by_id
 from lesson_code.course.grading.task import Task
+from lesson_code.course.notebooks.parts import parts
 from lesson_code.course.notebooks.root import find_root
-from lesson_code.course.watch.hints import example
+from lesson_code.course.watch.hints import example, where_to_read
 
 TASKS = [task for exercise in exercises() for task in exercise.tasks]
 
@@ -33,13 +34,21 @@ def test_example_is_there_for_every_task(task: Task) -> None:
 @pytest.mark.parametrize("exercise", exercises(), ids=lambda exercise: exercise.name)
 def test_section_to_read_again_is_there(exercise: Exercise) -> None:
     """It is one of its chapter's own, and neither the quiz nor a fault made on purpose."""
-    path = find_root() / "notebooks" / f"{exercise.name}.ipynb"
-    cells = nbformat.read(path, as_version=4).cells if path.exists() else []
     titles = {}
-    for cell in cells:
-        found = re.findall(r"^## (\d+) (.*)", cell.source, re.MULTILINE)
-        titles |= {int(number): title for number, title in found}
+    for part in parts(find_root(), exercise.name[:2]):
+        found = re.findall(r"^## (\d+) (.*)", part.prose, re.MULTILINE)
+        titles |= {int(number): (title, part.title) for number, title in found}
     for task in exercise.tasks:
         assert (task.section is None) == (not titles), task.title
         if task.section is not None:
-            assert not titles[task.section].startswith(("Quiz", "Break it")), task.title
+            title, notebook = titles[task.section]
+            assert not title.startswith(("Quiz", "Break it")), task.title
+            said = where_to_read(task, exercise, find_root())
+            assert said == f"Read section {task.section} of notebook {notebook} again."
+
+
+def test_where_to_read_is_said_without_the_notebooks(tmp_path: Path) -> None:
+    """Somebody may have only the exercises; the chapter's name tells them enough."""
+    exercise = exercises()[0]
+    said = where_to_read(exercise.tasks[0], exercise, tmp_path)
+    assert said == "Read section 3 of notebook 01 One dimension again."
