@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import time
 import math
+import time
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -203,9 +203,11 @@ def test_request_that_is_refused_counts_as_any_other() -> None:
     assert heights.reply("bounce_heights", [1.0, 0.5, 1]) is None
 
 
+@pytest.mark.full
 def test_request_of_more_than_any_arguments_ends_the_loan(grader: Grader, write: Write) -> None:
     """400 kB at a time, as often as values may be asked for, cost the grader minutes."""
-    large = ENDLESS.replace("separate(*given[:1], *given[2:4], *given[5:8])", "separate(*[LONG] * 6)")
+    given = "*given[:1], *given[2:4], *given[5:8]"
+    large = ENDLESS.replace(given, "*[LONG] * 6")
     began = time.process_time()
     report = graded(grader, write, f"{WRONG}\nLONG = [0.5] * 1500\n{large}")
     assert [verdict.points for verdict in report.verdicts] == [0, 4, 0, 0]

@@ -22,7 +22,7 @@ from functools import lru_cache
 from typing import Any
 
 from . import files, limits
-from .imports import forget_the_way_here, may_be_imported
+from .imports import may_be_imported
 from .winnowing import fingerprints
 
 MAGIC = re.compile(
@@ -344,7 +344,6 @@ def main() -> None:
 
     One that takes more than its time ends the process.
     """
-    forget_the_way_here(())
     limits.lower_memory(MOST_MEMORY)
     for line in sys.stdin.buffer:
         limits.bound_time_from_now(SECONDS)
