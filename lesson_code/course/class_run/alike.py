@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.course.class_run.answers import LONGEST_ANSWER
-from lesson_code.course.class_run.student import Student
+from lesson_code.course.class_run.student import MOST_COMPARED, Student
 from lesson_code.course.fresh_copies import fresh_exercise
 from lesson_code.course.grading.exercises import Exercise
 from lesson_code.course.grading.submission import Submission
@@ -71,13 +71,20 @@ class Alike:
 
 
 def passages_of(submission: Submission) -> list[dict[str, Any]]:
-    """Return what tells of each function that is long enough, or has names of its author's own."""
-    return [
-        {**f, "text": _cut(unit.source, *f["lines"])}
+    """Return what tells of each function that is long enough, or has names of its author's own.
+
+    Of very many, the longest: each is compared with those of all others.
+    """
+    found = [
+        {**f, "text": _cut(lines, *f["lines"])}
         for unit in submission.units
+        for lines in [unit.source.split("\n")]
         for f in unit.prints
         if len(f["prints"]) >= FEWEST or f["own"]
     ]
+    if len(found) <= MOST_COMPARED:
+        return found
+    return sorted(found, key=lambda f: -len(f["prints"]))[:MOST_COMPARED]
 
 
 def alike_in(students: Sequence[Student], exercises: Iterable[Exercise]) -> tuple[Alike, ...]:
@@ -144,7 +151,7 @@ def _lesson() -> tuple[Passage, ...]:
         for each in fingerprints(ast.parse(source).body):
             if len(each["prints"]) >= FEWEST:
                 where = f"{path.relative_to(package.parent).as_posix()}: {each['name']}"
-                text = _cut(source, *each["lines"])
+                text = _cut(source.split("\n"), *each["lines"])
                 found.append(Passage((), where, text, frozenset(each["prints"])))
     return tuple(found)
 
@@ -195,7 +202,7 @@ def _same_words(passages: list[Passage]) -> Iterator[tuple[int, int]]:
     yield from sorted(pair for pair, names in shared.items() if names >= FEWEST_NAMES)
 
 
-def _cut(source: str, first: int, last: int) -> str:
+def _cut(lines: list[str], first: int, last: int) -> str:
     """Return some lines of a text, as far as an instructor wants to read them."""
-    text = "\n".join(source.split("\n")[first - 1 : last])
+    text = "\n".join(lines[first - 1 : last])
     return text if len(text) <= LONGEST_ANSWER else f"{text[:LONGEST_ANSWER]}\n..."

@@ -18,10 +18,11 @@ def answer_in(sources: Iterable[str], function: str) -> str:
     'def f(a):\n    return a'
     """
     begins = re.compile(rf"^(async )?def[ \t]+{re.escape(function)}\b", re.MULTILINE)
-    found = [source[match.start() :] for source in sources for match in begins.finditer(source)]
+    found = [(source, match.start()) for source in sources for match in begins.finditer(source)]
     if not found:
         return ""
-    lines = found[-1][: 2 * LONGEST_ANSWER].splitlines()
+    source, start = found[-1]
+    lines = source[start : start + 2 * LONGEST_ANSWER].splitlines()
     ends = (n for n, line in enumerate(lines) if n and line[:1] not in ("", " ", "\t", ")", "#"))
     answer = "\n".join(lines[: next(ends, len(lines))]).rstrip()
     return answer if len(answer) <= LONGEST_ANSWER else f"{answer[:LONGEST_ANSWER]}\n..."

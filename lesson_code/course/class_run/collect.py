@@ -195,7 +195,7 @@ def _entries(
 
 def _called(entry: Path) -> str:
     """Return what an entry says whose it is: a folder's name, a file's without its suffix."""
-    return entry.name if entry.is_dir() else entry.stem
+    return entry.name if _is_folder(entry) else entry.stem
 
 
 def _suffix(name: str) -> str:
@@ -269,7 +269,7 @@ def _files_in(
     folder: Path, entry: Path, problems: list[str], left_out: list[tuple[str, str]]
 ) -> list[Path]:
     """Return the files of an entry that may be graded; note what cannot be, and what is not."""
-    if entry.is_symlink() or not entry.is_dir():
+    if entry.is_symlink() or not _is_folder(entry):
         return [entry]  # the reader says what is wrong with it
     found: list[Path] = []
 
@@ -282,19 +282,35 @@ def _files_in(
             left_out.append((reason, path.relative_to(folder).as_posix()))
         return not reason
 
-    for top, folders, files in os.walk(entry, onerror=unreadable):
-        place = Path(top)
-        folders[:] = [
-            name
-            for name in sorted(folders)
-            if is_kept(place / name, _reason(name) or (LINK if (place / name).is_symlink() else ""))
-        ]
-        found += [
-            place / name
-            for name in sorted(files)
-            if is_kept(place / name, _reason(name) or ("" if _is_gradable(name) else OTHER_KIND))
-        ]
+    waiting = [str(entry)]  # folders may be nested by the thousand, which os.walk does not bear
+    while waiting:
+        try:
+            with os.scandir(waiting.pop()) as inside:
+                parts = sorted((Path(part.path), _is_folder(part)) for part in inside)
+        except OSError as error:
+            unreadable(error)
+            continue
+        folders = [path for path, is_folder in parts if is_folder]
+        waiting += reversed([str(path) for path in folders if is_kept(path, _of_folder(path))])
+        found += [path for path, is_folder in parts if not is_folder and is_kept(path, _of(path))]
     return found
+
+
+def _of_folder(path: Path) -> str:
+    """Return why a folder is not looked into; an empty text if it is."""
+    return _reason(path.name) or (LINK if os.path.islink(path) else "")  # noqa: PTH114
+
+
+def _of(file: Path) -> str:
+    """Return why a file is not graded; an empty text if it may be."""
+    return _reason(file.name) or ("" if _is_gradable(file.name) else OTHER_KIND)
+
+
+def _is_folder(entry: Path | os.DirEntry[str]) -> bool:
+    """Return whether an entry is a folder; False where nobody may look."""
+    if isinstance(entry, os.DirEntry) and not entry.is_symlink():
+        return entry.is_dir()
+    return os.path.isdir(entry)  # noqa: PTH112
 
 
 def _is_gradable(name: str) -> bool:

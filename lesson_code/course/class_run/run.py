@@ -199,12 +199,10 @@ def _at_work(
 def _job(paper: Paper, hands: Hands, variant: str, seconds: int) -> Job:
     """Return a file as a task; workers on other machines are sent what stands in it."""
     job = Job(paper.name, paper.path, variant=variant, seconds=seconds)
-    if hands.cluster is None or paper.path.is_symlink() or not paper.path.is_file():
-        return job
-    if paper.path.stat().st_size > LARGEST_FILE:
-        return job
-    with suppress(OSError):
-        return replace(job, content=paper.path.read_bytes())
+    with suppress(OSError):  # whoever grades it finds out, too, and says so
+        is_file = paper.path.is_file() and not paper.path.is_symlink()
+        if hands.cluster and is_file and paper.path.stat().st_size <= LARGEST_FILE:
+            return replace(job, content=paper.path.read_bytes())
     return job
 
 

@@ -16,6 +16,9 @@ from lesson_code.course.grading.task import Task
 
 MINUTES_A_DAY = 1440
 
+MOST_COMPARED = 100
+"""Functions of a file that are compared with others'; a chapter's answers have 5 to 20."""
+
 
 @dataclass(frozen=True)
 class Student:
@@ -79,6 +82,11 @@ def counted(hand_in: HandIn, marks: Mapping[str, Marks]) -> Student:
             notes.append(f"{visible(paper.name)}: left out, it answers no exercise")
         elif "problem" in report:
             problems.append(f"{visible(paper.name)}: {report['problem']}")
+    notes += [
+        f"{visible(paper.name)}: only its {MOST_COMPARED} longest functions are compared"
+        for paper, report in counting.values()
+        if len(report.get("passages", ())) == MOST_COMPARED
+    ]
     return Student(
         hand_in,
         {name: report for name, (_, report) in counting.items()},

@@ -5,7 +5,7 @@ from __future__ import annotations
 import secrets
 from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from types import TracebackType
 
@@ -138,14 +138,18 @@ def _explaining(call: Call, submission: Submission, exercise: Exercise) -> Call:
     """Return a way to call functions that says of a missing one where it may be."""
     left_out = submission.left_out
 
+    @cache  # there may be thousands of names that are like it
+    def said_of_missing(function: str) -> str:
+        others = [name for name in submission.functions if name not in exercise.task_ids]
+        return missing_function(function, others, submission.lost)
+
     def explaining(function: str, arguments: Arguments) -> CallOutcome:
         outcome = call(function, arguments)
         if outcome.kind == "raised" and (why := left_out_name(outcome.text, left_out)):
             return CallOutcome("raised", text=f"{outcome.text}: {why}")
         if outcome.kind != "missing":
             return outcome
-        others = [name for name in submission.functions if name not in exercise.task_ids]
-        return CallOutcome("missing", text=missing_function(function, others, submission.lost))
+        return CallOutcome("missing", text=said_of_missing(function))
 
     return explaining
 

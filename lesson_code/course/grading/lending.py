@@ -79,14 +79,14 @@ class Lent:
         None says that nothing more is lent.
         """
         self._asked.add(function)
-        try:
-            given = plain(arguments)
-        except (NotPlainError, OverflowError) as error:
-            return {"refused": str(error)}
         left = self._allowance
         left.values -= 1
         if left.values < 0 or left.seconds <= 0:
             return None
+        try:
+            given = plain(arguments)
+        except (NotPlainError, OverflowError) as error:
+            return {"refused": str(error)}
         answer = _kept_value(self._tasks[function].id, given)
         if answer is None:
             left.seconds = 0.0

@@ -13,13 +13,14 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.course.isolation.call_outcome import one_line
-from lesson_code.course.isolation.inside.reading import NO_TEXT, decoded, parsed
-from lesson_code.course.isolation.reader import read_units, reader
+from lesson_code.course.isolation.inside.reading import parsed
+from lesson_code.course.isolation.reader import TOO_SLOW, read_units, reader
 
 LARGEST_FILE = 50_000_000
 """Bytes. A notebook with every figure in it stays under 2 MB; films and printed loops take more."""
 
-TOO_MUCH = "takes too much time or memory to read; clear the outputs of its cells and save it"
+CLEAR = "clear the outputs of its cells and save it"
+"""What makes a notebook small."""
 
 
 class SubmissionError(ValueError):
@@ -153,7 +154,7 @@ def _must_be_readable(path: Path) -> None:
     if path.suffix.lower() not in (".ipynb", ".py"):
         raise SubmissionError(f"{path}: a submission ends in .ipynb or .py")
     if path.stat().st_size > LARGEST_FILE:
-        cause = "; clear the outputs of its cells and save it" if _is_notebook(path) else ""
+        cause = f"; {CLEAR}" if _is_notebook(path) else ""
         raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{cause}")
 
 
@@ -164,20 +165,25 @@ def _is_notebook(path: Path) -> bool:
 
 def _program(path: Path) -> list[tuple[str, str]]:
     """Return name and code of a program, as its only part."""
-    text = decoded(path.read_bytes(), may_name_its_encoding=True)
-    if text is None:
-        raise SubmissionError(f"{path}: {NO_TEXT}")
-    if not text.strip():
-        raise SubmissionError(f"{path}: is empty")
-    return [(f"your {path.name}", text)]
+    found = _found_in(path, "program", TOO_SLOW)
+    return [(f"your {path.name}", found["source"])]
 
 
 def _notebook_cells(path: Path) -> tuple[list[tuple[str, str]], str | None]:
-    """Return name and code of a notebook's code cells, and the exercise it says it is.
+    """Return name and code of a notebook's code cells, and the exercise it says it is."""
+    found = _found_in(path, "notebook", f"{TOO_SLOW}; {CLEAR}")
+    return [(name, source) for name, source in found["cells"]], found["exercise"]
 
-    The reader parses it: a notebook may hold 50 MB of outputs, in any form that JSON knows.
+
+def _found_in(path: Path, kind: str, too_much: str) -> dict[str, Any]:
+    """Return what the reader finds in a file: 50 MB, in any encoding and any form of JSON.
+
+    Raises
+    ------
+    SubmissionError
+        It is no file of that kind, or takes too much to read.
     """
-    found = reader().ask("notebook", str(path.absolute())) or {"problem": TOO_MUCH}
+    found: dict[str, Any] = reader().ask(kind, str(path.absolute())) or {"problem": too_much}
     if "problem" in found:
         raise SubmissionError(f"{path}: {found['problem']}")
-    return [(name, source) for name, source in found["cells"]], found["exercise"]
+    return found

@@ -220,6 +220,21 @@ def test_packed_formulas_are_remarked_one_by_one(
     assert book.students[0].status == "graded"
 
 
+def test_of_very_many_functions_the_longest_are_compared_and_it_is_said(
+    make_class: MakeClass, tmp_path: Path
+) -> None:
+    """A copy is found among hundreds of short ones, and a class page takes no hours."""
+    short = "".join(f"def f{n}():\n    aa = bb = {n}\n    return aa + bb\n" for n in range(300))
+    folder = make_class({"ada/04_circles.py": CONTACT, "bob/04_circles.py": f"{short}\n{CONTACT}"})
+    book = grade_class(folder, tmp_path / "out", exercises=["04"], seed=7, hands=Hands(1))
+    [alike] = book.alike
+    assert [passage.name for passage in alike.passages] == ["circle_contact"] * 2
+    assert [student.notes for student in book.students] == [
+        (),
+        ("bob/04_circles.py: only its 100 longest functions are compared",),
+    ]
+
+
 def test_remark_changes_no_mark_and_no_student_sees_it(book: Gradebook) -> None:
     """The class's page has the passages; a student's has neither them nor a word of it."""
     page = class_page(book)

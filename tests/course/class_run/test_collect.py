@@ -21,6 +21,7 @@ from lesson_code.course.class_run.exports import as_csv, as_dict, credits_of
 from lesson_code.course.class_run.gradebook import gradebook
 from lesson_code.course.class_run.names import visible
 from lesson_code.course.class_run.roster import Enrolled
+from lesson_code.course.isolation.inside import disk
 
 from .conftest import MakeClass
 
@@ -98,6 +99,43 @@ def test_links_and_odd_names_are_neither_followed_nor_lost(make_class: MakeClass
     assert len(found) == 5
     (link,) = [p for h in collect(folder).hand_ins for p in h.papers if p.name == "link.py"]
     assert link.digest == "no file"
+
+
+@unix
+def test_folders_nested_by_the_thousand_end_no_run(make_class: MakeClass) -> None:
+    """What lies at their bottom is found; beyond what the system takes for a path, it is named."""
+    folder = make_class({"ada/a.py": "", "bob/b.py": ""})
+    here = Path.cwd()
+    for student, name, depth in (("ada", "d", 1200), ("bob", "x" * 240, 17)):
+        os.chdir(folder / student)
+        for _ in range(depth):
+            Path(name).mkdir()
+            os.chdir(name)
+        Path("deep.py").touch()
+    os.chdir(here)
+    try:
+        ada, bob = collect(folder).hand_ins
+    finally:
+        disk.remove(str(folder))  # pytest could not
+    assert [paper.path.name for paper in ada.papers] == ["a.py", "deep.py"]
+    assert [paper.path.name for paper in bob.papers] == ["b.py"]
+    assert [problem.partition(": ")[2] for problem in bob.problems] == [
+        "cannot be read (File name too long)"
+    ]
+
+
+@unix
+@pytest.mark.skipif(os.name == "posix" and os.geteuid() == 0, reason="root looks everywhere")
+def test_what_this_user_may_not_look_into_ends_no_run(make_class: MakeClass) -> None:
+    """A closed folder, and a link into one, are named; the others are graded."""
+    folder = make_class({"ada/a.py": "", "bob/closed/b.py": "", "carl/c.py": ""})
+    (folder / "carl" / "link").symlink_to(folder / "bob" / "closed" / "deeper")
+    (folder / "eve").symlink_to(folder / "bob" / "closed" / "deeper")
+    (folder / "bob" / "closed").chmod(0)
+    ada, bob, carl, eve = collect(folder).hand_ins
+    (folder / "bob" / "closed").chmod(0o700)
+    assert [len(student.papers) for student in (ada, bob, carl, eve)] == [1, 0, 1, 1]
+    assert bob.problems == ("bob/closed: cannot be read (Permission denied)",)
 
 
 def test_a_student_with_too_many_files_is_told(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tracemalloc
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -75,3 +76,14 @@ def test_answer_ends_where_the_function_does() -> None:
     long = answer_in(["def f():\n" + "    x = 1\n" * 1000], "f")
     assert long.endswith("\n...")
     assert len(long) <= LONGEST_ANSWER + 4
+
+
+def test_answer_among_thousands_is_found_without_copies_of_the_rest() -> None:
+    """A text of nothing but beginnings of a function took the grader 6 GB."""
+    many = 'X = """' + "\ndef f(" * 20_000 + '"""'
+    tracemalloc.start()
+    found = answer_in([many, "def f(a):\n    return 1"], "f")
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert found == "def f(a):\n    return 1"
+    assert most < 10_000_000

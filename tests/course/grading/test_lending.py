@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -164,6 +165,9 @@ def test_nothing_is_lent_but_the_earlier_functions_that_lost_points(
         assert report.verdicts[3].points == 0
 
 
+SECONDS_OF_THE_PARENT = 5.0
+"""Of the processor, with all that judging costs: 0.5 s, and minutes if a loan has no end."""
+
 ENDLESS = """
 def resolve_overlap(*given):
     while True:
@@ -187,6 +191,27 @@ def test_asking_without_end_earns_nothing(
 def lender(task_id: str, allowance: Allowance | None = None) -> Lent:
     """Return what lends the function of one task."""
     return Lent([task_by_id(task_id)], allowance or Allowance())
+
+
+def test_request_that_is_refused_counts_as_any_other() -> None:
+    """Otherwise it could be asked for without end, and the grader would read on and on."""
+    allowance = Allowance()
+    allowance.values = 2
+    heights = lender("2.3", allowance)
+    assert "refused" in (heights.reply("bounce_heights", [{}]) or ())
+    assert "refused" in (heights.reply("bounce_heights", [10**400]) or ())
+    assert heights.reply("bounce_heights", [1.0, 0.5, 1]) is None
+
+
+@pytest.mark.full
+def test_request_of_more_than_any_arguments_ends_the_loan(grader: Grader, write: Write) -> None:
+    """400 kB at a time, as often as values may be asked for, cost the grader minutes."""
+    given = "*given[:1], *given[2:4], *given[5:8]"
+    large = ENDLESS.replace(given, "*[LONG] * 6")
+    began = time.process_time()
+    report = graded(grader, write, f"{WRONG}\nLONG = [0.5] * 1500\n{large}")
+    assert [verdict.points for verdict in report.verdicts] == [0, 4, 0, 0]
+    assert time.process_time() - began < SECONDS_OF_THE_PARENT
 
 
 def test_value_that_takes_too_long_is_refused_and_ends_nothing() -> None:

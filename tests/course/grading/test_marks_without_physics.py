@@ -152,3 +152,24 @@ def test_library_of_a_physics_engine_is_out_of_reach(write: Write) -> None:
         report = grader.grade(path, exercise="01", seed=SEED)
     assert report.points == 0
     assert "cannot open shared object file" in report.verdicts[0].lines[1]
+
+
+BRINGS = """\
+import ctypes, os
+from pathlib import Path
+folder = Path(os.__file__).parent / "lib-dynload"
+LIBRARY = min(folder.glob("*.so"), key=lambda path: path.stat().st_size).read_bytes()
+def elastic_1d(m1, v1, m2, v2):
+    Path("mine.so").write_bytes(LIBRARY)
+    ctypes.CDLL(str(Path("mine.so").resolve()))
+    return 0.0, 0.0
+"""
+
+
+def test_library_that_a_submission_brings_along_is_not_loaded(write: Write) -> None:
+    """Nothing that stands in its folder is machine code, so that no physics engine is packed."""
+    with Grader() as grader:
+        if grader.isolation.rung != "namespaces":
+            pytest.skip("only there the folder is mounted by us")
+        report = grader.grade(write("answer.py", BRINGS), exercise="01", seed=SEED)
+    assert "failed to map segment" in report.verdicts[0].lines[1]

@@ -15,7 +15,7 @@ import pytest
 from lesson_code.course.grading import submission as submission_module
 from lesson_code.course.grading.grader import grade
 from lesson_code.course.grading.submission import Submission, SubmissionError, read_submission
-from lesson_code.course.isolation.inside.reading import MOST_CELLS
+from lesson_code.course.isolation.inside.files import MOST_CELLS, MOST_CODE
 
 from ..conftest import Write
 
@@ -126,6 +126,42 @@ def test_read_refuses_many_cells(write: Write) -> None:
     read_submission(write("most.ipynb", *["x = 1"] * MOST_CELLS))
     with pytest.raises(SubmissionError, match=f"has more than {MOST_CELLS} cells"):
         read_submission(write("more.ipynb", *["x = 1"] * (MOST_CELLS + 1)))
+
+
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+def test_read_refuses_more_code_than_any_answer_has(write: Write, name: str) -> None:
+    """Up to the limit it is read; what is beyond would cost the grader its own time and memory."""
+    most = ELASTIC + "#" * (MOST_CODE - len(ELASTIC))
+    assert read_submission(write(name, most)).functions == ("elastic_1d",)
+    with pytest.raises(SubmissionError, match="has more than 1,000,000 characters of code"):
+        read_submission(write(name, f"{most}#"))
+
+
+@pytest.mark.parametrize("encoding", ["undefined", "punycode", "rot13", "hex", "no_such"])
+def test_read_refuses_an_encoding_that_is_none_of_text(write: Write, encoding: str) -> None:
+    """Whatever Python's own codecs end in, the file is refused in a line."""
+    with pytest.raises(SubmissionError, match="is not text in UTF-8"):
+        read_submission(write("answer.py", f"# coding: {encoding}\n{'.' * 100}-\n{ELASTIC}"))
+
+
+@pytest.mark.full
+def test_read_of_an_encoding_that_takes_long_costs_the_parent_nothing(write: Write) -> None:
+    """Python decodes Punycode in a time that grows as the square of the length."""
+    path = write("answer.py", f"# coding: punycode\nx-{'a' * 400_000}")
+    began = time.process_time()
+    with pytest.raises(SubmissionError, match=r"takes too much time or memory to read$"):
+        read_submission(path)
+    assert time.process_time() - began < SECONDS_OF_THE_PARENT
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root reads every file")
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+def test_read_refuses_what_this_user_may_not_read(write: Write, name: str) -> None:
+    """The reason is the system's own."""
+    path = write(name, ELASTIC)
+    path.chmod(0)
+    with pytest.raises(SubmissionError, match=r"cannot be read \(Permission denied\)"):
+        read_submission(path)
 
 
 SECONDS_OF_THE_PARENT = 1.0
@@ -477,6 +513,23 @@ def test_read_text_in_the_encoding_that_it_names(
     path = tmp_path / name
     path.write_bytes(f"{first}# Stoß\r\n{SETS_UP}".encode(encoding))
     assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+
+
+@pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
+def test_read_names_of_any_alphabet(write: Write, name: str) -> None:
+    """Python looks such letters up in a module of its own, which the reader has to find."""
+    greek = ELASTIC.replace("m1", "μ").replace("v1", "ω")
+    assert greek != ELASTIC
+    assert grade(write(name, greek), exercise="01", seed=1).verdicts[0].is_full
+
+
+@pytest.mark.parametrize("encoding", ["shift_jis", "gbk", "cp1252", "mac_roman"])
+def test_read_program_in_any_encoding_of_text(tmp_path: Path, encoding: str) -> None:
+    """A coding cookie may name whatever Python knows as text."""
+    path = tmp_path / "answer.py"
+    comment = "東京" if encoding in ("shift_jis", "gbk") else "Stoß"
+    path.write_bytes(f"# coding: {encoding}\n# {comment}\n{ELASTIC}".encode(encoding))
+    assert read_submission(path).functions == ("elastic_1d",)
 
 
 def test_read_notebook_that_is_too_large_names_the_cause(

@@ -402,6 +402,144 @@ def swing_step(angle, rate, length, dt):
     state[0] += state[1] * dt
     return np.array(state)
 """),
+    Unusual("1.1", "a frame that moves with the first", """\
+def elastic_1d(m1, v1, m2, v2):
+    u = v2 - v1
+    return v1 + 2 * m2 * u / (m1 + m2), v1 + (m2 - m1) * u / (m1 + m2)
+"""),
+    Unusual("1.1", "an impulse by bisection of the energy", """\
+def elastic_1d(m1, v1, m2, v2):
+    def gain(j):
+        return j * (v2 - v1) + j * j / 2 * (1 / m1 + 1 / m2)
+    low, high = (v1 - v2) / (1 / m1 + 1 / m2), 10 * (v1 - v2) / (1 / m1 + 1 / m2)
+    for _ in range(200):
+        j = (low + high) / 2
+        low, high = (j, high) if gain(j) * (v1 - v2) < 0 or gain(j) < 0 else (low, j)
+    return v1 - j / m1, v2 + j / m2
+"""),
+    Unusual("1.1", "a class whose call is the answer", """\
+class Elastic:
+    def __call__(self, m1, v1, m2, v2):
+        c = (m1 * v1 + m2 * v2) / (m1 + m2)
+        return 2 * c - v1, 2 * c - v2
+elastic_1d = Elastic()
+"""),
+    Unusual("1.1", "partial application, and a cache", """\
+from functools import lru_cache, partial
+@lru_cache(maxsize=None)
+def both(factor, m1, v1, m2, v2):
+    c = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return factor * c - v1, factor * c - v2
+elastic_1d = partial(both, 2)
+"""),
+    Unusual("1.2", "a deque", """\
+from collections import deque
+def inelastic_1d(m1, v1, m2, v2):
+    return deque([(m1 * v1 + m2 * v2) / (m1 + m2)] * 2, maxlen=2)
+"""),
+    Unusual("1.2", "an array of the array module", """\
+from array import array
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return array("d", (v, v))
+"""),
+    Unusual("1.3", "an integral of the force, by fsum", """\
+from math import fsum
+def elastic_impulse_1d(m1, v1, m2, v2):
+    n, peak = 1000, 2 * (v1 - v2) / (1 / m1 + 1 / m2)
+    return fsum([peak / n] * n)
+"""),
+    Unusual("1.3", "names of another alphabet", """\
+def elastic_impulse_1d(m1, v1, m2, v2):
+    μ = 1 / (1 / m1 + 1 / m2)
+    Δv = v1 - v2
+    return 2 * μ * Δv
+"""),
+    Unusual("2.3", "a while loop that pops", """\
+def bounce_heights(height, restitution, count):
+    left, found = list(range(count)), []
+    while left:
+        left.pop()
+        height *= restitution * restitution
+        found += [height]
+    return found
+"""),
+    Unusual("2.3", "a generator that is delegated to", """\
+def forever(height, factor):
+    while True:
+        height *= factor
+        yield height
+def bounce_heights(height, restitution, count):
+    from itertools import islice
+    yield from islice(forever(height, restitution ** 2), count)
+"""),
+    Unusual("2.4", "the sum in closed form, through a context", """\
+import contextlib, decimal
+def rest_time(height, restitution, gravity):
+    with decimal.localcontext() as context:
+        context.prec = 30
+        h, e, g = (decimal.Decimal(float(x)) for x in (height, restitution, gravity))
+        return (2 * h / g).sqrt() * (1 + e) / (1 - e)
+"""),
+    Unusual("3.1", "the part along the wall, kept", """\
+def reflect(incident, normal):
+    (x, y), (nx, ny) = incident, normal
+    t = (-ny, nx)
+    along, into = x * t[0] + y * t[1], x * nx + y * ny
+    return [a * along - b * into for a, b in zip(t, normal)]
+"""),
+    Unusual("3.1", "einsum", """\
+import numpy as np
+def reflect(incident, normal):
+    return incident - 2 * np.einsum("i,i,j->j", incident, normal, normal)
+"""),
+    Unusual("3.1", "a masked array without a mask", """\
+import numpy as np
+def reflect(incident, normal):
+    v = np.ma.array(incident)
+    return v - 2 * np.ma.dot(v, np.ma.array(normal)) * normal
+"""),
+    Unusual("3.2", "an exception as a gate", """\
+class Leaves(Exception): pass
+def bounce(velocity, normal, restitution):
+    try:
+        s = sum(a * b for a, b in zip(velocity, normal))
+        if s >= 0: raise Leaves
+        return tuple(a - (1 + restitution) * s * b for a, b in zip(velocity, normal))
+    except Leaves:
+        return tuple(velocity)
+    finally:
+        pass
+"""),
+    Unusual("4.1", "hypot and a string of conditions", """\
+from math import dist
+def circle_contact(p1, r1, p2, r2):
+    d = dist(p1, p2)
+    n = [(b - a) / d for a, b in zip(p1, p2)] if d else (1.0, 0.0)
+    return (n, r1 + r2 - d) if d < r1 + r2 else None
+"""),
+    Unusual("5.2", "a matrix that turns by a right angle", """\
+import numpy as np
+def contact_velocity(v, w, r):
+    return v + w * np.array([[0, -1], [1, 0]]) @ r
+"""),
+    Unusual("5.4", "clip", """\
+import numpy as np
+def friction_impulse(vt, jn, friction, k):
+    return np.clip(-vt / k, -friction * jn, friction * jn)
+"""),
+    Unusual("6.2", "NumPy's peaks, as an iterator", """\
+import numpy as np
+def project(vertices, axis):
+    shadow = np.asarray(vertices) @ axis
+    return iter((shadow.min(), shadow.max()))
+"""),
+    Unusual("6.3", "a heap", """\
+import heapq
+def overlap(interval_a, interval_b):
+    depth = min(heapq.nsmallest(1, (interval_a[1] - interval_b[0], interval_b[1] - interval_a[0])))
+    return depth if depth > 0 else None
+"""),
 )  # fmt: skip
 
 LACKING = (

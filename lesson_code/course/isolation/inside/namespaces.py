@@ -131,8 +131,8 @@ def _place(root: str, path: str) -> str:
 
 
 def mount_folder(path: str, user: int, group: int) -> None:
-    """Mount an empty folder that belongs to a user."""
-    flags = system.MS_NOSUID | system.MS_NODEV
+    """Mount an empty folder that belongs to a user, and from which no machine code is run."""
+    flags = system.MS_NOSUID | system.MS_NODEV | system.MS_NOEXEC
     system.mount("tmpfs", path, "tmpfs", flags, f"{FOLDER_SIZE},uid={user},gid={group}")
 
 

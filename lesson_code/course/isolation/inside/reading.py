@@ -11,22 +11,18 @@ from __future__ import annotations
 
 import ast
 import base64
-import codecs
 import codeop
-import io
 import json
 import marshal
 import re
 import sys
-import tokenize
 import warnings
 from collections.abc import Callable, Collection, Iterable, Iterator
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
-from . import limits
-from .imports import forget_the_way_here, may_be_imported
+from . import files, limits
+from .imports import may_be_imported
 from .winnowing import fingerprints
 
 MAGIC = re.compile(
@@ -55,66 +51,6 @@ UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 """What reading code may end in."""
 
 DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
-
-
-NO_TEXT = "is not text in UTF-8; save it as UTF-8"
-
-MOST_CELLS = 2_000
-"""A chapter's exercise has about 20 cells."""
-
-
-def decoded(raw: bytes, *, may_name_its_encoding: bool) -> str | None:
-    """Return a file's text: in UTF-16 by its mark, in what its first lines name, or in UTF-8."""
-    is_utf_16 = raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    encoding = "utf-16" if is_utf_16 else "utf-8-sig"
-    try:
-        if may_name_its_encoding and not is_utf_16:
-            encoding, _ = tokenize.detect_encoding(io.BytesIO(raw).readline)
-        text = raw.decode(encoding)
-    except (UnicodeDecodeError, SyntaxError, LookupError):
-        return None
-    return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
-def notebook(path: str) -> dict[str, Any]:
-    """Return the code cells of a notebook, each with its name, and the exercise it says it is.
-
-    Of what is no notebook, why (``problem``).
-    """
-    text = decoded(Path(path).read_bytes(), may_name_its_encoding=False)
-    if text is None:
-        return {"problem": NO_TEXT}
-    if not text.strip():
-        return {"problem": "is empty"}
-    try:
-        whole = json.loads(text)
-    except (ValueError, RecursionError):
-        return {"problem": "is not a notebook (its text is not JSON)"}
-    cells = whole.get("cells") if isinstance(whole, dict) else None
-    if not isinstance(cells, list) or not all(isinstance(cell, dict) for cell in cells):
-        return {"problem": "is not a notebook (it has no list of cells)"}
-    if len(cells) > MOST_CELLS:
-        return {"problem": f"has more than {MOST_CELLS} cells"}
-    sources = [
-        (f"your cell {number}", _cell_source(cell))
-        for number, cell in enumerate(cells, start=1)
-        if cell.get("cell_type") == "code"
-    ]
-    exercise = _deep(whole, "metadata", "workbook", "exercise")
-    return {"cells": sources, "exercise": exercise if isinstance(exercise, str) else None}
-
-
-def _deep(value: Any, *keys: str) -> Any:
-    """Return what stands under nested keys, or None where anything else is in the way."""
-    for key in keys:
-        value = value.get(key) if isinstance(value, dict) else None
-    return value
-
-
-def _cell_source(cell: dict[str, Any]) -> str:
-    """Return a cell's source, which may be a text or a list of lines."""
-    source = cell.get("source", "")
-    return "".join(map(str, source)) if isinstance(source, list) else str(source)
 
 
 def parsed(source: str) -> list[ast.stmt]:
@@ -314,7 +250,7 @@ def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
                 left += [part for part in value if isinstance(part, ast.AST)]
 
 
-@lru_cache(maxsize=2 * MOST_CELLS)  # a statement is asked several times; `read` forgets them
+@lru_cache(maxsize=2 * files.MOST_CELLS)  # a statement is asked several times; `read` forgets them
 def _names(tree: ast.AST) -> set[str]:
     """Return the names whose values some code asks for."""
     return {node.id for node in _nodes(tree, ast.Name) if type(node.ctx) is ast.Load}
@@ -395,7 +331,8 @@ def _written(statement: ast.stmt, missing: Collection[str], source: str) -> str:
 
 
 DEEDS: dict[str, Callable[[Any], Any]] = {
-    "notebook": notebook,
+    "notebook": files.notebook,
+    "program": files.program,
     "read": read,
     "kept": kept_sources,
     "lost": DEFINITION.findall,
@@ -407,7 +344,6 @@ def main() -> None:
 
     One that takes more than its time ends the process.
     """
-    forget_the_way_here(())
     limits.lower_memory(MOST_MEMORY)
     for line in sys.stdin.buffer:
         limits.bound_time_from_now(SECONDS)

@@ -76,6 +76,7 @@ class Server:
         try:
             os.dup2(descriptor, 3)
             system.close_from(4)
+            _open_nothing()
             with open(3, "rb") as requests, open(3, "wb", closefd=False) as replies:
                 self._wall.close()
                 if request["fork"] == "probe":
@@ -102,6 +103,14 @@ class Server:
         os.waitpid(self._child, 0)
         self._child = None
         self._wall.after_end()
+
+
+def _open_nothing() -> None:
+    """Open input and outputs anew: the flags of what all children share would outlive one."""
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for descriptor in (0, 1, 2):
+        os.dup2(nothing, descriptor)
+    os.close(nothing)
 
 
 def main() -> None:

