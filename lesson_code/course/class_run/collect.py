@@ -6,7 +6,7 @@ import hashlib
 import os
 from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import NamedTuple
@@ -143,6 +143,8 @@ def collect(
             if owner.listed:
                 enrolled.setdefault(owner.id, owner.listed)
     shared = _shared(roster or (), whose)
+    systems = {made.system if (made := named(_called(entry))) else "" for entry in entries}
+    is_download = len(systems) == 1
     alike = Counter(same_name(name) for name, _ in whose)
     hand_ins = []
     for (name, unmatched), own in sorted(whose.items()):
@@ -150,11 +152,23 @@ def collect(
         if alike[same_name(name)] > 1:
             remarks.append(f"{visible(name)}: another's name differs only in how it is written")
         student = enrolled.get(name, Enrolled(name))
+        if is_download and not unmatched:
+            student = _numbered(student, own)
         of_others = shared.get(name, []) if not unmatched else []
         remarks += [f"{visible(entry.name)}: handed in by {who}" for entry, who in of_others]
         all_ = sorted({*own, *(entry for entry, _ in of_others)})
         hand_ins.append(_hand_in(folder, student, all_, unmatched, remarks, submitters))
     return Collected(hand_ins, left_out)
+
+
+def _numbered(student: Enrolled, entries: Sequence[Path]) -> Enrolled:
+    """Return a student with the number that the course system's download gives, if any."""
+    for made in filter(None, map(named, map(_called, entries))):
+        if made.system == "canvas":
+            student = replace(student, canvas=student.canvas or made.number)
+        else:
+            student = replace(student, moodle=student.moodle or made.number)
+    return student
 
 
 def _shared(

@@ -1,7 +1,8 @@
 """What course systems make of a class's files when an instructor downloads them.
 
 - Canvas: ``byronada_LATE_123_4567_answers.ipynb``: the name in small letters, whether it is late,
-  the student's number, the file's number, the file. All files carry the time of the download.
+  the student's number, the file's number, the file; ``byronada_123_text.html`` is what was typed
+  in. All files carry the time of the download.
 - Moodle: ``Ada Byron_123_assignsubmission_file``, a folder or, with the file's name, a file; in a
   group assignment the group's name and a hyphen come first.
 - Gradescope: ``submission_4567``, a folder; ``submission_metadata.yml`` says whose each is, and
@@ -21,13 +22,17 @@ from typing import Any
 from lesson_code.course.class_run.sheets import SheetError
 
 CANVAS = re.compile(
-    r"(?P<person>.*?)_((?P<late>late)_)?(?P<number>\d+)_(?P<file>\d+)_.+",
+    r"(?P<person>.*?)_((?P<late>late)_)?(?P<number>\d+)_((?P<file>\d+)_.+|text|link)",
     re.DOTALL | re.IGNORECASE,
 )
 MOODLE_MARK = "_assignsubmission_"
 MOODLE = re.compile(
     rf"(?P<person>.+)_(?P<number>\d+){MOODLE_MARK}[a-z]+(_.*)?", re.DOTALL | re.IGNORECASE
 )
+
+BETWEEN_LOW_LINES = re.compile(r"_(\d+)_")
+NOT_IN_MOODLE = re.compile(r"[\0-\x1f\x7f&<>\"`|':\\/]")
+"""What Moodle takes out of the names of files."""
 
 GRADESCOPE_LIST = "submission_metadata.yml"
 LARGEST_LIST = 200_000_000
@@ -73,19 +78,30 @@ def named(name: str) -> Named | None:
     canvas = CANVAS.fullmatch(name)
     if canvas is None or not canvas["person"]:
         return None
-    return Named(
-        "canvas", canvas["person"], canvas["number"], bool(canvas["late"]), int(canvas["file"])
-    )
+    file = int(canvas["file"] or 0)
+    return Named("canvas", canvas["person"], canvas["number"], bool(canvas["late"]), file)
 
 
 def canvas_forms(name: str) -> set[str]:
     """Return what Canvas may make of a name: the last names first, in small letters, joined.
 
-    >>> sorted(canvas_forms("Ada Byron"))
-    ['adabyron', 'byronada']
+    A number between low lines loses them: they stand round Canvas's own numbers.
+
+    >>> sorted(canvas_forms("Ada_7_ Byron"))
+    ['ada7byron', 'byronada7']
     """
-    words = ["".join(filter(_is_of_a_word, word)) for word in name.lower().split()]
+    told = BETWEEN_LOW_LINES.sub(r"\1", name.lower())
+    words = ["".join(filter(_is_of_a_word, word)) for word in told.split()]
     return {"".join(words[n:] + words[:n]) for n in range(len(words))} - {""}
+
+
+def moodle_form(name: str) -> str:
+    """Return what Moodle makes of a name: spaces for low lines, and without what it takes out.
+
+    >>> moodle_form("Conan O'Brien_2")
+    'Conan OBrien 2'
+    """
+    return NOT_IN_MOODLE.sub("", name.replace("_", " "))
 
 
 def _is_of_a_word(letter: str) -> bool:

@@ -33,10 +33,17 @@ from lesson_code.course.fresh_copies import zipped
 from lesson_code.course.grading.exercises import Exercise
 
 CANVAS_COLUMNS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
+SIS_IDS = ("sisuserid", "studentid", "studentnumber", "sid", "idnumber", "matriculationnumber")
+LOGINS = ("sisloginid", "username", "netid", "login", "userid")
+"""Headings, as :func:`plain_heading` writes them, of what Canvas calls SIS User ID and Login ID."""
+
 MOODLE_COLUMNS = (
     *("Identifier", "Full name", "Email address", "Grade", "Maximum Grade"),
     *("Last modified (grade)", "Feedback comments"),
 )
+OURS_IN_MOODLE = ("Grade", "Maximum Grade", "Feedback comments")
+"""Columns that are found however Moodle's release writes them: it has Maximum grade, too."""
+
 NO_GRADE_YET = "-"
 """How Moodle writes a time that is none."""
 
@@ -118,8 +125,11 @@ def canvas(book: Gradebook) -> str:
 
 def _for_canvas(enrolled: Enrolled) -> list[str]:
     """Return what tells a student apart where the roster is not Canvas's."""
-    login = "" if enrolled.canvas else enrolled.id
-    return [enrolled.name or enrolled.id, enrolled.canvas, "", login, ""]
+    cells = {plain_heading(heading): cell for heading, cell in enrolled.cells.items()}
+    sis, login = (next((cells[h] for h in its if cells.get(h)), "") for its in (SIS_IDS, LOGINS))
+    if not (enrolled.canvas or sis):
+        login = login or enrolled.id
+    return [enrolled.name or enrolled.id, enrolled.canvas, sis, login, ""]
 
 
 def _canvas_heading(exercise: Exercise, headings: Sequence[str]) -> str | None:
@@ -140,16 +150,18 @@ def moodle(book: Gradebook) -> str:
     columns = list(MOODLE_COLUMNS)
     if roster is not None and is_own:
         columns = list(roster.headings)
-        columns += [] if MOODLE_COLUMNS[-1] in columns else [MOODLE_COLUMNS[-1]]
+    called = {plain_heading(column): column for column in columns}
+    grade, full, feedback = (called.get(plain_heading(name), name) for name in OURS_IN_MOODLE)
+    columns += [] if feedback in columns else [feedback]
     rows = [columns]
     for student in _theirs(book):
         enrolled = student.hand_in.student
         cells = dict(enrolled.cells) if is_own else _for_moodle(enrolled, book)
-        most = _full_mark(cells.get("Maximum Grade", ""), book.full_points)
+        most = _full_mark(cells.get(full, ""), book.full_points)
         points = exact(student.points)
         ours = {
-            "Grade": _share(points, book.full_points, most) if student.reports else "",
-            MOODLE_COLUMNS[-1]: "<br>".join(map(html.escape, _feedback(student, book))),
+            grade: _share(points, book.full_points, most) if student.reports else "",
+            feedback: "<br>".join(map(html.escape, _feedback(student, book))),
         }
         rows.append([_cell((cells | ours).get(column, "")) for column in columns])
     return _csv(rows)

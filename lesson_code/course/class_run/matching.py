@@ -15,6 +15,7 @@ from lesson_code.course.class_run.downloads import (
     Named,
     Submitters,
     canvas_forms,
+    moodle_form,
     named,
 )
 from lesson_code.course.class_run.names import same_name, visible
@@ -101,13 +102,17 @@ class _Lines:
         self._also: dict[str, list[str]] = {}
         self._by_name: dict[str, list[str]] = {}
         self._by_form: dict[str, list[str]] = {}
+        self._by_moodle: dict[str, list[str]] = {}
         for student in roster:
             for other in student.also:
                 self._also.setdefault(same_name(other), []).append(student.id)
-            if student.name.strip():
-                self._by_name.setdefault(same_name(student.name), []).append(student.id)
-                for form in canvas_forms(student.name):
-                    self._by_form.setdefault(same_name(form), []).append(student.id)
+            for name in _both_orders(student.name):
+                self._by_name.setdefault(same_name(name), []).append(student.id)
+                teamed = f"{student.team}-{name}" if student.team else name
+                for form in {moodle_form(name), moodle_form(teamed)}:
+                    self._by_moodle.setdefault(same_name(form), []).append(student.id)
+            for form in canvas_forms(student.name):
+                self._by_form.setdefault(same_name(form), []).append(student.id)
         self._by_number = {
             (system, number): student.id
             for student in roster
@@ -156,7 +161,17 @@ class _Lines:
         """Return the ids of the lines that fit a name that Moodle made."""
         person = same_name(made.person)
         by_id = [self._by_id[person]] if person in self._by_id else []
-        return sorted({*by_id, *self._by_name.get(person, ())})
+        return sorted({*by_id, *self._by_moodle.get(person, ())})
+
+
+def _both_orders(name: str) -> set[str]:
+    """Return a name as it is written, and with the first name first.
+
+    >>> sorted(_both_orders("Byron, Ada"))
+    ['Ada Byron', 'Byron, Ada']
+    """
+    last, _, first = name.partition(", ")
+    return set(filter(str.strip, (name, f"{first} {last}" if first else name)))
 
 
 def _names_no_person(rest: str) -> bool:

@@ -52,6 +52,7 @@ def by_id(hand_ins: list[HandIn]) -> dict[str, HandIn]:
         ("Ada_9_assignsubmission_file_1_2_x", Named("moodle", "Ada", "9")),
         ("ada_01_one_dimension", None),
         ("_1_2_x", None),
+        ("byronada_123_text", Named("canvas", "byronada", "123")),
     ],
 )
 def test_named_reads_what_a_course_system_made_of_a_name(name: str, says: Named | None) -> None:
@@ -165,3 +166,13 @@ def test_team_shares_what_one_of_it_handed_in(tmp_path: Path, make_class: MakeCl
         "ada": ("ada.py",), "eve": ("ada.py",), "bob": ("bob.py",), "zoe": (),
     }  # fmt: skip
     assert found["eve"].notes == ("ada.py: handed in by ada",)
+
+
+def test_download_gives_its_numbers_to_a_roster_that_has_none(make_class: MakeClass) -> None:
+    """Only where all that is graded is named by the system: a student may write such a name."""
+    roster = [Enrolled("s1", "Ada"), Enrolled("s2", "Bob")]
+    files = {f"{who}_{n}_assignsubmission_file/a.py": RIGHT for who, n in (("Ada", 5), ("Bob", 6))}
+    found = by_id(collect(make_class(files), roster).hand_ins)
+    assert [found[name].student.moodle for name in ("s1", "s2")] == ["5", "6"]
+    found = by_id(collect(make_class({"other.py": RIGHT}), roster).hand_ins)
+    assert [found[name].student.moodle for name in ("s1", "s2")] == ["", ""]

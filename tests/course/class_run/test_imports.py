@@ -124,6 +124,20 @@ def test_moodle_finds_the_students_of_its_own_worksheet(tmp_path: Path) -> None:
     assert "1.3 elastic_impulse_1d: 0 of 3 points" in html.unescape(feedback)
 
 
+def test_moodle_scales_to_its_full_mark_however_the_release_writes_it(tmp_path: Path) -> None:
+    """Newer worksheets have "Maximum grade": 7 of 10 are still 70 of 100."""
+    roster = roster_of(tmp_path, MOODLE.replace("Maximum Grade", "Maximum grade"))
+    text = moodle(book_with(roster, *roster.students, points=(7,)))
+    assert [grade for grade, _ in moodle_reads(text).values()] == ["70"]
+
+
+def test_canvas_is_told_numbers_and_logins_of_a_roster_apart(tmp_path: Path) -> None:
+    """Canvas finds nobody by a number in its column of logins, and falls back on names."""
+    roster = roster_of(tmp_path, "Student number,Name,Username\ns7,Ada,ada\n")
+    text = canvas(book_with(roster, *roster.students, points=(7,)))
+    assert rows_of(text)[2][:5] == ["Ada", "", "s7", "ada", ""]
+
+
 def test_moodle_finds_students_by_the_numbers_of_the_download() -> None:
     """Without a roster, and with no grade for who handed in nothing."""
     students = [Enrolled("Ada_5", "Ada", moodle="5"), Enrolled("Eve_6", "Eve", moodle="6")]

@@ -82,3 +82,21 @@ def test_files_of_one_moodle_number_are_one_students() -> None:
     names = [f"Ada Byron_1_assignsubmission_{kind}" for kind in ("file", "onlinetext")]
     assert [found.id for (found,) in owners(names, ROSTER)] == ["b7", "b7"]
     assert [found.id for (found,) in owners(names, None)] == ["Ada Byron_1", "Ada Byron_1"]
+
+
+@pytest.mark.parametrize(
+    ("called", "enrolled"),
+    [
+        ("Conan OBrien_5_assignsubmission_file", Enrolled("s", "Conan O'Brien")),
+        ("Ali 1 2 ibn Sina_5_assignsubmission_file", Enrolled("s", "Ali_1_2 ibn_Sina")),
+        ("S Slash_5_assignsubmission_file", Enrolled("s", "S Sla/sh")),
+        ("Ada Byron_5_assignsubmission_file", Enrolled("s", "Byron, Ada")),
+        ("Red-Ada Byron_5_assignsubmission_file", Enrolled("s", "Ada Byron", team="Red")),
+        ("ibn_sinaali12_5_9_x", Enrolled("s", "ibn_Sina, Ali_1_2")),
+    ],
+)
+def test_letters_that_a_course_system_takes_out_lead_to_the_same_line(
+    called: str, enrolled: Enrolled
+) -> None:
+    """Moodle's PARAM_FILE takes out apostrophes and slashes; Canvas low lines round a number."""
+    assert owners([called], [enrolled, Enrolled("t", "Ada Bryon")]) == [[Owner("s")]]
