@@ -10,13 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from copy import copy, deepcopy
 from dataclasses import replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import Program
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.frames import STATE_FIELDS
@@ -26,15 +24,16 @@ from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
 from lesson_code.engine.effects.callbacks import TouchListener, touches_in
 from lesson_code.engine.effects.choice import choose_effects, names_used
-from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.live_solver import (
     SWEEPS_ASKED,
+    WORTH_COMPILING,
     Flight,
+    has_program,
     solver_for,
     stepped_solver_for,
+    stepper_for,
 )
-from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers.choice import SolverChoice
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
@@ -42,24 +41,11 @@ from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 TIME_STEP = 1 / 60
 """s: one frame of a program, and one step of its world."""
 
-WORTH_COMPILING = 100
-"""Bodies: plain Python moves fewer of them in half a frame."""
-
 STEPS_ON_THE_GROUND = 10
 """Steps until discs that the exact solver could not take are offered to it again: by then what
 touched has mostly parted."""
 
-SWEEPS = 10
-"""Of the sequential solver, unless others are asked for."""
-
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
-
-ON_DEMAND = {"broad_phase", "callbacks"}
-"""Effects that a world has not always: many bodies call for a grid, and callbacks hear of a step
-after it."""
-
-ANY_SCENE = {n: used for n, used in EVERY_EFFECT._asdict().items() if n not in ON_DEMAND}
-"""The effects that a world reckons with: whatever joins it, its machine code stays the same."""
 
 
 class LiveWorld:
@@ -117,7 +103,7 @@ class LiveWorld:
         self.combine, self._iterations = combine, iterations
         self._listener = TouchListener(callbacks) if callbacks.wanted else None
         self.steps = 0
-        self.compiled = False
+        self._in_code: frozenset[str] = frozenset()  # the solvers that go in machine code
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
         self._held: dict[int, Body] = {}
         self._flight: Flight | None = None
@@ -334,21 +320,35 @@ class LiveWorld:
         """Give up what the exact solver has foreseen, and what is known: something changes."""
         self._flight = self._known = None
 
+    @property
+    def wants_code(self) -> bool:
+        """Whether plain Python makes its steps, and takes long for them."""
+        return self.steps > 0 and self._is_slow and not self.compiled
+
+    @property
+    def _is_slow(self) -> bool:
+        """Whether plain Python takes long for a step, and machine code can be had."""
+        many = len(self) >= WORTH_COMPILING or self._choice.solver == "substep"
+        return many and has_program(self.solver)
+
+    @property
+    def compiled(self) -> bool:
+        """Whether the steps of the solver at work are made in machine code."""
+        return self.solver in self._in_code
+
+    @property
+    def solver(self) -> str:
+        """The solver that makes its steps, also where none is needed because all discs fly."""
+        return self._engine.solver
+
     def compile(self) -> None:
-        """Go on in machine code, with the same results to the last bit.
+        """Go on in machine code from here, with the same results to the last bit.
 
-        It takes seconds where its program is not kept.
+        It takes seconds where its program is not kept. If another solver takes over, that one
+        begins in plain Python.
         """
-        flight = self._flight
-        self._write_back()
-        self.compiled = True
-        self._engine.advance(0)
-        self._flight = flight
-
-    @cached_property
-    def program(self) -> Program:
-        """The program that is compiled."""
-        return self._engine_for((), SWEEPS_ASKED, has_grid=True).program()
+        self._engine.compile()
+        self._in_code |= {self.solver}
 
     def plan(self) -> Plan:
         """Return what the bodies call for as they are now, and what the world reckons with.
@@ -371,9 +371,10 @@ class LiveWorld:
         question = Question(scene, engine.plan("").solver, dt=self.dt, combine=self.combine)
         run = dict.fromkeys(names_used(engine.effects), True)
         plan = replace(engine.plan(reason), effects=choose_effects(question, run))
-        if plan.solver != "sequential":
+        if not has_program(plan.solver):
             return plan
-        return replace(plan, code_reason="many bodies" if self.compiled else self._why_plain())
+        reason = "plain Python takes long for its steps" if self.compiled else self._why_plain()
+        return replace(plan, code_reason=reason)
 
     def _at_exact_work(self) -> bool:
         """Return whether the exact solver can take the bodies as they are."""
@@ -385,7 +386,7 @@ class LiveWorld:
 
     def _why_plain(self) -> str:
         """Return why it is not in machine code."""
-        if len(self) < WORTH_COMPILING:
+        if not self._is_slow:
             return f"fewer than {WORTH_COMPILING} bodies"
         return why_no_compiler() or "machine code is still to be made"
 
@@ -451,7 +452,14 @@ class LiveWorld:
             scene = Scene(self._bodies.values(), self.gravity, self.damping)
             self._choice = self._solver_of(scene)
             steps = stepped_solver_for(scene) if self._choice.solver == "exact" else self._choice
-            self._at_work = self._engine_for(scene.bodies, steps, has_grid=self.compiled)
+            self._at_work = stepper_for(
+                scene,
+                steps.solver,
+                dt=self.dt,
+                iterations=self._iterations,
+                combine=self.combine,
+                compiled=steps.solver in self._in_code,
+            )
             self._place = {number: place for place, number in enumerate(self._bodies)}
             self.impulses = NO_IMPULSES
         return self._at_work
@@ -461,24 +469,6 @@ class LiveWorld:
         if self._iterations is not None:
             return SWEEPS_ASKED
         return solver_for(Question(scene, "auto", self.dt, combine=self.combine))
-
-    def _engine_for(
-        self, bodies: Iterable[Body], choice: SolverChoice, *, has_grid: bool
-    ) -> EngineStepper:
-        """Return the engine at the start of a scene; in machine code it always has the grid."""
-        is_swept = choice.solver == "sequential"
-        solver = our_solvers()[choice.solver]
-        return EngineStepper(
-            Scene(bodies, self.gravity, self.damping),
-            solver=choice.solver,
-            dt=self.dt,
-            iterations=(self._iterations or SWEEPS) if is_swept else solver.iterations,
-            substeps=solver.substeps,
-            combine=self.combine,
-            compiled=self.compiled and is_swept,
-            effects=ANY_SCENE | ({"broad_phase": True} if has_grid else {}),
-            splits_steps=True,
-        )
 
     def _row(self, number: int) -> Any:
         """Return a body's row in the tables of the engine."""

@@ -11,7 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from lesson_code import Body, Circle
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.engine.live_world import LiveWorld
+from lesson_code.view.pygame import frame
 from lesson_code.view.pygame.frame import MachineCode, _do_wanted, free_name, play
 from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
@@ -336,26 +339,18 @@ def test_frame_ends_after_its_time_and_the_next_hears_the_keys(
     assert session.tick(0.1) == 6
 
 
-def test_large_world_is_never_waited_for() -> None:
+def test_large_world_is_never_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its program is put together beside the frames: looking at it takes no time."""
     asked: list[int] = []
-
-    class Slow:
-        compiled = False
-
-        def __len__(self) -> int:
-            return 500
-
-        @property
-        def program(self) -> None:
-            asked.append(threading.get_ident())
-
+    monkeypatch.setattr(frame, "_load", lambda _: asked.append(threading.get_ident()))
     code = MachineCode()
-    world = Slow()
-    code.look_at(world)  # type: ignore[arg-type]
-    assert code._linking is not None
-    code._linking.join()
+    balls = [Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(150)]
+    world = LiveWorld(balls)
+    world.step()
+    code.look_at(world)
+    code._threads["sequential"].join()
     assert asked != [threading.get_ident()]
+    assert len(asked) == 1
     code.close()
 
 
