@@ -34,9 +34,9 @@ from lesson_code.engine.live_solver import (
     stepped_solver_for,
     stepper_for,
 )
+from lesson_code.engine.matter import Matter
 from lesson_code.engine.solvers.choice import SolverChoice
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
 TIME_STEP = 1 / 60
 """s: one frame of a program, and one step of its world."""
@@ -107,9 +107,8 @@ class LiveWorld:
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
         self._held: dict[int, Body] = {}
         self._flight: Flight | None = None
-        self._known: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None = (
-            None
-        )
+        self._flown: NDArray[np.float64] | None = None  # the states, where a flight has led to them
+        self._known: Matter | None = None
         self._flies_from = 0
         self._next = len(self._bodies)
         self._at_work: EngineStepper | None = None
@@ -195,7 +194,7 @@ class LiveWorld:
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        return self._engine.states()
+        return self._engine.states() if self._flown is None else self._flown.copy()
 
     def position(self, number: int) -> XY:
         """Return where a body is, m."""
@@ -272,9 +271,9 @@ class LiveWorld:
         ValueError
             The bodies overlap in so many pairs that no memory would hold them.
         """
+        self._known = self._flown = None
         if not self._fly():
             self._advance_engine()
-        self._known = None
         self.steps += 1
         if self._listener is not None:
             touches = touches_in(self._engine.world, self.impulses, self.numbers, self.time)
@@ -304,6 +303,7 @@ class LiveWorld:
         if not np.isfinite(states).all():
             raise _lost(self.numbers[int(np.argmin(np.isfinite(states).all(axis=1)))])
         _put(engine.world.bodies, states)
+        self._flown = states
         impulses[:, 0] += self.time - flight.time + self.dt
         self.impulses = impulses
         return True
@@ -318,7 +318,7 @@ class LiveWorld:
 
     def _land(self) -> None:
         """Give up what the exact solver has foreseen, and what is known: something changes."""
-        self._flight = self._known = None
+        self._flight = self._flown = self._known = None
 
     @property
     def wants_code(self) -> bool:
@@ -394,43 +394,26 @@ class LiveWorld:
 
     def momentum(self) -> XY:
         """Return the total momentum of all bodies that can be pushed, kg m/s."""
-        state, mass, _ = self.matter()
-        x, y = momentum(mass, state[:, 3:5]) if len(mass) else (0.0, 0.0)
-        return float(x), float(y)
+        return self.matter().momentum
 
     def angular_momentum(self) -> float:
         """Return their total angular momentum about the origin, kg m^2/s."""
-        state, mass, inertia = self.matter()
-        if not len(mass):
-            return 0.0
-        return float(angular_momentum(mass, state[:, 0:2], state[:, 3:5], inertia, state[:, 5]))
+        return self.matter().angular_momentum
 
     def kinetic_energy(self) -> float:
         """Return their kinetic energy, that of spin included, J."""
-        state, mass, inertia = self.matter()
-        return (
-            float(kinetic_energy(mass, state[:, 3:5], inertia, state[:, 5])) if len(mass) else 0.0
-        )
+        return self.matter().kinetic_energy
 
     def touching(self) -> frozenset[int]:
         """Return the numbers of the bodies that were pushed by another one in the last step."""
         numbers = self.numbers
         return frozenset(numbers[int(k)] for k in np.unique(self.impulses[:, 1:3]))
 
-    def matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Return states, masses and inertias of the bodies that can be pushed; read them only."""
+    def matter(self) -> Matter:
+        """Return the bodies that can be pushed, as they are now."""
         if self._known is None:
-            self._known = self._matter()
+            self._known = Matter(self.states()[self._free], self._mass, self._inertia)
         return self._known
-
-    def _matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Read them from the tables of the engine."""
-        columns = [self._engine.column(name) for name in ("inv_m", "inv_i")]
-        inv_m, inv_i = np.array(columns, dtype=float)
-        free = inv_m > 0
-        with np.errstate(divide="ignore"):
-            inertia = np.where(inv_i[free] > 0, 1 / inv_i[free], 0.0)
-        return self.states()[free], 1 / inv_m[free], inertia
 
     # Copies
 
@@ -461,8 +444,17 @@ class LiveWorld:
                 compiled=steps.solver in self._in_code,
             )
             self._place = {number: place for place, number in enumerate(self._bodies)}
+            self._weigh_all(self._at_work)
             self.impulses = NO_IMPULSES
         return self._at_work
+
+    def _weigh_all(self, engine: EngineStepper) -> None:
+        """Note which bodies can be pushed, with their masses and inertias."""
+        inv_m, inv_i = (np.array(engine.column(n), dtype=float) for n in ("inv_m", "inv_i"))
+        self._free = inv_m > 0
+        with np.errstate(divide="ignore"):
+            self._mass = 1 / inv_m[self._free]
+            self._inertia = np.where(inv_i > 0, 1 / inv_i, 0.0)[self._free]
 
     def _solver_of(self, scene: Scene) -> SolverChoice:
         """Return the solver that moves the bodies."""

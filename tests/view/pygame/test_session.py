@@ -116,17 +116,17 @@ def test_gravity_by_slider_is_the_fall_of_a_body(begin: Callable[[str], Session]
     session.slide("gravity", 4.0)
     for _ in range(30):
         session.step()
-    assert session.game.matter()[0][0, 3:5] == pytest.approx((0.0, -2.0))
+    assert session.game.matter().states[0, 3:5] == pytest.approx((0.0, -2.0))
 
 
 def test_mass_by_slider_is_that_of_the_body_last_grabbed(begin: Callable[[str], Session]) -> None:
     """Its velocity stays, so its momentum grows as its mass; the others are as they were."""
     session = begin("demo")
     number = session.game.world.numbers[4]
-    before = session.game.matter()[1].copy()
+    before = session.game.matter().mass.copy()
     click(session, pygame.MOUSEBUTTONDOWN, session.game.world.position(number), 3)
     session.slide("mass", 8.0)
-    after = session.game.matter()[1]
+    after = session.game.matter().mass
     assert after[0] == pytest.approx(8.0)
     assert (after[1:] == before[1:]).all()
 
@@ -213,7 +213,8 @@ def test_ledger_accounts_for_all_energy(begin: Callable[[str], Session], name: s
         session.step()
     row = session.ledger.last
     assert row.energy == pytest.approx(first + row.given - row.lost, abs=ROUNDING)
-    states, mass, _ = session.game.matter()
+    matter = session.game.matter()
+    states, mass = matter.states, matter.mass
     moving = float(
         sum(m * (vx**2 + vy**2) / 2 for m, (vx, vy) in zip(mass, states[:, 3:5], strict=True))
     )
