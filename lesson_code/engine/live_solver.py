@@ -8,7 +8,9 @@
 5. Up to 64 that fall: the solver with sub-steps, which gains no energy in a pile.
 6. Others: the sequential solver.
 
-The last two let fast bodies into one another by what they move in a step or a sub-step. They begin
+The last two let bodies into one another by what they move from one search for contacts to the next,
+once a step, and watch only those that move by more than half their width. Dominoes enter each other
+by 0.03 to 0.07 m, with 4 sub-steps as with 16; with 8 steps a frame by 0.003 to 0.005 m. Both begin
 in plain Python, and go on in machine code as soon as that is there.
 """
 
