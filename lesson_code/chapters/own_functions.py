@@ -11,15 +11,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from lesson_code.chapters.programs import load, own_answer
+from lesson_code.chapters.programs import LIMIT, load, own_answer
 from lesson_code.course.chapters import chapters_with
-from lesson_code.course.time_limit import NoAnswerError, TimeLimit
+from lesson_code.course.time_limit import NoAnswerError
 from lesson_code.view.pygame.game import EndlessError
 from lesson_code.view.pygame.program import Program
-
-LIMIT = TimeLimit(1.0)
-"""s, for each call of a player's function, with the reading of its file: as long the window waits
-for one that never ends, once."""
 
 
 class OwnProgram(NamedTuple):

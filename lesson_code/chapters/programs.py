@@ -15,9 +15,15 @@ from typing import TYPE_CHECKING, Any
 
 from lesson_code.course.chapters import chapters_with
 from lesson_code.course.notebooks.root import find_root
+from lesson_code.course.time_limit import NoAnswerError, TimeLimit
 
 if TYPE_CHECKING:
     from lesson_code.view.pygame.program import Program
+
+
+LIMIT = TimeLimit(1.0)
+"""s, for each call of a player's function, with the reading of its file: as long the window waits
+for one that never ends, once."""
 
 
 def program_summaries() -> dict[str, str]:
@@ -43,20 +49,34 @@ def load(name: str) -> Program:
 def own_answer(exercise: str, function: str) -> Callable[..., Any]:
     """Return a function of a student's exercise; the file is read when it is first called.
 
-    It raises a NotImplementedError that names the file while the function is not written, and an
-    UnreadableError where the file cannot be read.
+    It raises a NotImplementedError that names the file while the function is not written, an
+    UnreadableError where the file cannot be read, and an EndlessError where it gives no answer in
+    time; then it is not called again.
     """
+    endless = ""
 
     def answer(*arguments: Any) -> Any:
+        nonlocal endless
         path = find_root() / "exercises" / f"{exercise}.py"
-        try:
-            return getattr(_module(path), function)(*arguments)
-        except NotImplementedError as missing:
-            raise NotImplementedError(f"{missing}, in exercises/{path.name}") from missing
+        if not endless:
+            try:
+                return LIMIT.call(_answer_in, path, function, arguments)
+            except NotImplementedError as missing:
+                raise NotImplementedError(f"{missing}, in exercises/{path.name}") from missing
+            except NoAnswerError as error:
+                endless = str(error)
+        from lesson_code.view.pygame.game import EndlessError
+
+        raise EndlessError(endless)
 
     answer.__name__ = function
     vars(answer)["is_own"] = True
     return answer
+
+
+def _answer_in(path: Path, function: str, arguments: tuple[Any, ...]) -> Any:
+    """Return what a function in a student's file answers."""
+    return getattr(_module(path), function)(*arguments)
 
 
 @cache

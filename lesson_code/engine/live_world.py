@@ -10,13 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from copy import copy, deepcopy
 from dataclasses import replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import Program
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.frames import STATE_FIELDS
@@ -26,40 +24,28 @@ from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
 from lesson_code.engine.effects.callbacks import TouchListener, touches_in
 from lesson_code.engine.effects.choice import choose_effects, names_used
-from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.live_solver import (
     SWEEPS_ASKED,
+    WORTH_COMPILING,
     Flight,
+    has_program,
     solver_for,
     stepped_solver_for,
+    stepper_for,
 )
-from lesson_code.engine.solvers import our_solvers
+from lesson_code.engine.matter import Matter
 from lesson_code.engine.solvers.choice import SolverChoice
 from lesson_code.engine.stepper import EngineStepper
-from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 
 TIME_STEP = 1 / 60
 """s: one frame of a program, and one step of its world."""
-
-WORTH_COMPILING = 100
-"""Bodies: plain Python moves fewer of them in half a frame."""
 
 STEPS_ON_THE_GROUND = 10
 """Steps until discs that the exact solver could not take are offered to it again: by then what
 touched has mostly parted."""
 
-SWEEPS = 10
-"""Of the sequential solver, unless others are asked for."""
-
 NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
-
-ON_DEMAND = {"broad_phase", "callbacks"}
-"""Effects that a world has not always: many bodies call for a grid, and callbacks hear of a step
-after it."""
-
-ANY_SCENE = {n: used for n, used in EVERY_EFFECT._asdict().items() if n not in ON_DEMAND}
-"""The effects that a world reckons with: whatever joins it, its machine code stays the same."""
 
 
 class LiveWorld:
@@ -117,13 +103,12 @@ class LiveWorld:
         self.combine, self._iterations = combine, iterations
         self._listener = TouchListener(callbacks) if callbacks.wanted else None
         self.steps = 0
-        self.compiled = False
+        self._in_code: frozenset[str] = frozenset()  # the solvers that go in machine code
         self._bodies: dict[int, Body] = dict(enumerate(bodies))
         self._held: dict[int, Body] = {}
         self._flight: Flight | None = None
-        self._known: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]] | None = (
-            None
-        )
+        self._flown: NDArray[np.float64] | None = None  # the states, where a flight has led to them
+        self._known: Matter | None = None
         self._flies_from = 0
         self._next = len(self._bodies)
         self._at_work: EngineStepper | None = None
@@ -209,7 +194,7 @@ class LiveWorld:
 
     def states(self) -> NDArray[np.float64]:
         """Return x, y, angle, vx, vy, w of every body, shape (N, 6)."""
-        return self._engine.states()
+        return self._engine.states() if self._flown is None else self._flown.copy()
 
     def position(self, number: int) -> XY:
         """Return where a body is, m."""
@@ -286,9 +271,9 @@ class LiveWorld:
         ValueError
             The bodies overlap in so many pairs that no memory would hold them.
         """
+        self._known = self._flown = None
         if not self._fly():
             self._advance_engine()
-        self._known = None
         self.steps += 1
         if self._listener is not None:
             touches = touches_in(self._engine.world, self.impulses, self.numbers, self.time)
@@ -318,6 +303,7 @@ class LiveWorld:
         if not np.isfinite(states).all():
             raise _lost(self.numbers[int(np.argmin(np.isfinite(states).all(axis=1)))])
         _put(engine.world.bodies, states)
+        self._flown = states
         impulses[:, 0] += self.time - flight.time + self.dt
         self.impulses = impulses
         return True
@@ -332,23 +318,37 @@ class LiveWorld:
 
     def _land(self) -> None:
         """Give up what the exact solver has foreseen, and what is known: something changes."""
-        self._flight = self._known = None
+        self._flight = self._flown = self._known = None
+
+    @property
+    def wants_code(self) -> bool:
+        """Whether plain Python makes its steps, and takes long for them."""
+        return self.steps > 0 and self._is_slow and not self.compiled
+
+    @property
+    def _is_slow(self) -> bool:
+        """Whether plain Python takes long for a step, and machine code can be had."""
+        many = len(self) >= WORTH_COMPILING or self._choice.solver == "substep"
+        return many and has_program(self.solver)
+
+    @property
+    def compiled(self) -> bool:
+        """Whether the steps of the solver at work are made in machine code."""
+        return self.solver in self._in_code
+
+    @property
+    def solver(self) -> str:
+        """The solver that makes its steps, also where none is needed because all discs fly."""
+        return self._engine.solver
 
     def compile(self) -> None:
-        """Go on in machine code, with the same results to the last bit.
+        """Go on in machine code from here, with the same results to the last bit.
 
-        It takes seconds where its program is not kept.
+        It takes seconds where its program is not kept. If another solver takes over, that one
+        begins in plain Python.
         """
-        flight = self._flight
-        self._write_back()
-        self.compiled = True
-        self._engine.advance(0)
-        self._flight = flight
-
-    @cached_property
-    def program(self) -> Program:
-        """The program that is compiled."""
-        return self._engine_for((), SWEEPS_ASKED, has_grid=True).program()
+        self._engine.compile()
+        self._in_code |= {self.solver}
 
     def plan(self) -> Plan:
         """Return what the bodies call for as they are now, and what the world reckons with.
@@ -371,9 +371,10 @@ class LiveWorld:
         question = Question(scene, engine.plan("").solver, dt=self.dt, combine=self.combine)
         run = dict.fromkeys(names_used(engine.effects), True)
         plan = replace(engine.plan(reason), effects=choose_effects(question, run))
-        if plan.solver != "sequential":
+        if not has_program(plan.solver):
             return plan
-        return replace(plan, code_reason="many bodies" if self.compiled else self._why_plain())
+        reason = "plain Python takes long for its steps" if self.compiled else self._why_plain()
+        return replace(plan, code_reason=reason)
 
     def _at_exact_work(self) -> bool:
         """Return whether the exact solver can take the bodies as they are."""
@@ -385,7 +386,7 @@ class LiveWorld:
 
     def _why_plain(self) -> str:
         """Return why it is not in machine code."""
-        if len(self) < WORTH_COMPILING:
+        if not self._is_slow:
             return f"fewer than {WORTH_COMPILING} bodies"
         return why_no_compiler() or "machine code is still to be made"
 
@@ -393,43 +394,26 @@ class LiveWorld:
 
     def momentum(self) -> XY:
         """Return the total momentum of all bodies that can be pushed, kg m/s."""
-        state, mass, _ = self.matter()
-        x, y = momentum(mass, state[:, 3:5]) if len(mass) else (0.0, 0.0)
-        return float(x), float(y)
+        return self.matter().momentum
 
     def angular_momentum(self) -> float:
         """Return their total angular momentum about the origin, kg m^2/s."""
-        state, mass, inertia = self.matter()
-        if not len(mass):
-            return 0.0
-        return float(angular_momentum(mass, state[:, 0:2], state[:, 3:5], inertia, state[:, 5]))
+        return self.matter().angular_momentum
 
     def kinetic_energy(self) -> float:
         """Return their kinetic energy, that of spin included, J."""
-        state, mass, inertia = self.matter()
-        return (
-            float(kinetic_energy(mass, state[:, 3:5], inertia, state[:, 5])) if len(mass) else 0.0
-        )
+        return self.matter().kinetic_energy
 
     def touching(self) -> frozenset[int]:
         """Return the numbers of the bodies that were pushed by another one in the last step."""
         numbers = self.numbers
         return frozenset(numbers[int(k)] for k in np.unique(self.impulses[:, 1:3]))
 
-    def matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Return states, masses and inertias of the bodies that can be pushed; read them only."""
+    def matter(self) -> Matter:
+        """Return the bodies that can be pushed, as they are now."""
         if self._known is None:
-            self._known = self._matter()
+            self._known = Matter(self.states()[self._free], self._mass, self._inertia)
         return self._known
-
-    def _matter(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Read them from the tables of the engine."""
-        columns = [self._engine.column(name) for name in ("inv_m", "inv_i")]
-        inv_m, inv_i = np.array(columns, dtype=float)
-        free = inv_m > 0
-        with np.errstate(divide="ignore"):
-            inertia = np.where(inv_i[free] > 0, 1 / inv_i[free], 0.0)
-        return self.states()[free], 1 / inv_m[free], inertia
 
     # Copies
 
@@ -451,34 +435,32 @@ class LiveWorld:
             scene = Scene(self._bodies.values(), self.gravity, self.damping)
             self._choice = self._solver_of(scene)
             steps = stepped_solver_for(scene) if self._choice.solver == "exact" else self._choice
-            self._at_work = self._engine_for(scene.bodies, steps, has_grid=self.compiled)
+            self._at_work = stepper_for(
+                scene,
+                steps.solver,
+                dt=self.dt,
+                iterations=self._iterations,
+                combine=self.combine,
+                compiled=steps.solver in self._in_code,
+            )
             self._place = {number: place for place, number in enumerate(self._bodies)}
+            self._weigh_all(self._at_work)
             self.impulses = NO_IMPULSES
         return self._at_work
+
+    def _weigh_all(self, engine: EngineStepper) -> None:
+        """Note which bodies can be pushed, with their masses and inertias."""
+        inv_m, inv_i = (np.array(engine.column(n), dtype=float) for n in ("inv_m", "inv_i"))
+        self._free = inv_m > 0
+        with np.errstate(divide="ignore"):
+            self._mass = 1 / inv_m[self._free]
+            self._inertia = np.where(inv_i > 0, 1 / inv_i, 0.0)[self._free]
 
     def _solver_of(self, scene: Scene) -> SolverChoice:
         """Return the solver that moves the bodies."""
         if self._iterations is not None:
             return SWEEPS_ASKED
         return solver_for(Question(scene, "auto", self.dt, combine=self.combine))
-
-    def _engine_for(
-        self, bodies: Iterable[Body], choice: SolverChoice, *, has_grid: bool
-    ) -> EngineStepper:
-        """Return the engine at the start of a scene; in machine code it always has the grid."""
-        is_swept = choice.solver == "sequential"
-        solver = our_solvers()[choice.solver]
-        return EngineStepper(
-            Scene(bodies, self.gravity, self.damping),
-            solver=choice.solver,
-            dt=self.dt,
-            iterations=(self._iterations or SWEEPS) if is_swept else solver.iterations,
-            substeps=solver.substeps,
-            combine=self.combine,
-            compiled=self.compiled and is_swept,
-            effects=ANY_SCENE | ({"broad_phase": True} if has_grid else {}),
-            splits_steps=True,
-        )
 
     def _row(self, number: int) -> Any:
         """Return a body's row in the tables of the engine."""

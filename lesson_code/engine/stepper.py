@@ -234,6 +234,17 @@ class EngineStepper(Stepper):
         """Return the program that the stages make."""
         return program_of(source_of(self.pipeline), "advance", World)
 
+    @property
+    def solver(self) -> str:
+        """The name of its solver."""
+        return self._solver.name
+
+    def compile(self) -> None:
+        """Go on in machine code; compile it and wait for that where none is kept."""
+        self._code.close()
+        self._code = Code(True, why_never(self._question.scene, self._solver))
+        self._choose_code()
+
     def advance(self, steps: int) -> None:
         """Advance by `steps` steps of dt.
 

@@ -15,7 +15,7 @@ from lesson_code.engine.compiled.library import is_kept, why_no_compiler
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.event_driven import ExactSolver
-from lesson_code.engine.live_world import LiveWorld
+from lesson_code.engine.live_solver import program_for
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.scenes.gas import gas_of
 from lesson_code.evidence.scenes.rigid_bodies import GRAVITY, box_pyramid
@@ -51,7 +51,7 @@ def common_programs() -> Iterator[Program]:
     for scene in (falling_discs(MANY), box_pyramid(ROWS), bin_of_shapes(MANY).scene):
         yield stepped(scene)
     yield stepped(falling_discs(MANY), splits_steps=True)  # from the first fast disc on
-    yield LiveWorld().program
+    yield from map(program_for, ("sequential", "substep"))
 
 
 def stepped(scene: Scene, *, splits_steps: bool = False) -> Program:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lesson_code.chapters import programs
-from lesson_code.chapters.own_functions import LIMIT, Watched, alike, load_own
+from lesson_code.chapters.own_functions import Watched, alike, load_own
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.view.pygame.frame import play
 from lesson_code.view.pygame.game import Input
@@ -166,7 +166,7 @@ def test_program_goes_on_when_a_function_never_ends_and_names_its_call(
 
     The picture names it, and so does the panel; it is called once.
     """
-    monkeypatch.setattr(LIMIT, "seconds", 0.1)
+    monkeypatch.setattr(programs.LIMIT, "seconds", 0.1)
     program = load_own(name).program
     assert program.with_own is not None
     watched = []
@@ -189,19 +189,23 @@ def test_program_goes_on_when_a_function_never_ends_and_names_its_call(
             assert one.reading()[1] == "the lesson's"
 
 
+@pytest.mark.parametrize("is_bare", [False, True])
 @pytest.mark.parametrize("name", EXERCISES)
 def test_students_copy_goes_on_when_a_function_never_ends(
-    name: str, write: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, is_bare: bool, write: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Where the lesson's answers are not there, it goes on as for any function that fails."""
-    monkeypatch.setattr(LIMIT, "seconds", 0.1)
+    """Where the lesson's answers are not there, it goes on as for any function that fails.
+
+    With `--with exercises`, and bare: in a student's copy they stand where the lesson's would.
+    """
+    monkeypatch.setattr(programs.LIMIT, "seconds", 0.1)
     program = load_own(name).program
     lines = [f"def {one.__name__}(*given):\n    while True:\n        pass\n" for one in program.own]
     (write / f"{name}.py").write_text("\n".join(lines))
     assert program.with_own is not None
     answers = [programs.own_answer(name, one.__name__) for one in program.own]
-    watched = [Watched(one, one) for one in answers]
-    settings = program.with_own(*watched)
+    rules = answers if is_bare else [Watched(one, one) for one in answers]
+    settings = program.with_own(*rules)
     game = play(program, frames=60, headless=True, tour=True, settings=settings).game
     assert np.isfinite(game.snapshot()).all()
     assert game.missing

@@ -87,3 +87,17 @@ def test_profiler_still_works_after_calls_that_were_in_time_and_late() -> None:
     finally:
         sys.setprofile(None)
     assert "call" in seen
+
+
+def test_call_inside_a_call_is_a_part_of_it() -> None:
+    """It ends no earlier, and the outer one is ended all the same."""
+    limit = TimeLimit(0.1)
+    assert limit.call(lambda: limit.call(divmod, 7, 2)) == (3, 1)
+
+    def outer() -> None:
+        limit.call(divmod, 7, 2)
+        while True:
+            pass
+
+    with pytest.raises(NoAnswerError):
+        limit.call(outer)

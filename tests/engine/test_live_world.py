@@ -46,22 +46,42 @@ def test_step_of_a_live_world_is_the_engines_bit_for_bit(solver: str) -> None:
     assert (states[:, 5] == run.angular_velocities[-1]).all()
 
 
-def test_compiled_world_is_the_plain_one_bit_for_bit() -> None:
-    """Machine code may take over between two steps, and nothing changes."""
-    plain, fast = (LiveWorld(crowd(30), gravity=(0.0, -9.81)) for _ in range(2))
+@pytest.mark.parametrize("sweeps", [None, 10])
+def test_compiled_world_is_the_plain_one_bit_for_bit(sweeps: int | None) -> None:
+    """Machine code may take over between two steps, and nothing changes: sub-steps, and sweeps."""
+    plain, fast = (LiveWorld(crowd(30), gravity=(0.0, -9.81), iterations=sweeps) for _ in range(2))
     for world in (plain, fast):
-        for _ in range(5):
+        for _ in range(40):
             world.step()
     fast.compile()
+    for world in (plain, fast):
+        for _ in range(40):
+            world.step()
+    assert (plain.states() == fast.states()).all()
     plain.add(Body(Circle(0.2), position=(3, 3), mass=1.0))
     fast.add(Body(Circle(0.2), position=(3, 3), mass=1.0))
     for world in (plain, fast):
         world.push(3, (0.5, 0.0), (0.0, 0.1))
         for _ in range(60):
             world.step()
+    assert (plain.compiled, fast.compiled) == (False, True)
+    assert plain.solver == ("sequential" if sweeps else "substep")
     assert (plain.states() == fast.states()).all()
     assert (plain.impulses == fast.impulses).all()
     assert plain.touching() == fast.touching()
+
+
+def test_world_whose_solver_changes_waits_for_no_compiler() -> None:
+    """One in sub-steps that is compiled, and grows: the sweeps that take over begin plain."""
+    world = LiveWorld(crowd(30), gravity=(0.0, -9.81))
+    assert not world.wants_code  # nobody has let time pass
+    world.step()
+    assert world.wants_code
+    world.compile()
+    assert (world.compiled, world.wants_code) == (True, False)
+    for k in range(80):
+        world.add(Body(Circle(0.2), position=(20 + k, 3), mass=1.0))
+    assert (world.solver, world.compiled, world.wants_code) == ("sequential", False, True)
 
 
 def test_push_changes_momentum_by_the_impulse_and_spin_by_its_moment() -> None:

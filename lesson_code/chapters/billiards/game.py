@@ -25,9 +25,10 @@ from lesson_code.chapters.billiards.rules import (
 )
 from lesson_code.engine.core.callbacks import Touch
 from lesson_code.engine.core.scene import XY
+from lesson_code.engine.matter import Matter
 from lesson_code.formulas.validation import Vector, non_negative, one_vector
 from lesson_code.view.pygame.effects import Flashes
-from lesson_code.view.pygame.game import Game, Input, Matter
+from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.legend import Mark
 from lesson_code.view.pygame.picture import FLASH, Camera, Picture
 from lesson_code.view.pygame.program import ImpactEffects, Program, Readings
@@ -139,9 +140,9 @@ class Billiards(Game):
         return np.array([self.position, self.velocity])
 
     def matter(self) -> Matter:
-        """Return the ball's state, mass and inertia; it does not turn."""
+        """Return the ball; it does not turn."""
         state = [*self.position, 0.0, *self.velocity, 0.0]
-        return np.array([state]), np.array([MASS]), np.zeros(1)
+        return Matter(np.array([state]), np.array([MASS]), np.zeros(1))
 
     def press(self, key: str) -> None:
         """Show normals, or play the first shot again."""

@@ -83,11 +83,8 @@ class Simulator(Game):
         """Fill the room as at the start."""
         self.random.seed(self.seed)
         self.surface = Material(restitution=MODES[self.mode][1], friction=0.0)
-        compiled = self.world.compiled
         self._begin((WIDTH, HEIGHT), FALL if self.falls else (0.0, 0.0))
         self._scatter(self.ball_count)
-        if compiled:
-            self.world.compile()
 
     def _begin(self, size: XY | None, gravity: XY, bodies: Iterable[Body] = ()) -> None:
         """Begin with a room of a size about the middle of the picture, and bodies in it."""
@@ -123,12 +120,9 @@ class Simulator(Game):
             raise ValueError(f"room must fit into [{WIDTH:g}, {HEIGHT:g}], got {[width, height]}")
         if len(bodies) > MOST_BALLS:
             raise ValueError(f"bodies must be a list of at most {MOST_BALLS}, got {len(bodies)}")
-        compiled = self.world.compiled
         self.surface = Material(given["elasticity"] / 100, given["friction"])
         self.falls = scene.gravity != (0.0, 0.0)
         self._begin((width, height) if given["walls"] else None, scene.gravity, bodies)
-        if compiled:
-            self.world.compile()
 
     def set(self, name: str, value: float, number: float = 0.0) -> None:
         """Set what a slider stands for; balls that join later have the same surface."""

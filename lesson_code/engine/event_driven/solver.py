@@ -10,6 +10,8 @@ import sys
 from collections.abc import Callable, Mapping
 from copy import copy, deepcopy
 from functools import cache, partial
+from operator import attrgetter
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -28,7 +30,7 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import longer
-from lesson_code.engine.core.frames import STATE_NUMBERS, Frames, frames_at_once, given_back
+from lesson_code.engine.core.frames import Frames, frames_at_once, given_back
 from lesson_code.engine.core.impulse_table import ImpulseTable
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
@@ -54,7 +56,7 @@ from lesson_code.engine.event_driven.loop import (
     note_impulse,
 )
 from lesson_code.engine.event_driven.motion import place_at, turning_at, velocity_at
-from lesson_code.engine.event_driven.rows import MomentRow, Tables
+from lesson_code.engine.event_driven.rows import DiscRow, MomentRow, Tables
 from lesson_code.engine.event_driven.tables import exact_arrays_of
 from lesson_code.engine.event_driven.work import events_expected
 
@@ -67,6 +69,12 @@ def source_of(effects: Effects, record: Recorder | None) -> str:
 
 ANGLE = 2
 """Where the angle stands in a state."""
+
+MOTION = ("time", "x", "y", "vx", "vy", "ax", "ay", "angle", "w", "alpha")
+"""The fields of a disc that say where it is at a time."""
+
+motion_of = attrgetter(*MOTION)
+"""Returns them of a disc."""
 
 
 class ExactSolver:
@@ -247,15 +255,12 @@ class ExactSolver:
     def _disc_states(self, angles: NDArray[np.float64], time: float) -> NDArray[np.float64]:
         """Return the states of all discs, from their angles at the start.
 
-        The formulas serve one disc, and columns of many.
+        The formulas serve one disc, and columns of many with the same bits.
         """
         discs: Any = self.tables.discs
-        if isinstance(discs, np.ndarray):
-            with np.errstate(over="ignore", invalid="ignore"):  # refused by the recording
-                columns = self._disc_state(discs.view(np.recarray), angles, time)
-            return np.column_stack(np.broadcast_arrays(*columns))
-        rows = [self._disc_state(*disc, time) for disc in zip(discs, angles, strict=True)]
-        return np.array(rows).reshape(-1, STATE_NUMBERS)
+        columns = discs.view(np.recarray) if isinstance(discs, np.ndarray) else _columns_of(discs)
+        with np.errstate(over="ignore", invalid="ignore"):  # refused by the recording
+            return np.column_stack(np.broadcast_arrays(*self._disc_state(columns, angles, time)))
 
     def _disc_state(self, disc: Any, angle: Any, time: float) -> Any:
         """Return the state of a disc."""
@@ -331,6 +336,12 @@ class ExactSolver:
         table = self.tables.impulses
         rows = min(2 * len(table) + 1, RECORD_ROWS)
         self.tables = self.tables._replace(impulses=longer(table, rows, ImpulseRow))
+
+
+def _columns_of(discs: list[DiscRow]) -> SimpleNamespace:
+    """Return the motion of many discs, each field as an array."""
+    table = np.array([motion_of(disc) for disc in discs], dtype=float).reshape(-1, len(MOTION))
+    return SimpleNamespace(**dict(zip(MOTION, table.T, strict=True)))
 
 
 def why_not(scene: Scene) -> str:

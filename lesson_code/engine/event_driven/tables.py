@@ -57,7 +57,7 @@ def exact_arrays_of(scene: Scene, combine: MixingRule, has_grid: bool = False) -
     everywhere = [IndexRow(k) for k in range(len(fixed))]
     if has_grid:
         boxes = sides_of(bodies, corners)[:, fixed]
-        _bound_grid(state, np.hstack([boxes, [discs["x"], discs["y"]] * 2]))
+        _bound_grid(state, np.array([discs["x"], discs["y"]] * 2), boxes)
         near, everywhere = _obstacles_near(state, boxes, scene.columns.is_moving[fixed], slots)
     return Tables(
         state=state,
@@ -135,19 +135,33 @@ def _state(scene: Scene, combine: MixingRule, has_grid: bool) -> ExactState:
     )
 
 
-def _bound_grid(state: ExactState, sides: Floats) -> None:
-    """Let the grid end one cell beyond all that is there at the start, shape (4, N), m."""
+def _bound_grid(state: ExactState, places: Floats, boxes: Floats) -> None:
+    """Let the grid end one cell beyond all that is there at the start: places, boxes (4, N), m.
+
+    Of what is as large as the walls of a room it has the near side only: nothing gets beyond.
+    """
+    with np.errstate(over="ignore"):
+        wide, high = (boxes[[RIGHT, HIGH]] - boxes[[LEFT, LOW]]) / state.cell_size
+        is_large = (wide + 1) * (high + 1) > MOST_CELLS
+    sides = np.hstack([boxes[:, ~is_large], places])
     if sides.size == 0:
         return
-    state.first_x = _cell(state, float(sides[LEFT].min())) - 1
-    state.last_x = _cell(state, float(sides[RIGHT].max())) + 1
-    state.first_y = _cell(state, float(sides[LOW].min())) - 1
-    state.last_y = _cell(state, float(sides[HIGH].max())) + 1
+    near = boxes[:, is_large][[RIGHT, HIGH, LEFT, LOW]]
+    left, low, right, high = np.hstack([sides, near])[[LEFT, LOW, RIGHT, HIGH]]
+    state.first_x, state.last_x = _cell(state, left.min()) - 1, _cell(state, right.max()) + 1
+    state.first_y, state.last_y = _cell(state, low.min()) - 1, _cell(state, high.max()) + 1
 
 
 def _cell(state: ExactState, place: float) -> int:
     """Return the number of the cell of a coordinate, m; the last one goes on for ever."""
     return math.floor(min(max(place / state.cell_size, -LAST_CELL), LAST_CELL))
+
+
+def _cells(state: ExactState, low: float, high: float, first: int, last: int) -> range:
+    """Return the cells from which a disc could touch what reaches from `low` to `high`, m."""
+    ends = _cell(state, low) - 1, _cell(state, high) + 1
+    begin, end = (min(max(cell, first), last) for cell in ends)
+    return range(begin, end + 1)
 
 
 def _obstacles_near(
@@ -164,8 +178,8 @@ def _obstacles_near(
         if is_moving[k]:
             everywhere.append(IndexRow(k))
             continue
-        columns = range(_cell(state, left) - 1, _cell(state, right) + 2)
-        lines = range(_cell(state, low) - 1, _cell(state, high) + 2)
+        columns = _cells(state, left, right, state.first_x, state.last_x)
+        lines = _cells(state, low, high, state.first_y, state.last_y)
         if len(columns) * len(lines) > MOST_CELLS:
             everywhere.append(IndexRow(k))
             continue

@@ -14,6 +14,7 @@ import time
 from collections.abc import Iterator, Mapping
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from threading import Thread
 from types import MappingProxyType
@@ -22,8 +23,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import Code
-from lesson_code.engine.live_world import TIME_STEP, WORTH_COMPILING, LiveWorld
+from lesson_code.engine.compiled import Code, library
+from lesson_code.engine.live_solver import program_for
+from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.scene_file import set_up_in, write_scene
 from lesson_code.view.pygame.game import Game
 from lesson_code.view.pygame.gif import MOST_SECONDS, Gif
@@ -275,33 +277,44 @@ def _run(
 
 
 class MachineCode:
-    """Switches a large world to machine code once that is there: nobody waits for a compiler.
+    """Switches a world to machine code once that is there: nobody waits for a compiler.
 
-    The program is put together in a thread of its own, and compiled in another process.
+    A program is put together, or loaded, in a thread of its own, and compiled in another process.
     """
 
     def __init__(self) -> None:
-        self._code = Code(None)
-        self._linking: Thread | None = None
+        self._codes: dict[str, Code] = {}
+        self._threads: dict[str, Thread] = {}
+        self._there: set[str] = set()
 
     def look_at(self, world: LiveWorld) -> None:
-        """Switch a world that is large enough, if its machine code is there."""
-        if world.compiled or len(world) < WORTH_COMPILING:
+        """Switch a world for which plain Python takes long, if its machine code is there."""
+        if not world.wants_code:
             return
-        if self._linking is None:
-            self._linking = Thread(target=lambda: world.program, daemon=True)
-            self._linking.start()
-        elif not self._linking.is_alive():
-            self._switch(world)
-
-    def _switch(self, world: LiveWorld) -> None:
-        """Switch a world whose program is put together, if that is compiled."""
-        if self._code.look(lambda: world.program, math.inf, "now") is not None:
+        solver = world.solver
+        if solver not in self._codes:
+            self._codes[solver] = Code(None)
+            self._threads[solver] = Thread(target=_load, args=(solver,), daemon=True)
+            self._threads[solver].start()
+        elif not self._threads[solver].is_alive() and self._is_there(solver):
             world.compile()
 
+    def _is_there(self, solver: str) -> bool:
+        """Return whether a solver's program is compiled; if not, have that done."""
+        program = partial(program_for, solver)
+        if solver not in self._there and self._codes[solver].look(program, math.inf, "now"):
+            self._there.add(solver)
+        return solver in self._there
+
     def close(self) -> None:
-        """End the process that compiles, unless it is nearly done."""
-        self._code.close()
+        """End the processes that compile, unless they are nearly done."""
+        for code in self._codes.values():
+            code.close()
+
+
+def _load(solver: str) -> None:
+    """Load a solver's program if it is kept; else it is put together, at least."""
+    library.load(program_for(solver))
 
 
 def _check(

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from random import Random
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.core.callbacks import Callbacks, Touch
 from lesson_code.engine.core.scene import XY
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
+from lesson_code.engine.matter import Matter
 
 
 @dataclass(frozen=True)
@@ -81,9 +82,6 @@ class EndlessError(TimeoutError):
     def __init__(self, words: str, lesson: Callable[..., Any] | None = None) -> None:
         super().__init__(words)
         self.lesson = lesson
-
-
-Matter: TypeAlias = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
 
 @dataclass(frozen=True)
@@ -253,7 +251,7 @@ class Game:
         return self.world.gravity
 
     def matter(self) -> Matter:
-        """Return states (N, 6), masses and inertias (N,) of what can be pushed."""
+        """Return what can be pushed, as it is now."""
         return self.world.matter()
 
     def trailed(self) -> dict[int, XY]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from heapq import nlargest
 from typing import TypeAlias
 
 import numpy as np
@@ -69,7 +70,8 @@ class Laboratory:
         self._taken: list[pygame.Rect] = []
         self._values: list[Value] = []
         unit = self._session.program.length
-        states, mass, _ = self._session.game.matter()
+        matter = self._session.game.matter()
+        states, mass = matter.states, matter.mass
         if "velocities" in shown:
             per = self._arrows("velocities", states, states[:, 3:5], VELOCITY.colour, f"{unit}/s")
             legend.append((VELOCITY.colour, f"velocity {per:g} {unit}/s", per))
@@ -160,11 +162,10 @@ class Laboratory:
     def _impulses(self) -> float:
         """Draw the impulses of the last half second; return what a full arrow stands for."""
         session, camera = self._session, self._picture.camera
-        touches = [touch for step, touch in session.news if step > session.steps - NEWS_STEPS]
-        sizes = [size_of(touch) for touch in touches]
-        per = self._full("impulses", max(sizes, default=0.0))
+        touches = (touch for step, touch in session.news if step > session.steps - NEWS_STEPS)
+        strongest = nlargest(MOST_VALUES, touches, key=size_of)[::-1]
+        per = self._full("impulses", size_of(strongest[-1]) if strongest else 0.0)
         pixels = LARGEST_ARROW * self._window.unit / per
-        strongest = sorted(touches, key=size_of)[-MOST_VALUES:]
         for touch in strongest:
             jx, jy = impulse_of(touch)
             place = camera.world_to_screen(touch.points[0])

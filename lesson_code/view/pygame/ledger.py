@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from lesson_code.formulas import angular_momentum, kinetic_energy, momentum
 from lesson_code.view.pygame.game import Game
 
 MOST_ROWS = 216_000
@@ -103,14 +102,8 @@ class Ledger:
     @np.errstate(over="ignore", invalid="ignore")  # a student's ball may be anywhere
     def _row(self, time: float, given: float, lost: float) -> Row:
         """Return what there is now."""
-        states, mass, inertia = self._game.matter()
-        (px, py), spin, moving, turning, height = (0.0, 0.0), 0.0, 0.0, 0.0, 0.0
-        if len(mass):
-            places, velocities, rates = states[:, :2], states[:, 3:5], states[:, 5]
-            px, py = momentum(mass, velocities).tolist()
-            spin = float(angular_momentum(mass, places, velocities, inertia, rates))
-            moving = float(kinetic_energy(mass, velocities))
-            turning = float(kinetic_energy(mass, velocities, inertia, rates)) - moving
-            height = -float(mass @ ((places - (0.0, self._ground)) @ self._game.gravity))
-        energies = moving, turning, height, self._game.stored_energy()
-        return Row(time, px, py, spin, *energies, given, lost)
+        matter, gravity = self._game.matter(), self._game.gravity
+        turning = matter.kinetic_energy - matter.motion
+        height = -float(matter.mass @ ((matter.places - (0.0, self._ground)) @ gravity))
+        energies = matter.motion, turning, height, self._game.stored_energy()
+        return Row(time, *matter.momentum, matter.angular_momentum, *energies, given, lost)

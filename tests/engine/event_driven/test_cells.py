@@ -182,9 +182,32 @@ def test_obstacle_is_noted_wherever_a_disc_could_touch_it() -> None:
 
 
 def test_large_or_moving_obstacle_is_near_everywhere() -> None:
-    """A floor a mile long is not noted in thousands of cells, nor is a wall that moves."""
-    floor = Body(Segment((-1000, -5), (1000, -5)))
+    """A block that fills the grid is not noted in thousands of cells, nor is a wall that moves."""
+    block = Body(Polygon.box(1000, 1000), position=(3.0, -490.0))
     piston = Body(Segment((-5, -2), (-5, 2)), velocity=(0.1, 0))
-    tables = tables_for(scattered(40, 6, (floor, piston)))
+    tables = tables_for(scattered(4000, 6, (block, piston)))
     assert [row.index for row in tables.everywhere] == [0, 1]
     assert not tables.near
+
+
+def test_walls_much_larger_than_a_room_are_noted_along_it() -> None:
+    """The grid ends at their near sides, wherever the discs begin; inside no wall is looked at.
+
+    Beyond, it goes on for ever: a disc that begins outside meets them, too.
+    """
+    h, size = 500.0, 20.0
+    corners = [(-h, -h), (size + h, -h), (size + h, size + h), (-h, size + h)]
+    ends = zip(corners, corners[1:] + corners[:1], strict=True)
+    tables = tables_for(scattered(40, 5, [Body(Segment(a, b, h)) for a, b in ends]))
+    state, cell = tables.state, tables.state.cell_size
+    assert not tables.everywhere
+    assert (state.first_x, state.first_y) == (-2, -2)
+    assert state.last_x == state.last_y == math.floor(size / cell) + 1
+    for k in range(4):
+        noted = {(near.cell_x, near.cell_y) for near in tables.near if near.obstacle == k}
+        axis, is_high = (1, 0, 1, 0)[k], k in (1, 2)
+        edge = math.floor(size / cell) if is_high else 0
+        for place in range(math.floor(size / cell)):
+            assert ((edge, place) if axis == 0 else (place, edge)) in noted
+            if 3 < place < size / cell - 3:
+                assert (place, place) not in noted

@@ -13,7 +13,8 @@ from PIL import Image, ImageChops
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.engine.compiled import choice
 from lesson_code.engine.compiled.compiler import compiled
-from lesson_code.engine.live_world import TIME_STEP, LiveWorld
+from lesson_code.engine.live_solver import program_for
+from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.frame import FILM_HEIGHT, play
 from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
@@ -202,7 +203,7 @@ def test_world_that_has_become_large_goes_on_in_machine_code(
 
     Its program is kept. Else it would come when another process has made it.
     """
-    compiled(LiveWorld().program)
+    compiled(program_for("sequential"))
     monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
     inputs = tmp_path / "more.json"
     recording = Recording("simulator", 0)
@@ -217,6 +218,29 @@ def test_world_that_has_become_large_goes_on_in_machine_code(
         alone.step()
     assert shown.world.compiled
     assert (shown.snapshot() == alone.snapshot()).all()
+
+
+def test_dominoes_go_on_in_machine_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their tour, plain at first, ends where that in plain Python ends, bit for bit.
+
+    They are stood up anew after 330 steps: that world goes on in machine code, too.
+    """
+    compiled(program_for("substep"))
+    monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
+    program = load("dominoes")
+    shown = play(program, frames=360, headless=True, tour=True).game
+    alone = Session(program, program.game(0), Recording("dominoes", 0))
+    alone.tour = program.tour
+    for _ in range(360):
+        alone.step()
+    assert (shown.world.compiled, alone.game.world.compiled) == (True, False)
+    assert (shown.snapshot() == alone.game.snapshot()).all()
+
+
+def test_world_that_is_never_stepped_is_not_compiled() -> None:
+    """Soft bodies move by themselves, and the world only shows them."""
+    game = play(load("soft_body"), frames=5, headless=True, tour=True).game
+    assert not game.world.wants_code
 
 
 def test_film_is_the_same_for_the_same_seed_and_inputs(tmp_path: Path) -> None:

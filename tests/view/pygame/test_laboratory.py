@@ -50,7 +50,7 @@ def test_every_body_has_its_arrow(
     monkeypatch.setattr(Window, "arrow", arrow)
     monkeypatch.setattr("lesson_code.view.pygame.laboratory.pygame.draw.line", line)
     painter._laboratory.draw()
-    states = session.game.matter()[0]
+    states = session.game.matter().states
     places = picture.camera.places_of(states[:, :2])
     lengths = np.hypot(*states[:, 3:5].T)
     assert len(states) == balls

@@ -11,7 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from lesson_code import Body, Circle
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.engine.live_world import LiveWorld
+from lesson_code.view.pygame import frame
 from lesson_code.view.pygame.frame import MachineCode, _do_wanted, free_name, play
 from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
@@ -113,17 +116,17 @@ def test_gravity_by_slider_is_the_fall_of_a_body(begin: Callable[[str], Session]
     session.slide("gravity", 4.0)
     for _ in range(30):
         session.step()
-    assert session.game.matter()[0][0, 3:5] == pytest.approx((0.0, -2.0))
+    assert session.game.matter().states[0, 3:5] == pytest.approx((0.0, -2.0))
 
 
 def test_mass_by_slider_is_that_of_the_body_last_grabbed(begin: Callable[[str], Session]) -> None:
     """Its velocity stays, so its momentum grows as its mass; the others are as they were."""
     session = begin("demo")
     number = session.game.world.numbers[4]
-    before = session.game.matter()[1].copy()
+    before = session.game.matter().mass.copy()
     click(session, pygame.MOUSEBUTTONDOWN, session.game.world.position(number), 3)
     session.slide("mass", 8.0)
-    after = session.game.matter()[1]
+    after = session.game.matter().mass
     assert after[0] == pytest.approx(8.0)
     assert (after[1:] == before[1:]).all()
 
@@ -210,7 +213,8 @@ def test_ledger_accounts_for_all_energy(begin: Callable[[str], Session], name: s
         session.step()
     row = session.ledger.last
     assert row.energy == pytest.approx(first + row.given - row.lost, abs=ROUNDING)
-    states, mass, _ = session.game.matter()
+    matter = session.game.matter()
+    states, mass = matter.states, matter.mass
     moving = float(
         sum(m * (vx**2 + vy**2) / 2 for m, (vx, vy) in zip(mass, states[:, 3:5], strict=True))
     )
@@ -336,26 +340,18 @@ def test_frame_ends_after_its_time_and_the_next_hears_the_keys(
     assert session.tick(0.1) == 6
 
 
-def test_large_world_is_never_waited_for() -> None:
+def test_large_world_is_never_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its program is put together beside the frames: looking at it takes no time."""
     asked: list[int] = []
-
-    class Slow:
-        compiled = False
-
-        def __len__(self) -> int:
-            return 500
-
-        @property
-        def program(self) -> None:
-            asked.append(threading.get_ident())
-
+    monkeypatch.setattr(frame, "_load", lambda _: asked.append(threading.get_ident()))
     code = MachineCode()
-    world = Slow()
-    code.look_at(world)  # type: ignore[arg-type]
-    assert code._linking is not None
-    code._linking.join()
+    balls = [Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(150)]
+    world = LiveWorld(balls)
+    world.step()
+    code.look_at(world)
+    code._threads["sequential"].join()
     assert asked != [threading.get_ident()]
+    assert len(asked) == 1
     code.close()
 
 
