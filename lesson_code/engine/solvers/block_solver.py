@@ -81,9 +81,11 @@ def solve_normals(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
 
 
 def solve_pseudo_velocities(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Undo the overlap at both points."""
+    """Undo the overlap at both points; where none is left and none was undone, nothing changes."""
     before = c.pseudo_impulse, d.pseudo_impulse
     missing = missing_pseudo_velocity(c, a, b), missing_pseudo_velocity(d, a, b)
+    if missing[0] >= 0 and missing[1] >= 0 and before[0] == 0 and before[1] == 0:
+        return
     totals = block_impulses(c, d, missing, before)
     apply_pseudo_impulses(c, d, a, b, (totals[0] - before[0], totals[1] - before[1]))
     c.pseudo_impulse, d.pseudo_impulse = totals
@@ -141,15 +143,14 @@ def two_impulses(k: Three, missing: Two, before: Two) -> Two:
     k11, k12, k22 = k
     b1 = missing[0] - (k11 * before[0] + k12 * before[1])
     b2 = missing[1] - (k12 * before[0] + k22 * before[1])
-    share = 1 / (k11 * k22 - k12 * k12)
-    x1 = (k12 * b2 - k22 * b1) * share
-    x2 = (k12 * b1 - k11 * b2) * share
+    if b1 >= 0 and b2 >= 0:  # both open
+        return 0.0, 0.0
+    x1, x2 = k12 * b2 - k22 * b1, k12 * b1 - k11 * b2  # times the determinant, which is > 0
     if x1 >= 0 and x2 >= 0:  # both carry
-        return x1, x2
+        share = 1 / (k11 * k22 - k12 * k12)
+        return x1 * share, x2 * share
     if b1 < 0 and b2 - k12 * b1 / k11 >= 0:  # the first carries, the second opens
         return -b1 / k11, 0.0
     if b2 < 0 and b1 - k12 * b2 / k22 >= 0:  # the second carries, the first opens
         return 0.0, -b2 / k22
-    if b1 >= 0 and b2 >= 0:  # both open
-        return 0.0, 0.0
     return before  # rounding has left none: keep what there is

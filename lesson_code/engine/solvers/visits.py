@@ -70,9 +70,8 @@ def by_colour(world: World, effects: Effects) -> None:
     at once: part by part, the rows of a pyramid hear too late what they have to bear.
     """
     highest = 0
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        world.bodies[c.a].colours, world.bodies[c.b].colours = 0, 0
+    for body in world.bodies:
+        body.colours = 0
     for k in range(world.state.contact_count):
         if not is_second_of_block(world, k, effects):
             c = world.contacts[k]
