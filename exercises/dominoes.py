@@ -75,9 +75,9 @@ def chain(angles, rates, height, spacing, dt, steps):
 
     1. Each turns about its foot: its rate grows by 3 g / (2 height) sin(angle) dt, then its angle
        by the new rate times dt.
-    2. From the first to the last but one: a domino that leans by more than asin(spacing / height)
-       touches the next one. If it turns faster than that one, both go on with the mean of their
-       rates.
+    2. From the first to the last but one, each with the rates that the one before has left: a
+       domino that leans by more than asin(spacing / height) touches the next one. If it turns
+       faster than that one, both go on with the mean of their rates.
     3. What leans by more than 90 degrees lies: its angle is pi / 2 and its rate 0.
 
     Parameters
