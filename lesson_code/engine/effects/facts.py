@@ -108,12 +108,11 @@ def look(seen: Seen) -> None:
             facts.has_mover = facts.has_mover or is_moving
             note(seen.fixed_restitution, body.restitution)
             note(seen.fixed_friction, body.friction)
-    restitutions = seen.free_restitution, seen.fixed_restitution
-    facts.most_restitution = most_of_pairs(facts.restitution_rule, *restitutions)
-    facts.least_restitution = least_of_pairs(facts.restitution_rule, *restitutions)
-    facts.most_friction = most_of_pairs(
-        facts.friction_rule, seen.free_friction, seen.fixed_friction
-    )
+    free, fixed = seen.free_restitution, seen.fixed_restitution
+    facts.most_restitution = most_of_pairs(facts.restitution_rule, free, fixed)
+    facts.least_restitution = least_of_pairs(facts.restitution_rule, free, fixed)
+    free, fixed = seen.free_friction, seen.fixed_friction
+    facts.most_friction = most_of_pairs(facts.friction_rule, free, fixed)
     facts.room = (facts.skin if facts.skin > 0.0 else 0.5) * thinnest
     facts.way = fastest_point(seen.bodies) * facts.dt
 
