@@ -334,17 +334,19 @@ EFFECT = '''"""Standstill: what damping has made slower than can be seen stops."
 from __future__ import annotations
 
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import Effects
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.question import Effect, Finding
 
 SLOWEST = 1e-3
 """m/s."""
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether motion dies away."""
-    is_damped = question.scene.damping > 0
-    return Finding(is_damped, "motion dies away" if is_damped else "the rate is 0")
+    if facts.damping > 0.0:
+        return Finding(True, "motion dies away")
+    return Finding(False, "the rate is 0")
 
 
 EFFECT = Effect(rule=rule, place=115, functions=("stop",), needs_collisions=False)

@@ -30,7 +30,6 @@ from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.question import Question
-from lesson_code.engine.effects.restitution import smallest_restitution
 from lesson_code.engine.event_driven import ExactSolver, why_not
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.solvers.choice import SolverChoice, is_apart
@@ -57,7 +56,7 @@ def flies(question: Question) -> bool:
     scene = question.scene
     if why_not(scene) or scene.columns.has_mover or not scene.columns.is_free.any():
         return False
-    least = smallest_restitution(question)
+    least = question.facts.least_restitution
     return least >= 1.0 if any(scene.gravity) else least > 0.0
 
 

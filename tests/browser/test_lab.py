@@ -4,14 +4,27 @@ from __future__ import annotations
 
 import json
 from math import cos, hypot, pi, sin
+from random import Random
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote, unquote
 
 import pytest
 
-from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, formulas, simulate
+from lesson_code import (
+    Body,
+    Circle,
+    Material,
+    Polygon,
+    Scene,
+    Segment,
+    formulas,
+    scene_file,
+    simulate,
+)
 from lesson_code.course.chapters import chapters
 from lesson_code.engine.core.run import Run
+from lesson_code.engine.effects.choice import choose_effects
+from lesson_code.engine.effects.question import Question
 from lesson_code.view.browser import lab_still
 from lesson_code.view.browser.lab import lab_html
 
@@ -369,6 +382,75 @@ def test_python_of_a_set_up_makes_the_same_run_and_has_its_plan(
     assert {*expected.plan.used, *expected.plan.left_out} >= {"gravity", "friction", "rotation"}
     shown = numbers_of(lab, "x")
     assert shown == pytest.approx(expected.positions[-1, : len(shown), 0], abs=SHOWN)
+
+
+def plan_of(lab: Locator) -> list[tuple[str, str, str]]:
+    """Return the rows of the plan that the lab shows."""
+    rows: list[list[str]] = lab.locator(".lab-plan tr").evaluate_all(
+        "rows => rows.map(row => [...row.cells].map(cell => cell.textContent))"
+    )
+    return [(name, verdict[2:], reason) for name, verdict, reason in rows]
+
+
+def planned(set_up: dict[str, Any]) -> list[tuple[str, str, str]]:
+    """Return the plan of a set-up in Python; nobody knows how long it will run."""
+    choices = choose_effects(Question(scene_file.scene_of(set_up)))
+    return [(c.name.replace("_", " "), c.verdict, c.reason) for c in choices]
+
+
+@pytest.mark.parametrize("preset", [*FEW, *MANY])
+def test_plan_of_a_preset_is_that_of_python(page: Page, tmp_path: Path, preset: str) -> None:
+    """Every effect, in its order, with the verdict and the reason in the same words."""
+    lab = opened(page, tmp_path)
+    lab.get_by_label("Begin with").select_option(preset)
+    with page.expect_download() as saved:
+        press(lab, "Save as file")
+    set_up = json.loads(saved.value.path().read_text("utf-8"))
+    assert plan_of(lab) == planned(set_up)
+
+
+def test_plan_of_drawn_set_ups_is_that_of_python(page: Page, tmp_path: Path) -> None:
+    """200 of them, from no body to thirty, some with surfaces of their own."""
+    lab = opened(page, tmp_path)
+    for seed in range(200):
+        set_up = scene_file.understood(drawn(Random(seed)))  # noqa: S311 - no secret
+        page.evaluate("link => (location.hash = link)", f"#lab={quote(json.dumps(set_up))}")
+        page.evaluate(TWO_FRAMES)
+        assert plan_of(lab) == planned(set_up), seed
+
+
+def drawn(random: Random) -> dict[str, Any]:
+    """Return a set-up that may have anything."""
+    bodies = []
+    for _ in range(random.choice([0, 1, 2, 3, 6, 23, 24, 30])):
+        one: dict[str, Any] = {"shape": random.choice(["disc", "disc", "box", "polygon"])}
+        one |= {"mass": random.uniform(0.1, 9), "size": random.uniform(0.05, 0.6)}
+        one |= {key: random.uniform(-3, 3) for key in ("x", "y", "vx", "vy")}
+        one |= {"w": random.choice([0, 0, 2.5])}
+        if random.random() < 0.2:
+            one |= {"elasticity": random.choice([0, 35]), "friction": random.choice([0, 0.7])}
+        bodies.append(one)
+    if random.random() < 0.5:
+        bodies = [{**one, "shape": "disc", "w": 0} for one in bodies]
+    return {
+        "dimensions": random.choice([1, 2, 2]),
+        "elasticity": random.choice([0, 33.3, 100]),
+        "friction": random.choice([0, 0, 0.35]),
+        "gravity": random.choice([False, False, True, 1.62]),
+        "walls": random.random() < 0.5,
+        "bodies": bodies,
+    }
+
+
+def test_plan_answers_while_the_set_up_changes(page: Page, tmp_path: Path) -> None:
+    """Friction is switched on by its slider: it is used at once, and turns the discs."""
+    lab = opened(page, tmp_path)
+    before = {name: verdict for name, verdict, _ in plan_of(lab)}
+    lab.get_by_role("slider", name="Friction").fill("0.5")
+    after = {name: (verdict, reason) for name, verdict, reason in plan_of(lab)}
+    assert before["friction"] == before["rotation"] == "left out"
+    assert after["friction"] == ("used", "a pair has mu = 0.5")
+    assert after["rotation"] == ("used", "friction turns discs")
 
 
 @pytest.mark.parametrize("corners", [3, 7, 20])

@@ -1,5 +1,6 @@
 // A rubber ball is thrown over three grounds, once as it is and once without each effect: which bits change?
 
+import { planOf } from "../../view/browser/plan.js";
 import { scene } from "../../view/browser/world.js";
 import { written } from "../../view/browser/figure.js";
 
@@ -21,32 +22,30 @@ const LONGEST = 3.6; // m, but it is no longer than this along x
 const STATE = ["x", "y", "angle", "vx", "vy", "w"];
 const BITS = 64; // of each number
 
-/** Each effect, the same scene without it, and the rule by which the plan calls for it. */
+/** Each effect that can be left out here, and the same scene without it. */
 const EFFECTS = [
-  { name: "friction", without: { mu: 0 }, rule: (pairs) => pairs.some(([a, b]) => a.friction * b.friction > 0) },
-  { name: "rotation", without: { canTurn: false }, rule: (pairs, { w }) => w !== 0 || EFFECTS[0].rule(pairs) },
-  { name: "restitution", without: { e: 0 }, rule: (pairs) => pairs.some(([a, b]) => Math.min(a.restitution, b.restitution) > 0) },
-  { name: "continuous", without: { isWatched: false }, rule: () => true }, // gravity makes bodies faster
+  { name: "friction", without: { mu: 0 } },
+  { name: "rotation", without: { canTurn: false } },
+  { name: "restitution", without: { e: 0 } },
+  { name: "continuous", without: { isWatched: false } },
 ];
 
-/** Return the names of the effects that the plan calls for. */
-function planned(values) {
-  const ground = GROUNDS[values.ground];
-  const pairs = [[RUBBER, ground], ...(values.balls ? [[RUBBER, RUBBER]] : [])];
-  return EFFECTS.filter(({ rule }) => rule(pairs, values)).map(({ name }) => name);
-}
-
-/** Run the scene; return for each ball its states after every step, one behind the other. */
-function run(program, { ground, balls, vx, vy, w }, { mu, e, canTurn = true, isWatched = true } = {}) {
+/** Return the scene as a world of the program. */
+function worldOf(program, { ground, balls, vx, vy, w }, { mu, e, canTurn = true } = {}) {
   const surface = ({ restitution, friction }) => ({ restitution: e ?? restitution, friction: mu ?? friction });
   const ball = (given) => ({ circle: RADIUS, mass: 1, ...surface(RUBBER), ...(canTurn ? {} : { inertia: Infinity }), ...given });
   const fixed = (ends) => ({ segment: ends, ...surface(GROUNDS[ground]) });
   const thrown = ball({ position: START, velocity: [vx, vy], angular_velocity: canTurn ? w : 0 });
-  const world = scene(program, {
+  return scene(program, {
     gravity: [0, -GRAVITY],
     bodies: [fixed([[-30, 0], [30, 0]]), fixed([[WALL, 0], [WALL, 30]]), thrown, ...(balls ? [ball({ position: RESTS })] : [])],
   });
-  if (!isWatched) world.state.reach = Infinity; // nobody is watched for being fast
+}
+
+/** Run the scene; return for each ball its states after every step, one behind the other. */
+function run(program, values, without = {}) {
+  const world = worldOf(program, values, without);
+  if (without.isWatched === false) world.state.reach = Infinity; // nobody is watched for being fast
   const found = world.bodies.slice(2);
   const ways = found.map(() => new Float64Array((STEPS + 1) * STATE.length));
   for (let step = 0; step <= STEPS; step++) {
@@ -82,7 +81,7 @@ function verdict({ differing, all, most }) {
 }
 
 export default {
-  program: "sequential",
+  programs: ["sequential", "plan"],
   panels: [
     { view: VIEW, width: 440 },
     { view: [0, 1, 0, 1], width: 300, height: 208 },
@@ -106,11 +105,11 @@ export default {
     },
   ],
 
-  draw(program, values, pen, list) {
+  draw({ sequential: program, plan: rules }, values, pen, list) {
     const whole = run(program, values);
     const others = EFFECTS.map(({ without }) => run(program, values, without));
     const found = others.map((other) => compare(whole, other));
-    const needed = planned(values);
+    const needed = planOf(rules, worldOf(program, values)).filter(({ calledFor }) => calledFor).map(({ name }) => name);
     drawGround(pen, GROUNDS[values.ground]);
     whole.forEach((way, n) => drawBall(pen, way, others[values.out][n], n ? "orange" : "blue"));
     const [x, y] = tip(values);

@@ -7,7 +7,6 @@ tables) reads these, and nothing else makes columns of bodies.
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
 
 Floats: TypeAlias = NDArray[np.float64]
 Flags: TypeAlias = NDArray[np.bool_]
-Sorts: TypeAlias = Counter[tuple[float, bool]]
 
 SEGMENT_CORNERS = 2
 """A circle has none, a polygon three or more."""
@@ -80,16 +78,6 @@ class Columns:
         """The smallest width of a body's matter, m; a line has none."""
         is_segment = self.corner_count == SEGMENT_CORNERS
         return np.where(is_segment, 2 * self.rounding, self.min_width)
-
-    @cached_property
-    def restitution_sorts(self) -> Sorts:
-        """How many bodies have a restitution and can, or cannot, be pushed: (value, is_free)."""
-        return Counter(zip(self.restitution.tolist(), self.is_free.tolist(), strict=True))
-
-    @cached_property
-    def friction_sorts(self) -> Sorts:
-        """The same of their friction."""
-        return Counter(zip(self.friction.tolist(), self.is_free.tolist(), strict=True))
 
 
 def columns_of(bodies: Sequence[Body]) -> Columns:

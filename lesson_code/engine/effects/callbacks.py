@@ -17,17 +17,19 @@ from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.core.rows import ContactRow, World
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.facts import Facts
+from lesson_code.engine.effects.question import Effect, Finding
 from lesson_code.formulas.validation import non_negative, one_number, one_vector
 
 Pair: TypeAlias = tuple[int, int]
 XY: TypeAlias = tuple[float, float]
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether the scene wants to be told of contacts."""
-    wanted = question.scene.callbacks.wanted
-    return Finding(wanted, "the scene asks to be told" if wanted else "the scene has none")
+    if facts.hears_contacts:
+        return Finding(True, "the scene asks to be told")
+    return Finding(False, "the scene has none")
 
 
 EFFECT = Effect(rule=rule, place=150, functions=("before_impulses", "after_impulses"))

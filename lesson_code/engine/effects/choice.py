@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from importlib import import_module
 
 from lesson_code.engine.core.plan import EffectChoice
+from lesson_code.engine.effects.collisions import where_bodies_meet
 from lesson_code.engine.effects.flags import NAMES, Effects
 from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.engine.solvers import our_solvers
@@ -44,23 +45,16 @@ def find(question: Question, name: str) -> Finding:
     Examples
     --------
     >>> from lesson_code import Body, Circle, Scene
-    >>> find(Question(Scene([Body(Circle(1), mass=1.0)])), "friction")
-    Finding(called_for=False, reason='no two bodies can meet within the run')
+    >>> find(Question(Scene([Body(Circle(1), mass=1.0)])), "friction").reason
+    'no two bodies can meet within the run'
     """
-    return _find(question, name, EFFECTS["collisions"].rule(question))
-
-
-def _find(question: Question, name: str, meeting: Finding) -> Finding:
-    """Return it, where it is known whether bodies meet: most effects depend on that."""
     lacking, built_in = capabilities(question.solver)
     effect = EFFECTS[name]
-    if name == "collisions":
-        return meeting
-    if name in lacking:
+    if name in lacking and name != "collisions":
         return Finding(False, lacking[name])
-    if effect.needs_collisions and not meeting.called_for:
-        return Finding(False, meeting.reason)
-    return Finding(True, built_in[name]) if name in built_in else effect.rule(question)
+    rule = (lambda _: Finding(True, built_in[name])) if name in built_in else effect.rule
+    facts = question.facts
+    return where_bodies_meet(facts, rule) if effect.needs_collisions else rule(facts)
 
 
 def choose_effects(
@@ -92,11 +86,7 @@ def choose_effects(
     (False, 'g = 0')
     """
     wishes = checked_wishes(asked)
-    meeting = EFFECTS["collisions"].rule(question)
-    return tuple(
-        _choice(question, name, _find(question, name, meeting), wishes.get(name))
-        for name in EFFECTS
-    )
+    return tuple(_choice(question, name, wishes.get(name)) for name in EFFECTS)
 
 
 def flags_of(choices: tuple[EffectChoice, ...]) -> Effects:
@@ -123,15 +113,16 @@ def checked_wishes(asked: Mapping[str, bool] | None) -> Mapping[str, bool]:
     return asked
 
 
-def _choice(question: Question, name: str, found: Finding, wish: bool | None) -> EffectChoice:
+def _choice(question: Question, name: str, wish: bool | None) -> EffectChoice:
     """Return what becomes of one effect."""
-    called_for, reason = found
+    found = find(question, name)
+    called_for, reason = found.called_for, found.reason
     lacking, built_in = capabilities(question.solver)
     if wish is False and called_for and not EFFECTS[name].is_optional:
         is_built_in = reason == built_in.get(name)
         who = f"{question.solver!r} cannot do without" if is_built_in else "the scene needs it"
         raise ValueError(f"effects[{name!r}] must not be False: {who} ({reason})")
-    if wish is True and (name in lacking or EFFECTS[name].is_ruled_out(question)):
+    if wish is True and (name in lacking or EFFECTS[name].is_ruled_out(question.facts)):
         raise ValueError(
             f"effects[{name!r}] must not be True for {question.solver!r} here: {reason}"
         )

@@ -17,11 +17,8 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from lesson_code.engine.core.broad_phase import bound
 from lesson_code.engine.core.candidate_pairs import seek_pairs
-from lesson_code.engine.core.columns import Columns
 from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
     MOST_IMPACTS,
@@ -32,7 +29,8 @@ from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.effects import friction, restitution
+from lesson_code.engine.effects import friction, gravity, restitution
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.geometry.advancement import advance_to_impact
@@ -40,26 +38,26 @@ from lesson_code.geometry.rows import ManifoldRow
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether a body may move by more than half of its width within a step.
 
     Without gravity the energy of all bodies together bounds the speed of each, as long as no
     impact makes energy: e is at most 1, and none of Newton's law with friction at a corner.
     """
-    scene = question.scene
-    if any(scene.gravity):
+    if gravity.rule(facts).called_for:
         return Finding(True, "gravity makes bodies faster, nobody knows how fast")
-    if scene.callbacks.may_change_impulses:
+    if facts.may_change_impulses:
         return Finding(True, "a callback may set how bodies bounce")
-    if scene.columns.has_mover:
+    if facts.has_mover:
         return Finding(True, "a body that nothing can push moves, and may hit others fast")
-    corners_rub = friction.rule(question).called_for and scene.columns.has_corners.any()
-    if corners_rub and restitution.rule(question).called_for:
+    corners_rub = friction.rule(facts).called_for and facts.cornered_count > 0
+    if corners_rub and restitution.rule(facts).called_for:
         return Finding(True, "bounces at corners that rub may gain speed")
-    way, room = fastest_way(scene, question.dt, question.skin)
+    way, room = facts.way, facts.room
     if SPEED_DOUBT * way > room:
-        return Finding(True, f"a body may move {way:.3g} m in a step, and has {room:.3g} m")
-    return Finding(False, f"no body can move more than {way:.3g} m in a step, and has {room:.3g} m")
+        return Finding(True, "a body may move {:.3g} m in a step, and has {:.3g} m", way, room)
+    words = "no body can move more than {:.3g} m in a step, and has {:.3g} m"
+    return Finding(False, words, way, room)
 
 
 EFFECT = Effect(rule=rule, place=60, functions=("has_fast_body",))
@@ -83,22 +81,8 @@ def fastest_way(scene: Scene, dt: float, skin: float = 0.0) -> tuple[float, floa
     >>> round(way, 6), room
     (0.141421, 1.0)
     """
-    c = scene.columns
-    free = c.is_free
-    widths, share = (c.min_width, skin) if skin > 0.0 else (c.thickness, 0.5)
-    room = share * float(widths[free].min(initial=math.inf))
-    return _fastest_point(c) * dt, room
-
-
-@np.errstate(over="ignore", invalid="ignore")  # what no float can hold is infinitely fast
-def _fastest_point(c: Columns) -> float:
-    """Return how fast a point of a body can be that has all the energy, m/s."""
-    free, turns = c.is_free, c.is_free & (c.w != 0.0)
-    mass, inertia, w = c.mass[free], c.inertia[free], c.w[turns]
-    vx, vy = c.vx[free], c.vy[free]
-    twice_energy = (mass * (vx * vx + vy * vy)).sum() + (c.inertia[turns] * w * w).sum()
-    arm = np.where(c.has_corners, c.bounding_radius, 0.0)[free]
-    return math.sqrt((twice_energy * (1 / mass + arm * arm / inertia)).max(initial=0.0))
+    facts = Question(scene, dt=dt, skin=skin).facts
+    return facts.way, facts.room
 
 
 # The stage

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import Effects
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether there is any."""
-    rate = question.scene.damping
-    return Finding(rate != 0.0, f"motion dies away at {rate:g} /s" if rate else "the rate is 0")
+    if facts.damping != 0.0:
+        return Finding(True, "motion dies away at {:g} /s", facts.damping)
+    return Finding(False, "the rate is 0")
 
 
 EFFECT = Effect(rule=rule, place=110, functions=("damp",), needs_collisions=False)

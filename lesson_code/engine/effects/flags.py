@@ -12,7 +12,7 @@ from collections import namedtuple
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-NO_EFFECTS = {"choice", "flags", "next_contact", "question"}
+NO_EFFECTS = {"choice", "facts", "flags", "flights", "next_contact", "question"}
 """The modules of this folder that are not effects."""
 
 FOUND = (module.name for module in pkgutil.iter_modules([str(Path(__file__).parent)]))

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.facts import Facts
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether any pair rubs."""
-    if question.scene.callbacks.may_change_impulses:
+    if facts.may_change_impulses:
         return Finding(True, "a callback may set mu")
-    most = max(question.coefficients("friction"), default=0.0)
-    return Finding(most > 0, f"a pair has mu = {most:g}" if most > 0 else "every pair has mu = 0")
+    if facts.most_friction > 0.0:
+        return Finding(True, "a pair has mu = {:g}", facts.most_friction)
+    return Finding(False, "every pair has mu = 0")
 
 
 EFFECT = Effect(

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import Effects
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether there is any."""
-    x, y = question.scene.gravity
-    is_there = x != 0.0 or y != 0.0
-    return Finding(is_there, f"g = ({x:g}, {y:g}) m/s^2" if is_there else "g = 0")
+    if facts.gravity_x != 0.0 or facts.gravity_y != 0.0:
+        return Finding(True, "g = ({:g}, {:g}) m/s^2", facts.gravity_x, facts.gravity_y)
+    return Finding(False, "g = 0")
 
 
 EFFECT = Effect(rule=rule, place=100, functions=("fall",), needs_collisions=False)

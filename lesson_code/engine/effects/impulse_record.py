@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.rows import World
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.question import Effect, Finding
 
 STEPS_KEPT = 32
 """Steps whose impulses fit into the table: so seldom is a run interrupted to empty it."""
 
 
-def rule(_question: Question) -> Finding:
+def rule(_facts: Facts) -> Finding:
     """Ask whether contacts are to be read afterwards: yes, unless that is declined."""
     return Finding(True, "run.contacts lists every impulse")
 

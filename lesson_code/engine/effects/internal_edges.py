@@ -15,8 +15,9 @@ from __future__ import annotations
 
 from lesson_code.engine.core.constants import INTERNAL_EDGE_TOLERANCE
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.question import Effect, Finding
 from lesson_code.geometry.clipping import facing_edge
 from lesson_code.geometry.edges import closest_on_edge
 from lesson_code.geometry.rows import following
@@ -29,11 +30,11 @@ ALONG = 1.0 - 1e-9
 """Cosine of the angle between an edge's normal and a contact's at which the edge is the face."""
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether there are two static bodies that may stand side by side."""
-    count = int((~question.scene.columns.is_free).sum())
+    count = facts.body_count - facts.free_count
     if count > 1:
-        return Finding(True, f"{count} static bodies may make one floor")
+        return Finding(True, "{:.0f} static bodies may make one floor", count)
     return Finding(False, "there is at most one static body")
 
 

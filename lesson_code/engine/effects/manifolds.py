@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.facts import Facts
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether two bodies with corners can meet."""
-    columns = question.scene.columns
-    cornered = columns.has_corners
-    if cornered.sum() > 1 and (cornered & columns.is_free).any():
+    if facts.cornered_count > 1 and facts.has_free_cornered:
         return Finding(True, "two bodies with corners can touch at two points")
     return Finding(False, "bodies touch at one point: one of the two is a circle")
 

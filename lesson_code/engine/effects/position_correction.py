@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.facts import Facts
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(_question: Question) -> Finding:
+def rule(_facts: Facts) -> Finding:
     """Ask whether bodies get into one another: they do between any two steps."""
     return Finding(True, "between two steps bodies move into one another")
 

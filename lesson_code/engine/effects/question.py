@@ -5,23 +5,33 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import combinations_with_replacement
-from typing import NamedTuple, TypeAlias
+from functools import cached_property
+from typing import Any, NamedTuple, TypeAlias
 
-from lesson_code.engine.core.mixing import (
-    MIXING_RULES,
-    RULES,
-    MixingRule,
-    mixed,
-)
+import numpy as np
+
+from lesson_code.engine.core.mixing import MIXING_RULES, RULES, MixingRule
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.effects.facts import Coefficients, Facts, Seen, SeenBody, look
+from lesson_code.engine.effects.flights import can_meet
 
 
 class Finding(NamedTuple):
-    """Whether an effect is called for, and why."""
+    """Whether an effect is called for, and why: words, with places for two numbers.
+
+    >>> Finding(True, "a pair has mu = {:g}", 0.5).reason
+    'a pair has mu = 0.5'
+    """
 
     called_for: bool
-    reason: str
+    words: str
+    first: float = 0.0
+    second: float = 0.0
+
+    @property
+    def reason(self) -> str:
+        """Why, in a sentence."""
+        return self.words.format(self.first, self.second)
 
 
 @dataclass(frozen=True)
@@ -51,27 +61,42 @@ class Question:
     combine: MixingRule = MIXING_RULES["workbook"]
     skin: float = 0.0
 
-    def coefficients(self, name: str) -> list[float]:
-        """Return the values of "restitution" or "friction" that the pairs of bodies can have.
+    @cached_property
+    def facts(self) -> Facts:
+        """What the rules ask of the scene, from one look at it."""
+        scene = self.scene
+        gravity_x, gravity_y = scene.gravity
+        facts = Facts(
+            gravity_x,
+            gravity_y,
+            scene.damping,
+            self.dt,
+            self.duration,
+            self.skin,
+            RULES[self.combine.restitution],
+            RULES[self.combine.friction],
+            scene.callbacks.wanted,
+            scene.callbacks.may_change_impulses,
+            can_meet(scene, self.duration, self.dt),
+        )
+        look(Seen(facts, _seen_bodies(scene), *(Coefficients() for _ in range(4))))
+        return facts
 
-        In each pair one body at least can be pushed. Bodies that are alike are counted, not
-        compared, so that this takes no longer for many of them.
-        """
-        rule = RULES[getattr(self.combine, name)]
-        columns = self.scene.columns
-        sorts = columns.friction_sorts if name == "friction" else columns.restitution_sorts
-        return [
-            mixed(rule, a, b)
-            for (a, a_free), (b, b_free) in combinations_with_replacement(sorts, 2)
-            if a_free or b_free
-            if (a, a_free) != (b, b_free) or sorts[a, a_free] > 1
-        ]
+
+def _seen_bodies(scene: Scene) -> list[SeenBody]:
+    """Return what is asked of each body."""
+    c = scene.columns
+    with np.errstate(over="ignore"):
+        inv_i = 1.0 / c.inertia
+    columns: tuple[Any, ...] = (c.vx, c.vy, c.w, c.mass, inv_i, c.rounding, c.min_width)
+    columns += (c.bounding_radius, c.corner_count, c.restitution, c.friction)
+    return list(map(SeenBody, *(column.tolist() for column in columns)))
 
 
-Rule: TypeAlias = Callable[[Question], Finding]
+Rule: TypeAlias = Callable[[Facts], Finding]
 
 
-def never(_question: Question) -> bool:
+def never(_facts: Facts) -> bool:
     """Return False, whatever the scene."""
     return False
 
@@ -83,7 +108,7 @@ class Effect:
     Attributes
     ----------
     rule : callable
-        Says of a question whether the effect is called for, and why.
+        Says of the facts of a scene whether the effect is called for, and why.
     place : int
         Where it stands in a plan: in the order of the stages, by tens, so that one fits between.
     functions : tuple of str
@@ -93,7 +118,7 @@ class Effect:
     is_optional : bool
         Whether it may be left out although it is called for: no state of the run depends on it.
     is_ruled_out : callable
-        Says of a question whether the effect cannot even be forced on.
+        Says of the facts whether the effect cannot even be forced on.
     """
 
     rule: Rule
@@ -101,4 +126,4 @@ class Effect:
     functions: tuple[str, ...]
     needs_collisions: bool = True
     is_optional: bool = False
-    is_ruled_out: Callable[[Question], bool] = never
+    is_ruled_out: Callable[[Facts], bool] = never

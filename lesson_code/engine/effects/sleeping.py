@@ -18,32 +18,31 @@ from lesson_code.engine.core.constants import QUIET_TIME, STEPS_A_LOOK, STILL
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.rows import BodyRow, ContactRow, MemoryRow, RestingRow, World
-from lesson_code.engine.effects import friction
+from lesson_code.engine.effects import friction, gravity
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.internal_edges import pushed_body
-from lesson_code.engine.effects.question import Effect, Finding, Question
-from lesson_code.engine.effects.restitution import smallest_restitution
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(question: Question) -> Finding:
+def rule(facts: Facts) -> Finding:
     """Ask whether something presses bodies together, takes their energy, and leaves them time."""
-    scene = question.scene
-    if scene.callbacks.wanted:
+    if facts.hears_contacts:
         return Finding(False, "callbacks hear of every contact in every step")
-    if not any(scene.gravity):
+    if not gravity.rule(facts).called_for:
         return Finding(False, "without gravity nothing is held at rest")
-    if math.isinf(question.duration):
+    if math.isinf(facts.duration):
         return Finding(False, "nobody knows yet how long the run will be")
-    if question.duration <= QUIET_TIME:
-        return Finding(False, f"the run is no longer than the {QUIET_TIME:g} s of quiet it takes")
-    loses = friction.rule(question).called_for or scene.damping > 0.0
-    if not loses and smallest_restitution(question) >= 1.0:
+    if facts.duration <= QUIET_TIME:
+        return Finding(False, "the run is no longer than the {:g} s of quiet it takes", QUIET_TIME)
+    loses = friction.rule(facts).called_for or facts.damping > 0.0
+    if not loses and facts.least_restitution >= 1.0:
         return Finding(False, "nothing takes energy: every pair has e = 1 and mu = 0")
     return Finding(True, "bodies can come to rest within the run")
 
 
-def hears_callbacks(question: Question) -> bool:
+def hears_callbacks(facts: Facts) -> bool:
     """Return whether callbacks hear of every contact in every step: one that sleeps is silent."""
-    return question.scene.callbacks.wanted
+    return facts.hears_contacts
 
 
 EFFECT = Effect(

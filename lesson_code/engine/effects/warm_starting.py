@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from lesson_code.engine.effects.question import Effect, Finding, Question
+from lesson_code.engine.effects.facts import Facts
+from lesson_code.engine.effects.question import Effect, Finding
 
 
-def rule(_question: Question) -> Finding:
+def rule(_facts: Facts) -> Finding:
     """Ask whether contacts can last: they can wherever bodies can meet."""
     return Finding(True, "a contact may last for more than one step")
 

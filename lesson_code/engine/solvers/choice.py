@@ -37,7 +37,6 @@ from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.choice import capabilities, checked_wishes
 from lesson_code.engine.effects.question import Question
-from lesson_code.engine.effects.restitution import smallest_restitution
 from lesson_code.engine.event_driven import why_not
 from lesson_code.geometry.manifold import collide
 from lesson_code.geometry.shapes import Circle, Shape
@@ -125,7 +124,7 @@ def flies_freely(question: Question) -> bool:
         return False
     if any(scene.gravity) and (free > 1 or len(scene.bodies) > 2):
         return False
-    if not any(scene.gravity) and smallest_restitution(question) <= 0.0:
+    if not any(scene.gravity) and question.facts.least_restitution <= 0.0:
         return False
     return is_apart(scene)
 

@@ -1,16 +1,16 @@
 // The collision lab: bodies to throw at each other. The stepped engine of the course moves them
 // (world.js). What it begins with is in lab_setup.js; lab_picture.js draws it, lab_hold.js lets it be
 // dragged, lab_controls.js set by number, lab_account.js adds up momenta, impulses and
-// energy, lab_code.js shows the formulas with the numbers of a contact, and lab_python.js
+// energy, lab_plan.js says which effects the scene calls for, lab_code.js shows the formulas with the numbers of a contact, and lab_python.js
 // writes the set-up as Python.
 
 /** Bring the lab to life in its place, with the engine, the formulas, and the text of their functions. */
-export function startLab(program, formulas, functions) {
-  for (const place of document.querySelectorAll("[data-lab]:not([data-ready])")) new Lab(place, program, formulas, functions);
+export function startLab(program, formulas, functions, rules) {
+  for (const place of document.querySelectorAll("[data-lab]:not([data-ready])")) new Lab(place, program, formulas, functions, rules);
 }
 
 class Lab {
-  constructor(place, program, formulas, functions) {
+  constructor(place, program, formulas, functions, rules) {
     const shown = { velocities: true, momenta: false, centre: false, paths: false };
     Object.assign(this, { place, program, isRunning: false, chosen: null, shown });
     place.setAttribute("data-ready", "");
@@ -18,6 +18,7 @@ class Lab {
     this.canvas = put(place, "canvas", { ...FREE_KEYS, role: "application", tabindex: 0 });
     this.controls = new Controls(this);
     this.account = new Account(this);
+    this.plan = new PlanOfEffects(this, rules);
     this.code = new Code(this, formulas, functions);
     this.python = new AsPython(this);
     this.picture = new Picture(this, this.canvas);
@@ -48,6 +49,7 @@ class Lab {
   draw() {
     this.picture.draw();
     this.account.show();
+    this.plan.show();
     this.code.show();
     this.python.show();
   }

@@ -28,6 +28,8 @@ MODULES = (
     "lab_hold.js",
     "lab_controls.js",
     "lab_account.js",
+    "plan.js",
+    "lab_plan.js",
     "lab_code.js",
     "lab_python.js",
     "lab.js",
@@ -65,7 +67,8 @@ def lab_html() -> str:
         'style="display:block;max-width:100%;background:#fff" '
         f'src="data:image/svg+xml;base64,{picture}"><p>{WITHOUT}</p></div>\n'
         f'<script type="module">\n{script()}'
-        "startLab(await open_program(), await open_formulas(), FUNCTIONS);\n</script>"
+        "startLab(await open_program(), await open_formulas(), FUNCTIONS, "
+        "await open_plan());\n</script>"
     )
 
 
@@ -79,6 +82,7 @@ def script() -> str:
     return (
         plain(programs.script_with(SOLVER, modules))
         + f"const open_formulas = () => {programs.opened('formulas')};\n"
+        + f"const open_plan = () => {programs.opened('plan')};\n"
         + f"const FUNCTIONS = {json.dumps(functions)};\n"
     )
 

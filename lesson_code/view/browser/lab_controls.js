@@ -247,6 +247,10 @@ const LAB_STYLE = `
   [data-lab] fieldset { display: flex; flex-wrap: wrap; gap: 4px 12px; border: 1px solid color-mix(in srgb, currentColor 40%, transparent);
     margin: 6px 0; padding: 4px 10px 8px; max-width: 56em; box-sizing: border-box; align-items: center; }
   [data-lab] fieldset input { width: 5em; }
+  [data-lab] .lab-plan { border-collapse: collapse; display: table; margin: 0; }
+  [data-lab] .lab-plan :is(th, td) { text-align: left; vertical-align: top; font-weight: normal; padding: 2px 12px 2px 0; }
+  [data-lab] .lab-plan td:nth-child(2) { white-space: nowrap; }
+  [data-lab] .lab-plan tr:not(.lab-out) :is(th, td:nth-child(2)) { font-weight: bold; }
   [data-lab] a { color: inherit; }
   [data-lab] [hidden] { display: none; }
   [data-lab] [role="alert"] { color: inherit; font-weight: bold; margin: 0; }

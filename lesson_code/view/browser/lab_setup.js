@@ -53,7 +53,7 @@ const PRESETS = {
   "Friction makes spin": () => plane(60, 0.5, false, [body(-2.5, -0.4, 3, 0), body(0.5, 0, 0, 0, { size: 0.5 })]),
   "Polygons and discs that fall": () =>
     plane(30, 0.5, true, [0, 1, 2, 3, 4, 5].map((k) =>
-      body(1.1 * (k % 3) - 1 + 0.2 * (k > 2), k > 2 ? 1.6 : 0, 0, 0, { shape: ["box", "disc", "polygon"][k % 3], corners: 2 * k - 1 || 3, size: 0.3, angle: 0.3 * k }))),
+      body(1.1 * (k % 3) - 1 + 0.2 * (k > 2), k > 2 ? 1.6 : 0, 0, 0, { shape: ["box", "disc", "polygon"][k % 3], corners: Math.max(3, 2 * k - 1), size: 0.3, angle: 0.3 * k }))),
   "Ball that bounces": () => plane(80, 0, true, [body(0, 1.8, 0, 0, { size: 0.2 })]),
   "Ball between mirrors": () => plane(100, 0, false, [body(-3, -1, 3, 2, { size: 0.15 })]),
   "Fast ball, thin plate": () =>

@@ -16,8 +16,8 @@ from lesson_code.course.grading.task import Arguments
 from lesson_code.engine.core.mixing import MIXING_RULES
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.engine.effects.choice import choose_effects
-from lesson_code.engine.effects.collisions import can_meet
 from lesson_code.engine.effects.continuous import fastest_way as engine_way
+from lesson_code.engine.effects.flights import can_meet
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.geometry.shapes import Circle, Polygon, Segment

@@ -141,7 +141,8 @@ def test_effect_that_is_built_in_is_used_whatever_the_scene(solver: str, name: s
     """Two smooth discs that meet; the plan says that the solver cannot do without."""
     smooth = Scene([disc(0, 0.0, 0.0, velocity=(1, 0)), disc(1.5, 0.0, 0.0)])
     reason = our_solvers()[solver].built_in[name]
-    assert find(Question(smooth, solver, duration=1.0), name) == (True, reason)
+    found = find(Question(smooth, solver, duration=1.0), name)
+    assert (found.called_for, found.reason) == (True, reason)
 
 
 def test_flags_are_those_of_the_choices() -> None:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tiers import share
 
 from lesson_code import Body, Circle, Polygon, Scene, Segment, simulate
-from lesson_code.engine.effects.collisions import can_meet
+from lesson_code.engine.effects.flights import can_meet
 
 DT = 0.01
 
