@@ -86,6 +86,14 @@ def endless_line(position: Vector) -> Any:
     return _beside(position, BUMPER_START + part * along)
 
 
+@wrong_model("B.2", "Roll a ball straight at the end of the bumper. What is there to stop it?")
+def nothing_at_the_ends(position: Vector) -> Any:
+    """A bumper pushes only what is beside it, and not what comes to its ends."""
+    along = BUMPER_END - BUMPER_START
+    part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
+    return _beside(position, BUMPER_START + part * along) if 0 <= part <= 1 else None
+
+
 @wrong_model("B.2", "Come from the other side. Which way should the bumper push you there?")
 def one_sided(position: Vector) -> Any:
     """A bumper has one normal, whatever side the ball is on."""

@@ -32,6 +32,12 @@ def flips_an_axis(incident: Vector, normal: Vector) -> Vector:
     return flipped
 
 
+@wrong_model("3.1", "A wall at 45 degrees: does your ball come off it as fast as it came?")
+def flips_each_component(incident: Vector, normal: Vector) -> Vector:
+    """Each component is turned round as far as the normal has it."""
+    return incident * (1 - 2 * np.abs(normal))
+
+
 @wrong_model("3.1", "I . N is one number. How many numbers does your product I * N hold?")
 def componentwise_product(incident: Vector, normal: Vector) -> Vector:
     """The dot product is the product of the components, each for itself."""

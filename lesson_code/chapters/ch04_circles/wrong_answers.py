@@ -50,6 +50,18 @@ def boxes_for_circles(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
     return normal, r1 + r2 - distance
 
 
+@wrong_model("4.1", "Two circles touch at a slant. Which way does each push the other there?")
+def out_along_an_axis(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
+    """Circles are moved apart as their boxes are: along x or y, whichever is shorter."""
+    way, reach = p2 - p1, r1 + r2
+    if np.hypot(*way) >= reach:
+        return None
+    axis = int(np.argmax(np.abs(way)))
+    normal = np.zeros(2)
+    normal[axis] = 1.0 if way[axis] >= 0 else -1.0
+    return normal, reach - abs(way[axis])
+
+
 @wrong_model("4.1", "You squared the distance. What else has to be squared in the comparison?")
 def only_one_side_squared(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
     """Circles overlap if the squared distance is less than the sum of the radii."""
@@ -161,6 +173,17 @@ def masses_exchanged(
     vn = min(0.0, np.dot(v2 - v1, normal))
     impulse = -(1 + restitution) * vn / (1 / m1 + 1 / m2)
     return v1 - impulse / m2 * normal, v2 + impulse / m1 * normal
+
+
+@wrong_model("4.2", "How large is the impulse on each circle? Is one the opposite of the other?")
+def impulses_by_the_other_mass(
+    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
+) -> Any:
+    """The heavier the other circle is, the larger an impulse it gives."""
+    approach = (1 + restitution) * np.dot(v1 - v2, normal)
+    if approach <= 0:
+        return v1, v2
+    return v1 - m2 / m1 * approach * normal, v2 + m1 / m2 * approach * normal
 
 
 @wrong_model("4.2", "An impulse has the unit kg m/s. What do you get when you multiply it by kg?")

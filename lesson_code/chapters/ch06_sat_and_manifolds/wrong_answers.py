@@ -279,6 +279,21 @@ def shallow_when_inside(centre: Vector, radius: float, vertices: Vector) -> Any:
     return (normal, radius - distance) if distance < radius else None
 
 
+@wrong_model(
+    "6.6", "The centre lies deep inside. Is the way out longer or shorter than the radius?"
+)
+def difference_when_inside(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """Inside, the depth is the difference of the radius and the distance to the closest point."""
+    edges = list(zip(vertices, np.roll(vertices, -1, axis=0), strict=True))
+    offsets = [centre - closest_point_on_segment(centre, a, b) for a, b in edges]
+    inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
+    offset = min(offsets, key=lambda way: np.hypot(*way))
+    distance = np.hypot(*offset)
+    if inside:
+        return -offset / distance, abs(radius - distance)
+    return (offset / distance, radius - distance) if distance < radius else None
+
+
 @wrong_model("6.6", "Move polygon and ball so that the corner is at (0, 0). Are they still apart?")
 def nothing_at_the_origin(centre: Vector, radius: float, vertices: Vector) -> Any:
     """A closest point at (0, 0) means that none was found."""

@@ -299,6 +299,15 @@ def the_first_pair_found() -> None:
     """The first pair that will meet is the one that meets first."""
 
 
+@wrong_model("7.4", "A later pair meets, too. Whose numbers go with the smallest time then?")
+@edited(
+    pair_by_pair,
+    {"min(found, default=None)": "(min(found)[0], *found[-1][1:]) if found else None"},
+)
+def the_pair_looked_at_last() -> None:
+    """The numbers are those of the last pair that meets, the time is that of the first."""
+
+
 @wrong_model("7.4", "Is your event the next one, or the last one?")
 @edited(pair_by_pair, {"min(found": "max(found"})
 def the_last_event() -> None:

@@ -290,6 +290,15 @@ def never_dies_away(
     return loudness * np.sin(2 * np.pi * frequency * t)
 
 
+@wrong_model("11.6", "exp(-1) is 0.37. How loud is the tone after one half-life by your formula?")
+def fades_by_e(loudness: float, frequency: float, half_life: float, rate: float, count: int) -> Any:
+    """After one half-life a tone has faded by the factor e."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * np.exp(-t / half_life) * np.sin(2 * np.pi * frequency * t)
+
+
 @wrong_model("11.6", "Sample a tone of 1,100 per second 1,000 times a second. Which tone is heard?")
 def any_tone_can_be_sampled(
     loudness: float, frequency: float, half_life: float, rate: float, count: int
@@ -322,6 +331,18 @@ def pairs_as_they_were_sorted(boxes: Any) -> list[tuple[int, int]]:
     ]
 
 
+@wrong_model("11.1", "You sorted the boxes. Which number has the first of them in the table?")
+def places_when_sorted(boxes: Any) -> list[tuple[int, int]]:
+    """A box's number is its place among the sorted boxes."""
+    rows = sorted(boxes.tolist())
+    return [
+        (i, j)
+        for i, one in enumerate(rows)
+        for j, two in enumerate(rows[i + 1 :], i + 1)
+        if two[0] <= one[1] and two[2] <= one[3] and one[2] <= two[3]
+    ]
+
+
 @wrong_model("11.4", "1 and 2 touched, and 3 and 4. Now 1 and 3 do: is that pair an old one?")
 def numbers_in_place_of_pairs(before: Any, now: Any) -> Any:
     """A pair is known if both of its numbers are."""
@@ -329,6 +350,14 @@ def numbers_in_place_of_pairs(before: Any, now: Any) -> Any:
     begun = [(int(i), int(j)) for i, j in now if not {int(i), int(j)} <= was]
     parted = [(int(i), int(j)) for i, j in before if not {int(i), int(j)} <= stays]
     return begun, parted
+
+
+@wrong_model("11.4", "A pair moves up a row, as one above it has parted. Does it touch anew?")
+def row_against_row(before: Any, now: Any) -> Any:
+    """A pair that touches keeps its row in the table."""
+    old, new = ([(int(i), int(j)) for i, j in pairs] for pairs in (before, now))
+    begun = [pair for k, pair in enumerate(new) if old[k : k + 1] != [pair]]
+    return begun, [pair for k, pair in enumerate(old) if new[k : k + 1] != [pair]]
 
 
 @wrong_model("11.6", "The samples are 1/rate apart. Between ten samples, how many gaps are there?")

@@ -117,6 +117,17 @@ def one_pass_a_step(angles: Vector, rates: Vector, length: float, dt: float, ste
     return angles, rates
 
 
+@wrong_model("C.3", "Two balls come nearer, a hand's breadth apart. Have they hit each other yet?")
+def swaps_at_a_distance(
+    angles: Vector, rates: Vector, length: float, dt: float, steps: float
+) -> Any:
+    """Balls that approach swap their rates, touching or not."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        rates = np.sort(rates)  # what swaps leave when no neighbours approach
+    return angles, rates
+
+
 @wrong_model("C.3", "Two balls swing to the right, side by side. Do they collide?")
 def swaps_without_gate(
     angles: Vector, rates: Vector, length: float, dt: float, steps: float

@@ -119,6 +119,20 @@ def copies_the_rate(
     return _run((angles, rates), height, dt, steps, touch)
 
 
+@wrong_model("D.3", "Balls of a cradle part after a touch. Do two dominoes that lean together?")
+def exchange_their_rates(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """Equal dominoes exchange their rates, as balls of a cradle do."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        for k in range(len(a) - 1):
+            if a[k] > math.asin(spacing / height) and r[k] > r[k + 1]:
+                r[k], r[k + 1] = r[k + 1], r[k]
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
 @wrong_model("D.3", "The first one hangs back and the next falls away. Do they still touch?")
 def without_gate(
     angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float

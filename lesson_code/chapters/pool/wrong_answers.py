@@ -60,6 +60,17 @@ def forgets_the_gap(apex: Vector, radius: float, gap: float) -> Any:
     ]
 
 
+@wrong_model("P.1", "A gap stands between any two balls. Which triangle do three centres make?")
+def whole_gap_between_rows(apex: Vector, radius: float, gap: float) -> Any:
+    """The rows of touching balls are moved apart by the gap."""
+    step, row_step = 2 * radius + gap, radius * np.sqrt(3) + gap
+    return [
+        (apex[0] + row * row_step, apex[1] + (place - row / 2) * step)
+        for row in range(ROWS)
+        for place in range(row + 1)
+    ]
+
+
 @wrong_model("P.2", "Push a book at its left edge, away from you. Which way does it turn?")
 def turns_the_other_way(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
     """A hit on the left turns the ball counter-clockwise."""

@@ -497,7 +497,7 @@ def advance(p, v, room, restitution, dt):
         "7.4",
         "Keeps the smallest time, but updates the pair at every meeting it finds, so that the "
         "last pair is returned with the first time",
-        (),
+        ("the_pair_looked_at_last",),
         """
 import math
 import numpy as np

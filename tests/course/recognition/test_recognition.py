@@ -11,12 +11,14 @@ from typing import Any
 
 import pytest
 from course.recognition.hobbyists import FIFTH
+from course.recognition.juniors import NINTH
 from course.recognition.mathematicians import SEVENTH
 from course.recognition.newcomers import FIRST, FOURTH, SECOND, THIRD
 from course.recognition.pupils import SIXTH
 from course.recognition.students import WRONG, Wrong
 from course.recognition.test_right_answers import FORMS, TASKS, WAYS
 from course.recognition.textual_slips import textual_slips
+from course.recognition.tutors import EIGHTH
 from tiers import share
 
 from lesson_code.course.grading.compare import agrees
@@ -33,6 +35,9 @@ from lesson_code.course.grading.task import Task
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
 from lesson_code.course.notebooks.root import home
+
+LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH)
+"""Sets of wrong answers that the full tier tries, after the others."""
 
 SEED = 11
 """Draws the inputs of the wrong answers by hand; they were measured with others, too."""
@@ -90,11 +95,9 @@ def is_right(wrong: Wrong, verdict: Verdict) -> bool:
     "answers",
     [
         *(WRONG, FIRST, SECOND, THIRD, FOURTH),
-        pytest.param(FIFTH, marks=pytest.mark.full),
-        pytest.param(SIXTH, marks=pytest.mark.full),
-        pytest.param(SEVENTH, marks=pytest.mark.full),
+        *(pytest.param(answers, marks=pytest.mark.full) for answers in LATER),
     ],
-    ids=["students", "first", "second", "third", "fourth", "fifth", "sixth", "seventh"],
+    ids=[f"set {number}" for number in range(5 + len(LATER))],
 )
 def test_wrong_answers_by_hand_are_recognised_nine_times_in_ten(answers: tuple[Wrong, ...]) -> None:
     """Of wrong answers written by hand at least nine in ten are explained, and none wrongly."""
