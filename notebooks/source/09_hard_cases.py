@@ -427,9 +427,9 @@ show(
 # or sunk in. Each family has a measure that is 0 where all is right, and a bound that was **written
 # down before** it was run.
 #
-# All engines run the same draws, ours all of them, the others the first few. Ours gets no help: we
-# call `simulate(scene, duration)` and set nothing else. "Sweeps" is our own sequential solver, the
-# cheaper way. Here is what we measured and stored:
+# All engines run the same draws. Ours gets no help: we call `simulate(scene, duration)` and set
+# nothing else. "Sweeps" is our own sequential solver, the cheaper way. Here is what we measured and
+# stored:
 
 # %%
 measured = hard_cases.stored()
