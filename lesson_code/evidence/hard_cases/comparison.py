@@ -210,7 +210,8 @@ class Comparison(Measurement):
             caption="Not held by every draw: x. A draw without a result: -. 0 is right.",
             box=None,
         )
-        made.columns[0].max_width, made.columns[1].max_width = 23, 4
+        made.padding = (0, 1, 0, 0)  # so that 100 columns are enough
+        made.columns[0].max_width, made.columns[1].max_width = 24, 4
         counts = [str(self.holds(engine)) for engine in self.engines]
         made.add_row(f"[bold]held whole, of {len(self.names)}[/bold]", "", "", *counts)
         shares = [f"{100 * self.share(engine):.1f} %" for engine in self.engines]
