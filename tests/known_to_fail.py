@@ -9,6 +9,5 @@ from __future__ import annotations
 
 KNOWN_TO_FAIL: dict[str, tuple[int, str]] = {
     "oblique-discs": (3100042, "midway in the overlap the small disc's arm is 4e-8 too short"),
-    "polygon-over-floor": (3100099, "a corner that turns by is held off as if it came straight on"),
 }
 """By family: the seed of a draw that fails, and the reason."""

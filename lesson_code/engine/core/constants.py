@@ -59,11 +59,15 @@ would bounce off each other at an angle that is wrong by a thousandth."""
 LAST_DIGITS = 1e-15
 """Of the bodies' coordinates: what is nearer than this touches, too; rounding tells no more."""
 
-FINE_IMPACTS, MOST_FINE = 2, 16
-"""Impacts in one step that come exactly where the bodies touch, in islands of so many contacts.
-After so many, and in larger islands, what is within the skin and closes is struck at once: a pile
-that falls makes dozens of impacts in each step, and to stop at each costs as much as a step.
+FINE_LOOKS, MOST_FINE = 8, 16
+"""Looks in one step at what comes exactly when bodies touch, in islands of so many contacts. After
+so many, and in larger islands, what is within the skin and closes is struck at once: a pile that
+falls makes dozens of impacts in each step, and to stop at each costs as much as a step.
 """
+
+LOOKS_OF_AN_IMPACT = 4
+"""Looks that one counts for at whose start something has hit: two such in a step, but more where
+a corner that turns is looked at again and again, and passes by."""
 
 MOST_IMPACTS = 64
 """Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""

@@ -237,7 +237,7 @@ class State:
     steps_left: int = 0  # whole steps that are to be made
     steps_a_frame: int = 0  # after so many the states are noted; 0: they are not
     left: float = 0.0  # s, of the step that is being made; 0: none is
-    impacts: int = 0  # parts that it has been split into
+    impacts: int = 0  # parts that it has been split into; one with an impact may count for more
     dt: float = 0.0  # s, of the part that is made now
     dt_before: float = 0.0  # s, of the one before; 0: there was none
     time: float = 0.0  # s, at the end of the part that is made now

@@ -43,8 +43,9 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
-    FINE_IMPACTS,
+    FINE_LOOKS,
     FINE_SLOP,
+    LOOKS_OF_AN_IMPACT,
     MOST_FINE,
     SKIN,
 )
@@ -136,12 +137,14 @@ def prepare(
     """Find the islands, give each the impulses of its impacts, and note when the next is due."""
     state = world.state
     islands[:] = islands_of(world) if state.contact_count > 0 else []
+    has_impact = False
     for island in islands:
         contacts, m = island.contacts, len(island.contacts)
         gap = np.array([open_gap(world, c) for c in contacts])
         u = velocities(island)
         if (u[:m] < 0.0).any():
             x = impacts_of(world, island, gap, u, rule)
+            has_impact = has_impact or bool(x.any())
             apply_impulses(island, x)
             jn, jt = x[:m].tolist(), x[m:].tolist()
             for c, normal, tangent in zip(contacts, jn, jt, strict=True):
@@ -150,12 +153,12 @@ def prepare(
         if is_fine(world, island):
             state.horizon = min(state.horizon, next_closing(world, island, gap, u[:m]))
     if state.horizon < state.left:
-        state.impacts += 1
+        state.impacts += LOOKS_OF_AN_IMPACT if has_impact else 1
 
 
 def is_fine(world: World, island: Island) -> bool:
     """Return whether impacts in an island come exactly where its bodies touch."""
-    return len(island.contacts) <= MOST_FINE and world.state.impacts < FINE_IMPACTS
+    return len(island.contacts) <= MOST_FINE and world.state.impacts < FINE_LOOKS
 
 
 def open_gap(world: World, c: ContactRow) -> float:
