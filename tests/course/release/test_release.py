@@ -225,7 +225,7 @@ def test_copys_notebook_reproduces_its_outputs(copy: Path) -> None:
         "results = run_notebooks(paths)\n"
         "print(len(paths), [r.message for r in results if not r.passed])",
     )
-    assert ran.stdout.strip() == "2 []", ran.stdout + ran.stderr
+    assert ran.stdout.strip() == "4 []", ran.stdout + ran.stderr
 
 
 @pytest.mark.parametrize(
