@@ -331,18 +331,6 @@ def pairs_as_they_were_sorted(boxes: Any) -> list[tuple[int, int]]:
     ]
 
 
-@wrong_model("11.1", "You sorted the boxes. Which number has the first of them in the table?")
-def places_when_sorted(boxes: Any) -> list[tuple[int, int]]:
-    """A box's number is its place among the sorted boxes."""
-    rows = sorted(boxes.tolist())
-    return [
-        (i, j)
-        for i, one in enumerate(rows)
-        for j, two in enumerate(rows[i + 1 :], i + 1)
-        if two[0] <= one[1] and two[2] <= one[3] and one[2] <= two[3]
-    ]
-
-
 @wrong_model("11.4", "1 and 2 touched, and 3 and 4. Now 1 and 3 do: is that pair an old one?")
 def numbers_in_place_of_pairs(before: Any, now: Any) -> Any:
     """A pair is known if both of its numbers are."""

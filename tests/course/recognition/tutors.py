@@ -756,7 +756,7 @@ def bodies_asleep(inverse_masses, still, touches):
         "11.1",
         "Slip: sorts the boxes by their left sides for the sweep and returns the places in the "
         "sorted list instead of the original numbers.",
-        ("places_when_sorted",),
+        (),
         """
 import numpy as np
 
