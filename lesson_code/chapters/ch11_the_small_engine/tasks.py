@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from random import Random
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.course.isolation.inside.vectors import vector
 
 Box: TypeAlias = tuple[float, float, float, float]
+Row = TypeVar("Row")
 
 # 11.1: pairs of boxes, each left, right, low, high
 
@@ -64,9 +65,7 @@ def boxes_that_touch(stream: Random) -> Iterator[Arguments]:
     above = left + 0.25, left + wide - 0.25, low + high, low + high + 2.5
     corner = left - 2.0, left, low - 1.5, low
     near = left - 3.0, left - 0.125, low + 0.5, low + high
-    boxes = [box, beside, above, corner, near]
-    stream.shuffle(boxes)
-    yield (tuple(boxes),)
+    yield (_shuffled(stream, [box, beside, above, corner, near]),)
 
 
 def _mixed(stream: Random, boxes: list[Box], is_turned: bool) -> tuple[Box, ...]:
@@ -74,10 +73,9 @@ def _mixed(stream: Random, boxes: list[Box], is_turned: bool) -> tuple[Box, ...]
 
     The first lies farther left: with this no luck makes the order of a sweep that of the table.
     """
-    mixed = stream.sample(boxes, len(boxes))
-    if is_turned and mixed.index(boxes[0]) < mixed.index(boxes[1]):
-        mixed.reverse()
-    return tuple(mixed)
+    mixed = _shuffled(stream, boxes)
+    is_sorted = mixed.index(boxes[0]) < mixed.index(boxes[1])
+    return mixed[::-1] if is_turned and is_sorted else mixed
 
 
 def _box(stream: Random, width: float, height: float) -> Box:
@@ -260,9 +258,9 @@ def _chain(stream: Random, links: int, step: int = 1) -> Pairs:
     return tuple((first + k, first + k + step) for k in range(links))
 
 
-def _shuffled(stream: Random, pairs: Pairs) -> Pairs:
-    """Return pairs in another order."""
-    order = list(pairs)
+def _shuffled(stream: Random, rows: Sequence[Row]) -> tuple[Row, ...]:
+    """Return pairs or boxes in another order."""
+    order = list(rows)
     stream.shuffle(order)
     return tuple(order)
 

@@ -262,7 +262,7 @@ def _short(value: float) -> str:
     ('0.25', '1.2e-7', '1e-15', '2.3e6')
     """
     if value == 0.0 or 0.01 <= value < 1000:
-        return _number(value)[:6]
+        return _number(value)
     mantissa, exponent = f"{value:.1e}".split("e")
     power = str(int(exponent))
     return f"{mantissa}e{power}" if len(power) < 3 else f"{value:.0e}"

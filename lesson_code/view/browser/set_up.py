@@ -13,6 +13,7 @@ from lesson_code.engine.core.constants import CELL_MARGIN, LARGEST_IN_GRID, MOST
 from lesson_code.engine.core.motion import turn_with_angle
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import is_off_centre
+from lesson_code.engine.effects.facts import thickness
 from lesson_code.formulas.rigid_body import disc_inertia, polygon_inertia
 from lesson_code.geometry.edges import outward_normal
 from lesson_code.geometry.rows import Corner, following
@@ -126,11 +127,6 @@ def face(corners: list[Corner], body: BodyRow) -> None:
         start.local_nx, start.local_ny = outward_normal(
             start.local_x, start.local_y, end.local_x, end.local_y
         )
-
-
-def thickness(body: BodyRow) -> float:
-    """Return the smallest width of a body's matter, m; a line has none."""
-    return 2.0 * body.radius if body.corner_count == 2 else body.min_width
 
 
 def cell_size(world: World) -> float:
