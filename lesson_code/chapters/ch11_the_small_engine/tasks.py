@@ -233,6 +233,7 @@ def pairs_that_begin(stream: Random) -> Iterator[Arguments]:
     """Draw touches that go on, and some that begin, also of bodies that touched others before."""
     for _ in range(2):
         go_on, begin = _chain(stream, 3), _chain(stream, 4, step=2)
+        begin = _with_one_among(go_on, begin)
         yield _shuffled(stream, go_on), _shuffled(stream, (*go_on, *begin))
 
 
@@ -240,6 +241,7 @@ def pairs_that_part(stream: Random) -> Iterator[Arguments]:
     """Draw touches that go on, some that end, and one that begins."""
     for _ in range(2):
         go_on, end = _chain(stream, 3), _chain(stream, 3, step=2)
+        end = _with_one_among(go_on, end)
         begin = ((20, 21),)
         yield _shuffled(stream, (*go_on, *end)), _shuffled(stream, (*go_on, *begin))
 
@@ -256,6 +258,11 @@ def _chain(stream: Random, links: int, step: int = 1) -> Pairs:
     """Return pairs of bodies `step` apart, each of which touches the next."""
     first = stream.randint(0, 3)
     return tuple((first + k, first + k + step) for k in range(links))
+
+
+def _with_one_among(chain: Pairs, pairs: Pairs) -> Pairs:
+    """Return pairs of which one at least is of two bodies of a chain that do not touch there."""
+    return tuple(dict.fromkeys([(chain[0][0], chain[1][1]), *pairs]))
 
 
 def _shuffled(stream: Random, rows: Sequence[Row]) -> tuple[Row, ...]:
