@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import base64
+import hashlib
 import inspect
 import json
 from collections.abc import Callable
@@ -63,13 +64,23 @@ def lab_html() -> str:
     """
     picture = base64.b64encode(STILL.read_bytes()).decode() if STILL.exists() else ""
     return (
-        f'<div data-lab style="{colors()}"><img alt="{escape(ALT)}" '
+        f'<div data-lab="{title()}" style="{colors()}"><img alt="{escape(ALT)}" '
         'style="display:block;max-width:100%;background:#fff" '
         f'src="data:image/svg+xml;base64,{picture}"><p>{WITHOUT}</p></div>\n'
         f'<script type="module">\n{script()}'
         "startLab(await open_program(), await open_formulas(), FUNCTIONS, "
         "await open_plan());\n</script>"
     )
+
+
+def title() -> str:
+    """Return the lab's name in a page, with a sum over its script."""
+    return f"lab-{script_sum()}"
+
+
+def script_sum() -> str:
+    """Return a sum over the lab's script, in which any change of it shows."""
+    return hashlib.sha256(script().encode()).hexdigest()[:16]
 
 
 @cache

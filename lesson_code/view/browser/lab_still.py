@@ -6,15 +6,19 @@ the live figures of the chapters (:mod:`lesson_code.view.browser.stills`).
 
 from __future__ import annotations
 
-import hashlib
+import re
 from pathlib import Path
 
 from lesson_code.view.browser.chromium import chromium
-from lesson_code.view.browser.lab import STILL, lab_html, script
+from lesson_code.view.browser.lab import STILL, lab_html, script_sum, title
 from lesson_code.view.browser.live import CHAPTERS
-from lesson_code.view.browser.stills import SUM
+from lesson_code.view.browser.stills import SUM, old_in_notebooks
 
 NAME = "lab"
+
+IN_NOTEBOOK = re.compile(r'<div data-lab=\\"([\w-]+)\\"')
+"""The lab in a notebook's file, and its title."""
+
 WIDTH = 720
 """Pixels that the opened lab is wide."""
 
@@ -27,11 +31,6 @@ def names_in(root: Path) -> list[str]:
     return [NAME] if CHAPTERS.parents[1] == root else []
 
 
-def script_sum() -> str:
-    """Return a sum over the lab's script, in which any change of it shows."""
-    return hashlib.sha256(script().encode()).hexdigest()[:16]
-
-
 def fault(_name: str = NAME) -> str:
     """Return what is wrong with the lab's picture, or "" if nothing is."""
     if not STILL.exists():
@@ -41,8 +40,10 @@ def fault(_name: str = NAME) -> str:
 
 
 def drifted(root: Path) -> list[str]:
-    """Return in a line what is wrong with the picture, if anything is."""
-    return [f"{STILL.relative_to(root)}: {fault()}" for _ in names_in(root) if fault()]
+    """Return in a line each what is wrong with the picture, and which notebook's lab is old."""
+    lines = [f"{STILL.relative_to(root)}: {fault()}" for _ in names_in(root) if fault()]
+    titles = {title() for _ in names_in(root)}
+    return lines + old_in_notebooks(root, IN_NOTEBOOK, titles)
 
 
 def write(_name: str = NAME) -> Path:

@@ -78,7 +78,7 @@ def file_of(figure: str) -> Path:
 def html_of(figure: str, alt: str, still: str) -> str:
     """Return a figure as HTML that needs no other file; `still` is its picture, an SVG."""
     script = script_of(figure)
-    name = f"{file_of(figure).stem}-{hashlib.sha256(script.encode()).hexdigest()[:8]}"
+    name = title_of(figure)
     picture = base64.b64encode(still.encode("ascii", "xmlcharrefreplace")).decode()
     return (
         f'<figure data-live="{name}" style="{colors()}">'
@@ -87,6 +87,11 @@ def html_of(figure: str, alt: str, still: str) -> str:
         f'<script type="module">\n{script}start("{name}", shown, await open_program());\n'
         "</script></figure>"
     )
+
+
+def title_of(figure: str) -> str:
+    """Return a figure's name in a page: its own, and a sum over its script."""
+    return f"{file_of(figure).stem}-{hashlib.sha256(script_of(figure).encode()).hexdigest()[:8]}"
 
 
 def script_of(figure: str) -> str:

@@ -12,13 +12,24 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from lesson_code.view.browser.chromium import chromium
-from lesson_code.view.browser.live import CHAPTERS, PROGRAMS, colors, file_of, html_of, script_of
+from lesson_code.view.browser.live import (
+    CHAPTERS,
+    PROGRAMS,
+    colors,
+    file_of,
+    html_of,
+    script_of,
+    title_of,
+)
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
 SUM = re.compile(r'data-sum="(\w+)"')
 """Stands in a picture: a sum over the script that drew it."""
+
+IN_NOTEBOOK = re.compile(r'<figure data-live=\\"([\w-]+)\\"')
+"""A figure in a notebook's file, and its title."""
 
 PARTS = re.compile(r">(?=<[^/])")
 """Between two elements, where a line of the file ends."""
@@ -58,9 +69,23 @@ def fault(figure: str) -> str:
 
 
 def drifted(root: Path) -> list[str]:
-    """Return in a line each what is wrong with the still pictures of a workbook."""
+    """Return in a line each what is wrong with a workbook's still pictures, and which are old.
+
+    A notebook holds its figures whole.
+    """
     faults = ((file_of(name).with_suffix(".svg"), fault(name)) for name in names_in(root))
-    return [f"{file.relative_to(root)}: {line}" for file, line in faults if line]
+    lines = [f"{file.relative_to(root)}: {line}" for file, line in faults if line]
+    return lines + old_in_notebooks(root, IN_NOTEBOOK, {title_of(name) for name in names_in(root)})
+
+
+def old_in_notebooks(root: Path, pattern: re.Pattern[str], titles: set[str]) -> list[str]:
+    """Return in a line each which notebook holds what has none of the titles of today."""
+    return [
+        f"{notebook.relative_to(root)}: holds {title} as it was; workbook regenerate makes it anew"
+        for notebook in sorted((root / "notebooks").glob("*.ipynb") if titles else ())
+        for title in pattern.findall(notebook.read_text("utf-8"))
+        if title not in titles
+    ]
 
 
 def write(figure: str) -> Path:

@@ -8,13 +8,16 @@ from __future__ import annotations
 import base64
 import re
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
+import nbformat
 import pytest
 
-from lesson_code.view.browser import stills
+from lesson_code.view.browser import lab_still, stills
 from lesson_code.view.browser.live import file_of, html_of, live, script_of
 
+ROOT = Path(__file__).parents[3]
 FIGURES = stills.names()
 FIGURE = "ch03_reflection/bounce"
 
@@ -79,6 +82,31 @@ def test_picture_that_is_missing_or_of_another_script_is_named(
     (folder / "carts.js").write_text('export default {\n  program: "formulas",\n  e: 1,\n};\n')
     assert stills.drifted(tmp_path) == ["a/chapters/ch01/carts.svg: is not what its figure draws"]
     assert stills.drifted(tmp_path / "another") == []
+
+
+def test_notebook_with_a_figure_as_it_was_is_named(tmp_path: Path) -> None:
+    """A notebook holds its figures whole; one that was not made anew shows the old one."""
+    (tmp_path / "notebooks").mkdir()
+    html = '<figure data-live="{}" style="">'
+    cells = [nbformat.v4.new_code_cell(outputs=[_shown(html.format(n))]) for n in ("now", "old")]
+    nbformat.write(  # type: ignore[no-untyped-call]
+        nbformat.v4.new_notebook(cells=cells), tmp_path / "notebooks" / "03_reflection.ipynb"
+    )
+    assert stills.old_in_notebooks(tmp_path, stills.IN_NOTEBOOK, {"now", "other"}) == [
+        "notebooks/03_reflection.ipynb: holds old as it was; workbook regenerate makes it anew"
+    ]
+
+
+def _shown(html: str) -> Any:
+    """Return the output of a cell that shows some HTML."""
+    return nbformat.v4.new_output("display_data", data={"text/html": html})
+
+
+@pytest.mark.parametrize("kind", [stills, lab_still])
+def test_committed_notebooks_hold_the_figures_and_the_lab_of_today(kind: ModuleType) -> None:
+    """And the check finds them in the files: with other titles, each is called old."""
+    assert kind.drifted(ROOT) == []
+    assert stills.old_in_notebooks(ROOT, kind.IN_NOTEBOOK, {"another"})
 
 
 def test_figure_that_is_not_there_is_refused_by_name() -> None:
