@@ -41,6 +41,7 @@ def open_workbook(
     """Open the workbook in a browser; without a screen, serve it and print the address."""
     import webbrowser
 
+    from lesson_code.course.fresh_copies import unchanged_notebooks
     from lesson_code.course.notebooks import server
 
     with clear_errors():
@@ -50,8 +51,11 @@ def open_workbook(
         if len({path.name[:2] for path in found}) != 1:  # of a chapter in parts, the first
             raise ValueError(f"notebook must be the number of one, such as 00, got {notebook!r}")
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
+        signing = threading.Thread(target=lambda: server.trust(unchanged_notebooks(root)))
+        signing.start()  # in the seconds that the server needs to start
         running = server.start(root, found[0].relative_to(root), port)
     try:
+        signing.join()
         console.print("The workbook is served at", running.address, soft_wrap=True, highlight=False)
         console.print("Stop it with Ctrl-C.")
         threading.Thread(target=_prepare, daemon=True).start()

@@ -66,6 +66,12 @@ def fresh_exercise(exercise: Exercise, root: Path) -> str:
     return fresh_student_copy(root, exercise.name, exercise.task_ids)
 
 
+def unchanged_notebooks(root: Path) -> list[Path]:
+    """Return a workbook's notebooks that are as they were handed out, byte for byte."""
+    files = ((root / name, content) for name, content in _notebooks())
+    return [path for path, content in files if path.is_file() and path.read_bytes() == content]
+
+
 def write_folder(files: Files, folder: Path) -> None:
     """Write files into a folder that is new or empty.
 

@@ -10,7 +10,9 @@ import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
 
+import nbformat
 import pytest
+from nbformat.sign import NotebookNotary
 
 from lesson_code.course.notebooks import server
 from lesson_code.course.notebooks.server import HOST, JupyterServer, ServerError
@@ -210,3 +212,32 @@ def test_server_answers_and_is_gone_after_stop(
         running.stop()
     assert running.process.poll() is not None
     assert is_free(port)
+
+
+def test_trusted_notebook_is_signed_and_no_longer_when_it_is_changed(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """By the signature that JupyterLab looks for when it opens a notebook."""
+    monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path / "data"))
+    output = nbformat.v4.new_output("display_data", data={"text/html": "<script></script>"})
+    cell = nbformat.v4.new_code_cell("lab()", outputs=[output])
+    paths = [tmp_path / "signed.ipynb", tmp_path / "other.ipynb"]
+    for path in paths:
+        nbformat.write(nbformat.v4.new_notebook(cells=[cell]), path)
+        cell["source"] += "  # another"
+    server.trust(paths[:1])
+    notebooks = [nbformat.read(path, as_version=4) for path in paths]
+    notary = NotebookNotary()
+    assert [notary.check_signature(notebook) for notebook in notebooks] == [True, False]
+    notebooks[0].cells[0].outputs[0].data["text/html"] = "<script>another</script>"
+    assert not notary.check_signature(notebooks[0])
+
+
+def test_home_that_cannot_be_written_is_no_error(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """The notebook opens all the same; its reader runs the cells first."""
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path / "file" / "data"))
+    nbformat.write(nbformat.v4.new_notebook(), tmp_path / "one.ipynb")
+    server.trust([tmp_path / "one.ipynb"])
