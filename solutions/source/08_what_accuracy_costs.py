@@ -124,8 +124,8 @@ check_task("8.4", best_split)
 # ## Task 8.5 The cheapest that is good enough (5 points)
 #
 # The rows of `table` are (milliseconds, error). Return the number of the row, from 0, that takes
-# the least time among those whose error is at most `allowed`; or `None` if no row is good enough. No
-# two times are equal.
+# the least time among those whose error is at most `allowed`; or `None` if no row is good enough.
+# No two times are equal.
 
 
 # %% tags=["task"]

@@ -23,12 +23,15 @@ Row = TypeVar("Row")
 
 
 def apart_in_one_direction(stream: Random) -> Iterator[Arguments]:
-    """Draw a box with one that it overlaps, one beside it, and one above it."""
-    for is_turned in (True, False):
+    """Draw a box with one that it overlaps, one beside it, and one above it.
+
+    From left to right, the one above stands before the box, or between it and the one it overlaps.
+    """
+    for is_turned, left in ((True, -1.0), (False, 0.1)):
         box = _box(stream, 2.0, 3.0)
         near = _moved(box, stream.uniform(0.5, 1.5), stream.uniform(0.5, 1.5))
         beside = _moved(box, stream.uniform(3.5, 4.0), stream.uniform(-1.0, -0.5))
-        above = _moved(box, stream.uniform(-1.0, -0.5), stream.uniform(5.0, 6.0))
+        above = _moved(box, left + stream.uniform(0.0, 0.3), stream.uniform(5.0, 6.0))
         yield (_mixed(stream, [box, near, beside, above], is_turned),)
 
 
