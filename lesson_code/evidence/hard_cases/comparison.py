@@ -6,7 +6,7 @@ import math
 import statistics
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, Self
@@ -161,10 +161,6 @@ class Comparison(Measurement):
     def price(self, family: str) -> float:
         """Return the time of a usual draw of a family with ours over that with sweeps."""
         return self.result(family, OURS).seconds / self.result(family, SWEEPS).seconds
-
-    def without_times(self) -> Comparison:
-        """Return the comparison without the seconds, which differ from run to run."""
-        return Comparison(tuple(replace(result, seconds=math.nan) for result in self.results))
 
     def as_dict(self) -> dict[str, Any]:
         """Return the comparison as one JSON object; null stands for a value that is not finite."""
