@@ -28,11 +28,11 @@ from lesson_code.evidence.hard_cases import (
     Result,
     Trial,
     catalogue,
-    comparison,
     family,
     family_by_name,
     installed_engines,
     loads,
+    measure,
     measure_hard_cases,
     replay,
     run_draw,
@@ -332,7 +332,7 @@ def one_dies(function: Any, tasks: Any, **_options: Any) -> Any:
 
 def test_dead_process_is_no_result_in_that_draw(monkeypatch: pytest.MonkeyPatch) -> None:
     """The others go on."""
-    monkeypatch.setattr(comparison, "iter_tasks", one_dies)
+    monkeypatch.setattr(measure, "iter_tasks", one_dies)
     both = measure_hard_cases(["collapse"], draws=2, engines=[OURS, "pymunk"])
     assert (both.not_held(), both.not_held("pymunk")) == ([], ["collapse"])
     written = both.as_dict()["families"][0]["results"]["pymunk"]
