@@ -7,7 +7,5 @@ algebra rounds in another way, on another processor, the law may hold at that se
 
 from __future__ import annotations
 
-KNOWN_TO_FAIL: dict[str, tuple[int, str]] = {
-    "oblique-discs": (3100042, "midway in the overlap the small disc's arm is 4e-8 too short"),
-}
+KNOWN_TO_FAIL: dict[str, tuple[int, str]] = {}
 """By family: the seed of a draw that fails, and the reason."""
