@@ -28,6 +28,12 @@ END_ANSWER = "</details>"
 
 IN_THE_PAGE = "write it and have it checked in the browser"
 
+RUN_ALREADY = (
+    "\n\nOn this page the notebook has run already: answer its questions and move its figures here. "
+    "To write its lines yourself, [open it on your computer](../pages/students.md)."
+)
+"""What the first cell says of code that cannot be changed in the page."""
+
 SHOWING = {"show", "live", "lab", "animate", "show_quiz", "predict"}
 """What a cell calls to show something."""
 
@@ -66,6 +72,7 @@ class NotebookPage:
             if exercise[:2] == self._name[:2]:  # each part of a chapter leads to its exercise
                 link = f"[{IN_THE_PAGE}](../exercises/{exercise}.md)"
                 page.cells[0].source += f"\n\n**Exercise:** {link}."
+        page.cells[0].source += RUN_ALREADY
         page.cells = list(_folded(page.cells))
         return page
 
