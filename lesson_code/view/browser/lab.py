@@ -64,7 +64,8 @@ def lab_html() -> str:
     """
     picture = base64.b64encode(STILL.read_bytes()).decode() if STILL.exists() else ""
     return (
-        f'<div data-lab="{title()}" style="{colors()};font:14px/1.4 sans-serif"><p>{WITHOUT}</p><img alt="{escape(ALT)}" '
+        f'<div data-lab="{title()}" style="{colors()};font:14px/1.4 sans-serif">'
+        f'<p>{WITHOUT}</p><img alt="{escape(ALT)}" '
         'style="display:block;width:100%;max-width:56em;background:#fff" '
         f'src="data:image/svg+xml;base64,{picture}"></div>\n'
         f'<script type="module">\n{script()}'
