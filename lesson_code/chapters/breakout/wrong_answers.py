@@ -190,7 +190,7 @@ def places_among_those_left(
     position: Vector, velocity: Vector, radius: float, bricks: Vector, duration: float
 ) -> Any:
     """A brick's number is its place among the bricks that still stand."""
-    left, broken = list(bricks), []
+    left, broken = list(bricks), list[int]()
     while True:
         first = _first(position, velocity, radius, left, ())
         if first is None or first[0] > duration:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any, TypeAlias
+
 from lesson_code.course.grading.task import alternative
+
+Number: TypeAlias = Any
 
 
 @alternative("2.1")
@@ -78,7 +82,7 @@ def height_after_height(height: float, restitution: float, count: int) -> list[f
 
 
 @alternative("2.4")
-def flight_by_flight(height: float, restitution: float, gravity: float) -> float:
+def flight_by_flight(height: Number, restitution: float, gravity: float) -> Number:
     """Flights are added until they are below rounding."""
     time = (2 * height / gravity) ** 0.5
     height = height * restitution**2

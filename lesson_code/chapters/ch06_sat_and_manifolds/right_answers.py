@@ -168,7 +168,7 @@ def by_shrinking_the_circle(centre: Vector, radius: float, vertices: Vector) -> 
 
 
 @alternative("6.3")
-def case_by_case(interval_a: Vector, interval_b: Vector) -> float | None:
+def case_by_case(interval_a: Vector, interval_b: Vector) -> Any:
     """One inside the other leaves by the nearer end; else it is the common part."""
     (a0, a1), (b0, b1) = interval_a, interval_b
     if a1 <= b0 or b1 <= a0:
@@ -183,7 +183,8 @@ def case_by_case(interval_a: Vector, interval_b: Vector) -> float | None:
 @alternative("6.4")
 def shift_by_shift(vertices_a: Vector, vertices_b: Vector) -> Any:
     """Along each axis a shift with a sign; the shortest one wins, and its sign turns the axis."""
-    best, best_axis = None, None
+    best: Any = None
+    best_axis: Any = None
     for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
         a, b = vertices_a @ axis, vertices_b @ axis
         right, left = max(a) - min(b), max(b) - min(a)

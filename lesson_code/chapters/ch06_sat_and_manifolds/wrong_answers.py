@@ -366,7 +366,7 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
 
 
 @wrong_model("6.3", "B may leave A at either end. Which two ends have to pass each other?")
-def like_ends_apart(interval_a: Vector, interval_b: Vector) -> float | None:
+def like_ends_apart(interval_a: Vector, interval_b: Vector) -> Any:
     """The way out is the distance of two beginnings, or of two ends."""
     (low_a, high_a), (low_b, high_b) = interval_a, interval_b
     if high_a <= low_b or high_b <= low_a:
