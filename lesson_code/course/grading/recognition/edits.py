@@ -8,9 +8,14 @@ import math
 import re
 from collections.abc import Iterator
 from itertools import combinations
-from typing import TypeAlias
 
-PAIRS = {"1": "2", "a": "b", "x": "y", "low": "high", "start": "end", "inner": "outer", "n": "t"}
+from lesson_code.course.grading.recognition.trees import Edit, called, name_of
+
+PAIRS = {
+    "1": "2", "a": "b", "x": "y", "low": "high", "start": "end", "inner": "outer", "n": "t",
+    "i": "j", "width": "height", "light": "heavy", "left": "right", "earlier": "later",
+    "before": "after", "position": "velocity", "positions": "velocities", "angles": "rates",
+}  # fmt: skip
 OPPOSITE = PAIRS | {other: one for one, other in PAIRS.items()}
 """Parts of names that tell one of a pair from the other."""
 
@@ -39,9 +44,6 @@ TURNED = {
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
 }  # fmt: skip
-
-Edit: TypeAlias = tuple[str, dict[str, str], ast.AST]
-"""The kind of a slip, the names that its hint holds, and what stands in a node's place."""
 
 
 def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
@@ -155,7 +157,7 @@ def _uses(node: ast.AST, name: str) -> bool:
 def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
     """Yield the slips in a sum, product, quotient or power."""
     left, right = node.left, node.right
-    in_range = isinstance(parent, ast.Call) and _called(parent) == "range"
+    in_range = isinstance(parent, ast.Call) and called(parent) == "range"
     match node.op:
         case ast.Add() | ast.Sub():
             turned = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
@@ -171,14 +173,14 @@ def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
         case ast.Mult():
             yield "product", {}, ast.BinOp(left, ast.Add(), right)
             yield "quotient", {}, ast.BinOp(left, ast.Div(), right)
-            yield _factor(right), {"of": _name(right)}, left
-            yield _factor(left), {"of": _name(left)}, right
+            yield _factor(right), {"of": name_of(right)}, left
+            yield _factor(left), {"of": name_of(left)}, right
             yield from _without_brackets(left, node.op, right)
             yield from _not_projected(left, right)
         case ast.Div():
             yield "quotient", {}, ast.BinOp(left, ast.Mult(), right)
             yield "upside_down", {}, ast.BinOp(right, ast.Div(), left)
-            yield "factor" if _is_two(right) else "divisor", {"by": _name(right)}, left
+            yield "factor" if _is_two(right) else "divisor", {"by": name_of(right)}, left
             yield from _halves(left, right)
             yield from _without_brackets(left, node.op, right)
         case ast.Pow():
@@ -194,7 +196,7 @@ def _not_projected(left: ast.expr, right: ast.expr) -> Iterator[Edit]:
     """Yield (v . n) n as v."""
     for number, direction in ((left, right), (right, left)):
         match number:
-            case ast.Call(args=[one, other]) if _called(number) == "dot":
+            case ast.Call(args=[one, other]) if called(number) == "dot":
                 pass
             case ast.BinOp(left=one, op=ast.MatMult(), right=other):
                 pass
@@ -232,7 +234,7 @@ def _without_brackets(left: ast.expr, op: ast.operator, right: ast.expr) -> Iter
 
 def _calls(node: ast.Call) -> Iterator[Edit]:
     """Yield the slips in the call of a function."""
-    name = _called(node)
+    name = called(node)
     if name in EXCHANGED_CALLS:
         other, kind = EXCHANGED_CALLS[name]
         yield kind, {}, ast.Call(_renamed(node.func, other), node.args, node.keywords)
@@ -257,7 +259,7 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
     if len(node.args) == 2 and name not in ("dot", "min", "max", "hypot"):
         one, two = node.args
         kind = "cross" if name == "cross" else "exchanged"
-        names = {"first": _name(one), "second": _name(two)}
+        names = {"first": name_of(one), "second": name_of(two)}
         yield kind, names, ast.Call(node.func, [two, one], node.keywords)
     for index, argument in enumerate(node.args):
         if isinstance(argument, ast.Starred | ast.Constant | ast.GeneratorExp):
@@ -266,21 +268,11 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
         yield "sign", {}, ast.Call(node.func, turned, node.keywords)
 
 
-def _called(node: ast.Call) -> str:
-    """Return the name of the function that is called, without its module."""
-    return node.func.attr if isinstance(node.func, ast.Attribute) else _name(node.func)
-
-
 def _renamed(function: ast.expr, name: str) -> ast.expr:
     """Return another function of the same module."""
     if isinstance(function, ast.Attribute):
         return ast.Attribute(function.value, name, ast.Load())
     return ast.Name(name, ast.Load())
-
-
-def _name(node: ast.expr) -> str:
-    """Return a name that is an expression by itself, else nothing."""
-    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _is_one(node: ast.expr) -> bool:
