@@ -115,7 +115,7 @@ def _is_no_factor(parent: ast.AST) -> bool:
             isinstance(part, ast.Tuple | ast.List) for part in parts
         )
     return isinstance(parent, ast.Slice) or (
-        isinstance(parent, ast.Call) and _called(parent) in OF_A_COUNT
+        isinstance(parent, ast.Call) and called(parent) in OF_A_COUNT
     )
 
 
