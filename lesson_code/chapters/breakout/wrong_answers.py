@@ -201,3 +201,18 @@ def places_among_those_left(
         duration -= time
         broken.append(k)
         del left[k]
+
+
+@wrong_model(
+    "K.2", "A ball meets a corner. Which way does the way from the corner to its centre point?"
+)
+def corners_push_along_an_axis(
+    position: Vector, velocity: Vector, radius: float, box: Vector
+) -> Any:
+    """A corner belongs to a face, and pushes as that does."""
+    hit = brick_impact(position, velocity, radius, box)
+    if hit is None:
+        return None
+    normal, axis = np.zeros(2), int(np.argmax(np.abs(hit[1])))
+    normal[axis] = np.sign(hit[1][axis])
+    return hit[0], normal

@@ -121,3 +121,10 @@ def momenta_change_hands(m1: float, v1: float, m2: float, v2: float) -> tuple[fl
 def momentum_of_both(m1: float, v1: float, m2: float, v2: float) -> float:
     """The impulse is all the momentum that the bodies bring along."""
     return m1 * v1 + m2 * v2
+
+
+@wrong_model("1.2", "A slow truck and a fast car stick together. Does the car change nothing?")
+def the_heavier_decides(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The lighter body goes on with the heavier one, as fast as that was."""
+    v = v1 if m1 > m2 else v2 if m2 > m1 else (v1 + v2) / 2
+    return v, v

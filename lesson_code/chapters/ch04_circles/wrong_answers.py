@@ -374,3 +374,17 @@ def the_lighter_all_and_more(
 )
 def turned_and_not_turned_back() -> None:
     """The normal is turned round to push circle 1 back, and stays so for circle 2."""
+
+
+@wrong_model("4.2", "You have turned into the frame of the normal. Do you turn back?")
+def left_in_the_frame_of_the_normal(
+    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
+) -> Any:
+    """The parts along the normal and across it are the new velocities."""
+    a, b = v1 @ normal, v2 @ normal
+    if a <= b:
+        return v1, v2
+    along = np.array([-normal[1], normal[0]])
+    centre = (m1 * a + m2 * b) / (m1 + m2)
+    ends = [centre - restitution * (part - centre) for part in (a, b)]
+    return [ends[0], v1 @ along], [ends[1], v2 @ along]

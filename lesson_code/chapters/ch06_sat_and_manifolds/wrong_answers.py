@@ -12,6 +12,7 @@ import numpy as np
 from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import (
     both_ways_along_each_axis,
     edge_by_edge,
+    shift_by_shift,
 )
 from lesson_code.course.grading.task import edited, wrong_model
 from lesson_code.formulas.arithmetic import cross
@@ -378,3 +379,9 @@ def like_ends_apart(interval_a: Vector, interval_b: Vector) -> Any:
 @edited(edge_by_edge, {"    if inside:\n": "    if inside and least < radius:\n"})
 def far_from_the_outline_is_apart() -> None:
     """A circle whose centre is farther from the outline than its radius does not overlap."""
+
+
+@wrong_model("6.4", "Is a shift of -3 shorter than one of 1?")
+@edited(shift_by_shift, {"abs(shift) < abs(best)": "shift < best"})
+def most_negative_shift() -> None:
+    """The smallest shift is the one with the smallest number, its sign included."""

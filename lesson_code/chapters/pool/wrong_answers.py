@@ -248,3 +248,9 @@ def by_both_counts_together(
     """A pair's impulse is divided by the counts of both balls, added up."""
     touching = _touching(positions, radius)
     return _shared(velocities, touching, restitution, ROUNDS, lambda a, b: (a + b, a + b))
+
+
+@wrong_model("P.2", "About which point does a ball turn that nothing but the cue touches?")
+def turns_about_the_cloth(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A ball turns about the point where it lies on the cloth."""
+    return impulse / mass, -offset * np.hypot(*impulse) / (1.4 * mass * radius**2)

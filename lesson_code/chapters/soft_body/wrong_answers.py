@@ -259,7 +259,19 @@ def by_the_chord_from_the_middle(positions: Vector, area: float, stiffness: floa
             "         v[k] = v[k] + (forces[k] / BLOB.mass - BLOB.air * v[k] +"
         ),
         "        p = p + v * BLOB.dt": "         p[k] = p[k] + v[k] * BLOB.dt",
+        "        below = p[:, 1] < 0": (
+            "         below = (p[:, 1] < 0) & (np.arange(len(p)) == k)"
+        ),
+        "        p[below": "         p[below",
+        "        v[below, 1] =": "         v[below, 1] =",
+        "        v[below, 0]": "         v[below, 0]",
     },
 )
 def mass_by_mass() -> None:
     """One mass after the other moves, and each feels the ring as it is by then."""
+
+
+@wrong_model("S.4", "Which velocity has a mass that has just come to the floor: up, or none?")
+@edited(force_by_force, {"np.maximum(v[below, 1], 0.0)": "np.abs(v[below, 1])"})
+def floor_throws_back() -> None:
+    """The floor throws a mass back as fast as it came."""

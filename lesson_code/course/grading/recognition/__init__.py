@@ -21,6 +21,7 @@ from lesson_code.course.grading.recognition.candidates import (
     any_case,
     in_cases,
     in_general,
+    inherited,
     listed,
     pairs,
     parameters,
@@ -45,7 +46,7 @@ ENOUGH_PLAIN_CALLS = 3
 MOST_SAID = 2
 """Mistakes that explain the same and are both said; of more, none is."""
 
-LIKELIER_FIRST = (listed, slips, rarer_slips, pairs)
+LIKELIER_FIRST = (listed, inherited, slips, rarer_slips, pairs)
 """Where mistakes are looked for, in this order."""
 
 VAGUEST = ("ignored", "term", "factor_missing")
@@ -158,13 +159,13 @@ class Evidence:
             return ()
         found = [
             models[index]
-            for models in (self._task.wrong_models, slips(self._task), rarer_slips(self._task))
+            for models in (listed(self._task), slips(self._task), rarer_slips(self._task))
             for index in self._near(models, criteria[0])
             if self._gives_all(models[index], wrong)
         ]
         if found:
             said = _said(found)
-            return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(self._task),)
+            return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(found[0]),)
         turned = direction_of(self._task, parameters(self._task), calls)
         return () if turned is None else (turned,)
 

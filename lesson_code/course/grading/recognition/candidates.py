@@ -27,6 +27,7 @@ from lesson_code.course.grading.recognition.in_source import (
     rarer_slips_in,
     slips_in,
 )
+from lesson_code.course.grading.recognition.trees import name_of
 from lesson_code.course.grading.submission import read_submission
 from lesson_code.course.grading.task import Function, Task, WrongModel
 from lesson_code.course.isolation.inside.answers import arguments_from, load
@@ -56,6 +57,28 @@ def listed(task: Task) -> tuple[WrongModel, ...]:
 def slips(task: Task) -> tuple[WrongModel, ...]:
     """Return the slips in the right answers to a task of the course."""
     return tuple(islice(_slips(task, slips_in, slips_around), most_models(task)))
+
+
+@cache
+def inherited(task: Task) -> tuple[WrongModel, ...]:
+    """Return right answers that call another task's function, with a mistake of that task in it."""
+    return tuple(islice(_inherited(task), most_models(task)))
+
+
+def _inherited(task: Task) -> Iterator[WrongModel]:
+    """Yield each mistake of the tasks whose functions a right answer calls, once."""
+    (others,) = [each.tasks for each in exercises() if task in each.tasks] or [()]
+    made: set[Task] = set()
+    for answer in right_answers(task.id, task.function):
+        calls = [node for node in ast.walk(answer.definition) if isinstance(node, ast.Call)]
+        called = {name_of(call.func) for call in calls}
+        code = answer.compiled()
+        for other in [one for one in others if one.function in called and one not in made]:
+            made.add(other)
+            for wrong in (*other.wrong_models, *inherited(other)):
+                function = answer.function(code, **{other.function: wrong.function})
+                function.__name__, function.__doc__ = wrong.name, wrong.misconception
+                yield WrongModel(task.id, function, wrong.hint)
 
 
 @cache
@@ -214,6 +237,6 @@ def in_cases(found: WrongModel) -> WrongModel:
     return WrongModel(found.task, function, f"{WHERE_WRONG}{found.hint}")
 
 
-def any_case(task: Task) -> WrongModel:
-    """Return that cases are told apart wrongly, where it is not clear which."""
-    return model(task.id, "case", lambda *_: None, {})
+def any_case(found: WrongModel) -> WrongModel:
+    """Return that cases are told apart wrongly, where several mistakes give the same there."""
+    return model(found.task, "case", lambda *given: found.function(*given), {})
