@@ -53,3 +53,17 @@ def in_the_frame_of_the_pair(
             w = complex(centre - restitution * (w.real - centre), w.imag)
             moving[a], moving[b] = u * turn, w * turn
     return moving
+
+
+@alternative("A.1")
+def piece_by_piece(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """One list of velocities, one sum of momenta, and what is taken from each."""
+    count, total = len(masses), 0.0
+    pieces, momentum = [], np.zeros(2)
+    for k in range(count):
+        angle = heading + k * 2 * math.pi / count
+        piece = speed * np.array([math.cos(angle), math.sin(angle)])
+        pieces.append(piece)
+        momentum = momentum + masses[k] * piece
+        total = total + masses[k]
+    return [velocity + piece - momentum / total for piece in pieces]

@@ -199,3 +199,19 @@ def from_the_velocities_before(
                 after[a] = velocities[a] - j / masses[a]
                 after[b] = velocities[b] + j / masses[b]
     return after
+
+
+@wrong_model("A.3", "An asteroid overlaps two others. With how many of them does it collide?")
+def one_collision_each(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """An asteroid that has collided is done for this step."""
+    v, done = velocities.copy(), set[int]()
+    for a, b, n in _pairs(positions, radii):
+        approach = np.dot(v[a] - v[b], n)
+        if approach > 0 and not {a, b} & done:
+            impulse = (1 + restitution) * approach / (1 / masses[a] + 1 / masses[b])
+            v[a] -= impulse / masses[a] * n
+            v[b] += impulse / masses[b] * n
+            done |= {a, b}
+    return v

@@ -266,3 +266,37 @@ def length_taken_for_a_part(position: Vector) -> Any:
     along = (BUMPER_END - BUMPER_START) / np.hypot(*(BUMPER_END - BUMPER_START))
     part = min(max((position - BUMPER_START) @ along, 0.0), 1.0)
     return _beside(position, BUMPER_START + part * along)
+
+
+@wrong_model("B.2", "A ball comes to a round end. Is the push still at right angles to the bumper?")
+def never_off_a_right_angle(position: Vector) -> Any:
+    """A bumper pushes at right angles to itself, at its round ends, too."""
+    along = BUMPER_END - BUMPER_START
+    part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
+    offset = position - (BUMPER_START + min(max(part, 0.0), 1.0) * along)
+    depth = RADIUS + BUMPER_HALF_THICKNESS - np.hypot(*offset)
+    normal = np.array([-along[1], along[0]]) / np.hypot(*along)
+    return (normal if offset @ normal >= 0 else -normal, depth) if depth > 0 else None
+
+
+@wrong_model(
+    "B.4", "Where should the ball be at the end of a step with a hit: at the wall, or off it?"
+)
+def flies_on_from_the_wall(position: Vector, velocity: Vector, dt: float = TIME_STEP) -> Any:
+    """After a hit the ball flies on for as long as it was in the wall."""
+    position, hits = position + velocity * dt, []
+
+    def one(name: str, normal: Vector, depth: float) -> None:
+        nonlocal position, velocity
+        approach = -np.dot(velocity, normal)
+        position, velocity = resolve(position, velocity, normal, depth)
+        if approach > 0:
+            hits.append(name)
+            position = position + velocity * min(depth / approach, dt)
+
+    bumper = bumper_contact(position)
+    for contact in [] if bumper is None else [("bumper", *bumper)]:
+        one(*contact)
+    for contact in wall_contacts(position):
+        one(*contact)
+    return position, velocity, hits

@@ -168,3 +168,51 @@ def sideways_by_the_offset(offset: float, speed: float) -> tuple[float, float]:
     """The sideways part of the velocity is in proportion to the offset."""
     vx = max(-1.0, min(1.0, offset)) * speed * math.sin(STEEPEST)
     return vx, math.sqrt(speed * speed - vx * vx)
+
+
+@wrong_model("K.2", "A ball comes at a corner from outside. Which face does it reach first?")
+def faces_alone(position: Vector, velocity: Vector, radius: float, box: Vector) -> Any:
+    """A brick has four faces, and what misses them misses the brick."""
+    low, high = box[:2], box[:2] + box[2:]
+    found = []
+    for axis in (0, 1):
+        for face, side in ((low, -1.0), (high, 1.0)):
+            if velocity[axis] * side < 0:
+                time = (face[axis] + side * radius - position[axis]) / velocity[axis]
+                along = position[1 - axis] + velocity[1 - axis] * time
+                if 0 <= time <= 1 and low[1 - axis] <= along <= high[1 - axis]:
+                    found.append((time, side * np.eye(2)[axis]))
+    return min(found, key=lambda hit: hit[0], default=None)
+
+
+@wrong_model("K.3", "A brick is gone from your list. Which number has the one behind it now?")
+def places_among_those_left(
+    position: Vector, velocity: Vector, radius: float, bricks: Vector, duration: float
+) -> Any:
+    """A brick's number is its place among the bricks that still stand."""
+    left, broken = list(bricks), list[int]()
+    while True:
+        first = _first(position, velocity, radius, left, ())
+        if first is None or first[0] > duration:
+            return position + velocity * duration, velocity, broken
+        time, k, normal = first
+        position = position + velocity * time
+        velocity = velocity - 2 * np.dot(velocity, normal) * normal
+        duration -= time
+        broken.append(k)
+        del left[k]
+
+
+@wrong_model(
+    "K.2", "A ball meets a corner. Which way does the way from the corner to its centre point?"
+)
+def corners_push_along_an_axis(
+    position: Vector, velocity: Vector, radius: float, box: Vector
+) -> Any:
+    """A corner belongs to a face, and pushes as that does."""
+    hit = brick_impact(position, velocity, radius, box)
+    if hit is None:
+        return None
+    normal, axis = np.zeros(2), int(np.argmax(np.abs(hit[1])))
+    normal[axis] = np.sign(hit[1][axis])
+    return hit[0], normal

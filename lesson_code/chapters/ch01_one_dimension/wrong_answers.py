@@ -109,3 +109,22 @@ def ignores_second_velocity(m1: float, v1: float, m2: float, v2: float) -> float
 def momenta_exchanged(m1: float, v1: float, m2: float, v2: float) -> float:
     """In an elastic collision the bodies exchange their momenta."""
     return m1 * v1 - m2 * v2
+
+
+@wrong_model("1.1", "Your bodies exchange their momenta. Is the kinetic energy still what it was?")
+def momenta_change_hands(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """In an elastic collision the bodies exchange their momenta."""
+    return m2 * v2 / m1, m1 * v1 / m2
+
+
+@wrong_model("1.3", "Body 2 had momentum before. How much of it does the blow have to give?")
+def momentum_of_both(m1: float, v1: float, m2: float, v2: float) -> float:
+    """The impulse is all the momentum that the bodies bring along."""
+    return m1 * v1 + m2 * v2
+
+
+@wrong_model("1.2", "A slow truck and a fast car stick together. Does the car change nothing?")
+def the_heavier_decides(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The lighter body goes on with the heavier one, as fast as that was."""
+    v = v1 if m1 > m2 else v2 if m2 > m1 else (v1 + v2) / 2
+    return v, v

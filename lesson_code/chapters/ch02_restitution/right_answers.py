@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any, TypeAlias
+
 from lesson_code.course.grading.task import alternative
+
+Number: TypeAlias = Any
 
 
 @alternative("2.1")
@@ -55,3 +59,34 @@ def as_a_long_sum(height: float, restitution: float, gravity: float) -> float:
     """Ten thousand flights are added up; the rest is below rounding."""
     fall = (2 * height / gravity) ** 0.5
     return float(fall + sum(2 * fall * restitution**n for n in range(1, 10_001)))
+
+
+@alternative("2.2")
+def as_the_textbook_has_it(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """One velocity from the momentum, the other one from the speed of separation."""
+    u1 = (m1 * v1 + m2 * v2 - m2 * restitution * (v1 - v2)) / (m1 + m2)
+    u2 = u1 + restitution * (v1 - v2)
+    return u1, u2
+
+
+@alternative("2.3")
+def height_after_height(height: float, restitution: float, count: int) -> list[float]:
+    """Each height is e^2 of the one before."""
+    heights: list[float] = []
+    while len(heights) < count:
+        height = height * restitution**2
+        heights.append(height)
+    return heights
+
+
+@alternative("2.4")
+def flight_by_flight(height: Number, restitution: float, gravity: float) -> Number:
+    """Flights are added until they are below rounding."""
+    time = (2 * height / gravity) ** 0.5
+    height = height * restitution**2
+    while height > 1e-30:
+        time = time + 2 * (2 * height / gravity) ** 0.5
+        height = height * restitution**2
+    return time

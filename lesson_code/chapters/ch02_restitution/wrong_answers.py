@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from lesson_code.course.grading.task import wrong_model
 
 
@@ -172,3 +174,17 @@ def squares_again_each_time(height: float, restitution: float, count: int) -> li
         height = height * factor
         heights.append(height)
     return heights
+
+
+@wrong_model("2.2", "A fly meets a train. Does the train come back with e times its speed?")
+def each_as_from_a_wall(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """Each body bounces off the other as off a wall."""
+    return -restitution * v1, -restitution * v2
+
+
+@wrong_model("2.4", "Is the time on the moon what it is on earth?")
+def always_on_earth(height: float, restitution: float, gravity: float) -> float:
+    """Gravity is 9.81 m/s^2."""
+    return math.sqrt(2 * height / 9.81) * (1 + restitution) / (1 - restitution)

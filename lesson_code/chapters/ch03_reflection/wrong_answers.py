@@ -166,3 +166,10 @@ def bounces_along_an_axis(velocity: Vector, normal: Vector, restitution: float) 
         axis = int(np.argmax(np.abs(normal)))
         after[axis] = -restitution * after[axis]
     return after
+
+
+@wrong_model("3.2", "Turn the wall. In whose directions are the two numbers that you return?")
+def left_in_the_frame_of_the_wall(velocity: Vector, normal: Vector, restitution: float) -> Any:
+    """The parts along the wall and across it are the new velocity."""
+    across, along = velocity @ normal, velocity[1] * normal[0] - velocity[0] * normal[1]
+    return velocity if across >= 0 else np.array([-restitution * across, along])

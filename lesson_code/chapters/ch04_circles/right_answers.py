@@ -172,3 +172,20 @@ def as_one_array_of_four(
     share = 1 / m2 / (1 / m1 + 1 / m2)
     pushes = np.array([share - 1, share - 1, share, share]) * [depth, impulse, depth, impulse]
     return np.array([p1, v1, p2, v2]) + np.outer(pushes, normal)
+
+
+@alternative("4.4")
+def first_places_then_velocities(
+    p1: Vector, v1: Vector, m1: float, p2: Vector, v2: Vector, m2: float,
+    normal: Vector, depth: float, restitution: float,
+) -> Any:  # fmt: skip
+    """Both velocities are worked out from both old ones, each with the whole formula."""
+    w1, w2 = 1 / m1, 1 / m2
+    p1 = p1 - w1 / (w1 + w2) * depth * normal
+    p2 = p2 + w2 / (w1 + w2) * depth * normal
+    if (v2 - v1) @ normal < 0:
+        v1, v2 = (
+            v1 + (1 + restitution) * ((v2 - v1) @ normal) / (w1 + w2) * w1 * normal,
+            v2 - (1 + restitution) * ((v2 - v1) @ normal) / (w1 + w2) * w2 * normal,
+        )
+    return p1, v1, p2, v2

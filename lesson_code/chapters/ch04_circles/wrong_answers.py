@@ -6,7 +6,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.chapters.ch04_circles.right_answers import first_places_then_velocities
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -342,16 +343,9 @@ def root_of_the_squares(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
 
 @wrong_model("4.4", "By which mass is the change of the velocity of circle 2 divided in yours?")
 def one_mass_for_both(
-    p1: Vector,
-    v1: Vector,
-    m1: float,
-    p2: Vector,
-    v2: Vector,
-    m2: float,
-    normal: Vector,
-    depth: float,
-    restitution: float,
-) -> Any:
+    p1: Vector, v1: Vector, m1: float, p2: Vector, v2: Vector, m2: float,
+    normal: Vector, depth: float, restitution: float,
+) -> Any:  # fmt: skip
     """The same impulse gives both circles the same change of velocity."""
     w1, w2 = 1 / m1, 1 / m2
     p1_after = p1 - depth * w1 / (w1 + w2) * normal
@@ -359,3 +353,38 @@ def one_mass_for_both(
     approach = max((v1 - v2) @ normal, 0.0)
     change = (1 + restitution) * approach / (w1 + w2) * w1 * normal
     return p1_after, v1 - change, p2_after, v2 + change
+
+
+@wrong_model("4.3", "Add up how far both circles move. Is it the depth?")
+def the_lighter_all_and_more(
+    p1: Vector, m1: float, p2: Vector, m2: float, normal: Vector, depth: float
+) -> Any:
+    """The lighter circle moves by the depth, and the heavier one by its part of that."""
+    one = depth * min(1.0, m2 / m1 if m1 < np.inf else 0.0)
+    other = depth * min(1.0, m1 / m2 if m2 < np.inf else 0.0)
+    return p1 - one * normal, p2 + other * normal
+
+
+@wrong_model(
+    "4.4", "You have turned the normal round for circle 1. Which way does it point after it?"
+)
+@edited(
+    first_places_then_velocities,
+    {"    p1 = p1 - w1": "    normal = -normal\n    p1 = p1 + w1"},
+)
+def turned_and_not_turned_back() -> None:
+    """The normal is turned round to push circle 1 back, and stays so for circle 2."""
+
+
+@wrong_model("4.2", "You have turned into the frame of the normal. Do you turn back?")
+def left_in_the_frame_of_the_normal(
+    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
+) -> Any:
+    """The parts along the normal and across it are the new velocities."""
+    a, b = v1 @ normal, v2 @ normal
+    if a <= b:
+        return v1, v2
+    along = np.array([-normal[1], normal[0]])
+    centre = (m1 * a + m2 * b) / (m1 + m2)
+    ends = [centre - restitution * (part - centre) for part in (a, b)]
+    return [ends[0], v1 @ along], [ends[1], v2 @ along]

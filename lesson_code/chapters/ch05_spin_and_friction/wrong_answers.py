@@ -287,3 +287,10 @@ def none_beyond_the_limit(vt: float, jn: float, friction: float, k: float) -> fl
     """Friction that cannot hold lets go."""
     needed = -vt / k
     return needed if abs(needed) <= friction * jn else 0.0
+
+
+@wrong_model("5.1", "Does a triangle reach into all corners of the box around it?")
+def box_around_it(mass: float, vertices: Vector) -> float:
+    """A polygon turns as the rectangle around it: m (w^2 + h^2) / 12."""
+    sides = np.max(vertices, axis=0) - np.min(vertices, axis=0)
+    return float(mass * (sides @ sides) / 12)

@@ -165,3 +165,55 @@ def by_shrinking_the_circle(centre: Vector, radius: float, vertices: Vector) -> 
     sign = -1 if all(turns) else 1
     depth = radius - sign * abs(nearest)
     return (sign * nearest / abs(nearest), depth) if depth > 0 else None
+
+
+@alternative("6.3")
+def case_by_case(interval_a: Vector, interval_b: Vector) -> Any:
+    """One inside the other leaves by the nearer end; else it is the common part."""
+    (a0, a1), (b0, b1) = interval_a, interval_b
+    if a1 <= b0 or b1 <= a0:
+        return None
+    if a0 <= b0 and b1 <= a1:
+        return min(b1 - a0, a1 - b0)
+    if b0 <= a0 and a1 <= b1:
+        return min(a1 - b0, b1 - a0)
+    return min(a1, b1) - max(a0, b0)
+
+
+@alternative("6.4")
+def shift_by_shift(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """Along each axis a shift with a sign; the shortest one wins, and its sign turns the axis."""
+    best: Any = None
+    best_axis: Any = None
+    for axis in [*sat_axes(vertices_a), *sat_axes(vertices_b)]:
+        a, b = vertices_a @ axis, vertices_b @ axis
+        right, left = max(a) - min(b), max(b) - min(a)
+        if right <= 0 or left <= 0:
+            return None
+        shift = right if right < left else -left
+        if best is None or abs(shift) < abs(best):
+            best, best_axis = shift, axis
+    if best < 0:
+        return -best_axis, -best
+    return best_axis, best
+
+
+@alternative("6.6")
+def edge_by_edge(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """One pass finds the nearest point, and whether the centre is on the inner side of all."""
+    nearest, least, inside = None, np.inf, True
+    for k in range(len(vertices)):
+        a, b = vertices[k], vertices[(k + 1) % len(vertices)]
+        edge, to = b - a, centre - a
+        part = max(0.0, min(1.0, (to @ edge) / (edge @ edge)))
+        distance = np.hypot(*(to - part * edge))
+        if distance < least:
+            nearest, least = a + part * edge, distance
+        if edge[0] * to[1] - edge[1] * to[0] <= 0:
+            inside = False
+    normal = (centre - nearest) / least
+    if inside:
+        return -normal, radius + least
+    if least >= radius:
+        return None
+    return normal, radius - least

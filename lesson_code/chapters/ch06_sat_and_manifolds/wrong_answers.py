@@ -9,7 +9,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import both_ways_along_each_axis
+from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import (
+    both_ways_along_each_axis,
+    edge_by_edge,
+    shift_by_shift,
+)
 from lesson_code.course.grading.task import edited, wrong_model
 from lesson_code.formulas.arithmetic import cross
 from lesson_code.geometry import closest_point_on_segment, project, sat_axes
@@ -360,3 +364,24 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
         return None
     cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
     return (end, cut) if at_start > 0 else (start, cut)
+
+
+@wrong_model("6.3", "B may leave A at either end. Which two ends have to pass each other?")
+def like_ends_apart(interval_a: Vector, interval_b: Vector) -> Any:
+    """The way out is the distance of two beginnings, or of two ends."""
+    (low_a, high_a), (low_b, high_b) = interval_a, interval_b
+    if high_a <= low_b or high_b <= low_a:
+        return None
+    return min(abs(low_a - low_b), abs(high_a - high_b))
+
+
+@wrong_model("6.6", "The centre is deep inside, far from every edge. Do they overlap?")
+@edited(edge_by_edge, {"    if inside:\n": "    if inside and least < radius:\n"})
+def far_from_the_outline_is_apart() -> None:
+    """A circle whose centre is farther from the outline than its radius does not overlap."""
+
+
+@wrong_model("6.4", "Is a shift of -3 shorter than one of 1?")
+@edited(shift_by_shift, {"abs(shift) < abs(best)": "shift < best"})
+def most_negative_shift() -> None:
+    """The smallest shift is the one with the smallest number, its sign included."""

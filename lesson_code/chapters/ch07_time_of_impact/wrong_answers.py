@@ -40,31 +40,22 @@ def ten_samples(
 
 
 @wrong_model("7.1", "The quadratic has two roots: the circles touch twice. Which comes first?")
-def the_later_root(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(
+    with_the_quadratic_formula,
+    {
+        "max(c, 0.0) / (-b + sqrt(b * b - a * c))": (
+            "(-b + sqrt(b * b - a * c)) / a if c > 0 else 0.0"
+        )
+    },
+)
+def the_later_root() -> None:
     """The root with the plus sign is the time of impact."""
-    d, v = p2 - p1, v2 - v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if b >= 0 or b * b - a * c < 0:
-        return None
-    if c <= 0:
-        return 0.0
-    t = (-b + math.sqrt(b * b - a * c)) / a
-    return t if t <= dt else None
 
 
 @wrong_model("7.1", "Is your time ever negative? What would that say about the hit?")
-def negative_time(
-    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
-) -> Time:
+@edited(with_the_quadratic_formula, {"b >= 0 or": "a == 0 or", "max(c, 0.0)": "c"})
+def negative_time() -> None:
     """The smaller root is the time of impact, whatever its sign."""
-    d, v = p2 - p1, v2 - v1
-    a, b, c = v @ v, d @ v, d @ d - (r1 + r2) ** 2
-    if a == 0 or b * b - a * c < 0:
-        return None
-    t = (-b - math.sqrt(b * b - a * c)) / a
-    return t if t <= dt else None
 
 
 @wrong_model("7.1", "Both circles move. What does the second one look like, seen from the first?")
@@ -395,3 +386,15 @@ def steps_in_time(mass_ratio: float) -> int:
 )
 def nearest_approach_if_near_enough() -> None:
     """Circles whose centres come near enough meet when they are nearest."""
+
+
+@wrong_model("7.1", "The circles pass each other. Does the gap close all the time as fast as now?")
+@edited(
+    with_the_quadratic_formula,
+    {
+        "b >= 0 or b * b - a * c < 0": "b >= 0",
+        "-b + sqrt(b * b - a * c)": "-b * (1 + (r1 + r2) / sqrt(d @ d))",
+    },
+)
+def the_gap_closes_evenly() -> None:
+    """The gap closes along the line of the centres, as fast as it does at the beginning."""

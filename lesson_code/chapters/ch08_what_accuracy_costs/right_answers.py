@@ -104,3 +104,43 @@ def endless_time_for_the_bad(table: Vector, allowed: float) -> Any:
     times = [time if error <= allowed else float("inf") for time, error in table]
     least = min(times)
     return None if least == float("inf") else times.index(least)
+
+
+@alternative("8.1")
+def row_by_row(places: Vector, right: Vector) -> float:
+    """The largest distance so far is kept."""
+    largest = 0.0
+    for (x, y), (right_x, right_y) in zip(places, right, strict=True):
+        distance = ((x - right_x) ** 2 + (y - right_y) ** 2) ** 0.5
+        if distance > largest:
+            largest = distance
+    return largest
+
+
+@alternative("8.4")
+def the_best_so_far(table: Vector, sweeps: float) -> Any:
+    """One pass: rows of other work and failed ones are skipped, the best one is kept."""
+    best = None
+    for substeps, iterations, error in table:
+        if substeps * iterations != sweeps:
+            continue
+        if error == float("inf"):
+            continue
+        if best is None or error < best[2]:
+            best = substeps, iterations, error
+    if best is None:
+        return None
+    return best[0], best[1]
+
+
+@alternative("8.5")
+def the_fastest_so_far(table: Vector, allowed: float) -> Any:
+    """One pass: rows that are not good enough are skipped, the fastest one is kept."""
+    best, least = None, float("inf")
+    for n in range(len(table)):
+        time, error = table[n]
+        if error > allowed:
+            continue
+        if time < least:
+            best, least = n, time
+    return best

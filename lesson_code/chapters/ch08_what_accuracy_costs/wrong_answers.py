@@ -10,7 +10,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.chapters.ch08_what_accuracy_costs.right_answers import the_best_so_far
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -244,3 +245,43 @@ def number_among_the_good(table: Any, allowed: float) -> int | None:
     """The number of a row is its place among those that are good enough."""
     good = [time for time, error in table if error <= allowed]
     return good.index(min(good)) if good else None
+
+
+@wrong_model("8.1", "One distance is large, a hundred are small. What does the root of a mean say?")
+def root_mean_square(places: Vector, right: Vector) -> float:
+    """The error is the root of the mean square of the distances."""
+    return float(np.sqrt(np.mean(np.sum((places - right) ** 2, axis=1))))
+
+
+@wrong_model("8.3", "The errors scatter. Does the first row alone know the factor?")
+def factor_of_the_first_row(steps: Vector, errors: Vector) -> Any:
+    """The slope comes from all rows, and C from the first one: C = error / dt^p."""
+    slope, _ = np.polyfit(np.log(steps), np.log(errors), 1)
+    return slope, errors[0] / steps[0] ** slope
+
+
+@wrong_model("8.3", "A line has a slope and a height. Which of both did you take to be 0?")
+def through_the_origin(steps: Vector, errors: Vector) -> Any:
+    """The line through the logarithms goes through the origin, so C is 1."""
+    x, y = np.log(steps), np.log(errors)
+    return x @ y / (x @ x), 1.0
+
+
+@wrong_model("8.4", "One of the rows with this work has failed. What of the others?")
+@edited(
+    the_best_so_far,
+    {
+        'float("inf"):\n            continue': 'float("inf"):\n            return None',
+    },
+)
+def one_failure_is_enough() -> None:
+    """Where one row of this work has failed, there is no best one."""
+
+
+@wrong_model("8.4", "No row has just this work. What was asked for then?")
+def the_nearest_work(table: Vector, sweeps: float) -> Any:
+    """Where no row has this work, the one that comes nearest will do."""
+    good = [row for row in table if row[2] < np.inf]
+    near = min((abs(row[0] * row[1] - sweeps) for row in good), default=None)
+    equal = [row for row in good if abs(row[0] * row[1] - sweeps) == near]
+    return tuple(min(equal, key=lambda row: row[2])[:2]) if equal else None

@@ -45,10 +45,13 @@ def light_loads(stream: Random) -> Iterator[Arguments]:
 
 
 def heavy_loads(stream: Random) -> Iterator[Arguments]:
-    """Draw loads of hundreds and thousands of times."""
-    for ratio in (1e2, 1e3, 1e4):
+    """Draw loads of hundreds and thousands of times; a sweep has just begun, or is nearly over."""
+    for ratio, begun in ((1e2, 0.2), (1e3, 0.8), (1e4, 0.2)):
         light = round(stream.uniform(0.5, 3.0), 2)
-        yield light, round(light * ratio * stream.uniform(1, 9), 2), 0.001
+        heavy = light
+        while abs(-math.log(0.001) / math.log1p(light / heavy) % 1 - begun) > 0.1:
+            heavy = round(light * ratio * stream.uniform(1, 9), 2)
+        yield light, heavy, 0.001
 
 
 def huge_loads(stream: Random) -> Iterator[Arguments]:

@@ -227,3 +227,39 @@ def grows_with_the_sliding(vn: float, vt: float, knn: float, knt: float, frictio
         return 0.0
     share = knn - friction * vt * knt
     return None if share <= 0 else -vn / share
+
+
+@wrong_model("9.1", "Does the floor carry all of the lowest box, or half of it?")
+def half_of_the_box_itself(masses: Vector, gravity: float) -> Any:
+    """A box presses with its upper half from above, and with its lower half on nothing."""
+    return np.array([(sum(masses[n:]) - masses[n] / 2) * gravity for n in range(len(masses))])
+
+
+@wrong_model("9.2", "Is 2.3 sweeps enough, if 2 are not?")
+def to_the_nearest(light: float, heavy: float, left: float) -> int:
+    """A number of sweeps is rounded as any number is."""
+    return max(1, round(-math.log(left) / math.log1p(light / heavy)))
+
+
+@wrong_model("9.4", "Push a moving body against its motion. Does its energy grow?")
+def energies_add_up(
+    mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector
+) -> float:
+    """The blow adds the energy that it would give to a body at rest."""
+    before = mass * (velocity @ velocity) + inertia * w**2
+    torque = arm[0] * impulse[1] - arm[1] * impulse[0]
+    return float(1 + ((impulse @ impulse) / mass + torque**2 / inertia) / before)
+
+
+@wrong_model("9.5", "Of the pairs that approach, which one do you let strike first?")
+def rightmost_first(masses: Vector, velocities: Vector) -> Any:
+    """The pairs strike from the right to the left, again and again."""
+    v = np.array(velocities, dtype=float)
+    for _ in range(10_000):
+        near = np.flatnonzero(v[:-1] - v[1:] > 1e-9)
+        if len(near) == 0:
+            break
+        k = near[-1]
+        centre = (masses[k] * v[k] + masses[k + 1] * v[k + 1]) / (masses[k] + masses[k + 1])
+        v[k : k + 2] = 2 * centre - v[k : k + 2]
+    return v

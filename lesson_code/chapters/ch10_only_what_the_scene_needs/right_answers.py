@@ -135,3 +135,18 @@ def powers_of_the_table(inverse_masses: Vector, still: Vector, touches: Table) -
     reached = np.linalg.matrix_power(near, count) > 0
     disturbed = (reached & (np.array(still) == 0) & free).any(axis=1)
     return np.flatnonzero(free & ~disturbed)
+
+
+@alternative("10.5")
+def woken_by_their_neighbours(inverse_masses: Vector, still: Vector, touches: Table) -> Any:
+    """Whoever touches one that is awake wakes up; again, until nobody does."""
+    count = len(still)
+    awake = [inverse_masses[n] > 0 and not still[n] for n in range(count)]
+    changed = True
+    while changed:
+        changed = False
+        for a in range(count):
+            for b in range(count):
+                if touches[a][b] and awake[a] and not awake[b] and inverse_masses[b] > 0:
+                    awake[b] = changed = True
+    return [n for n in range(count) if inverse_masses[n] > 0 and not awake[n]]

@@ -290,3 +290,9 @@ def turns_back_in_y_only(
 )
 def each_body_by_itself() -> None:
     """One rough body calls for friction, and one that bounces for restitution."""
+
+
+@wrong_model("10.3", "Can one disc ever get the speeds of all the others added to its own?")
+def all_the_speeds(masses: Vector, velocities: Vector, dt: float) -> float:
+    """At worst one disc gets the speeds of all, added up."""
+    return float(np.sum(np.hypot(velocities[:, 0], velocities[:, 1])) * dt)

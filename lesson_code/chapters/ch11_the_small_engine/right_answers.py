@@ -234,3 +234,18 @@ def as_a_turning_pointer(
         return [0.0] * count
     turn = cmath.exp(complex(-math.log(2) / half_life, 2 * math.pi * frequency) / rate)
     return [(loudness * turn**k).imag for k in range(count)]
+
+
+@alternative("11.1")
+def swept_in_order(boxes: Table) -> Any:
+    """Sorted by their left sides, with their numbers; a box that begins too late ends the row."""
+    order = sorted(range(len(boxes)), key=lambda n: boxes[n][0])
+    found = []
+    for i in range(len(order)):
+        for k in range(i + 1, len(order)):
+            one, other = boxes[order[i]], boxes[order[k]]
+            if other[0] > one[1]:
+                break
+            if one[2] <= other[3] and other[2] <= one[3]:
+                found.append((min(order[i], order[k]), max(order[i], order[k])))
+    return sorted(found)

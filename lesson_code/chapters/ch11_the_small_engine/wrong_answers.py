@@ -357,3 +357,15 @@ def with_the_end_of_the_time(
         return np.zeros(int(count))
     t = np.linspace(0, count / rate, int(count))
     return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.1", "You have sorted the boxes. Whose numbers are asked for: the sorted ones?")
+def places_after_sorting(boxes: Table) -> Any:
+    """The number of a box is its place in the sorted list."""
+    order = sorted([float(side) for side in box] for box in boxes)
+    return [
+        (i, k)
+        for i in range(len(order))
+        for k in range(i + 1, len(order))
+        if order[k][0] <= order[i][1] and order[k][2] <= order[i][3] and order[i][2] <= order[k][3]
+    ]

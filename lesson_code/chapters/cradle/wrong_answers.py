@@ -174,3 +174,10 @@ def touching_before_the_swing(
                 break
             rates[hits[0]], rates[hits[0] + 1] = rates[hits[0] + 1], rates[hits[0]]
     return angles, rates
+
+
+@wrong_model("C.2", "At which angle should gravity pull in this step: the old one, or the new one?")
+def angle_first(angle: float, rate: float, length: float, dt: float) -> Any:
+    """First the ball moves, then gravity pulls at the place where it has come to."""
+    angle = angle + rate * dt
+    return angle, rate - GRAVITY / length * math.sin(angle) * dt

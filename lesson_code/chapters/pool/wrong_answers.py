@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations
 from typing import Any, TypeAlias
 
@@ -139,8 +140,19 @@ def every_pair_in_full(
     return v
 
 
-def _shared(velocities: Vector, pairs: Any, restitution: float, rounds: int, own: bool) -> Any:
-    """Return the velocities after shared impulses; `own`: each ball divides by its own count."""
+def _larger(one: int, other: int) -> tuple[int, int]:
+    """Return the larger count for both."""
+    return max(one, other), max(one, other)
+
+
+def _shared(
+    velocities: Vector,
+    pairs: Any,
+    restitution: float,
+    rounds: int,
+    counts: Callable[[int, int], Any],
+) -> Any:
+    """Return the velocities after shared impulses, by what each ball of a pair divides."""
     v = velocities.copy()
     for _ in range(rounds):
         meets = [(a, b, n, np.dot(v[a] - v[b], n)) for a, b, n in pairs]
@@ -148,8 +160,9 @@ def _shared(velocities: Vector, pairs: Any, restitution: float, rounds: int, own
         busy = np.bincount([ball for a, b, _, _ in meets for ball in (a, b)], minlength=len(v))
         for a, b, normal, approach in meets:
             change = (1 + restitution) / 2 * approach * normal
-            v[a] -= change / (busy[a] if own else max(busy[a], busy[b]))
-            v[b] += change / (busy[b] if own else max(busy[a], busy[b]))
+            by_a, by_b = counts(busy[a], busy[b])
+            v[a] -= change / by_a
+            v[b] += change / by_b
     return v
 
 
@@ -158,13 +171,14 @@ def each_by_its_own_count(
     positions: Vector, velocities: Vector, radius: float, restitution: float
 ) -> Any:
     """Each ball divides by the number of its own pairs."""
-    return _shared(velocities, _touching(positions, radius), restitution, ROUNDS, own=True)
+    touching = _touching(positions, radius)
+    return _shared(velocities, touching, restitution, ROUNDS, lambda a, b: (a, b))
 
 
 @wrong_model("P.3", "After one round, does any pair still approach?")
 def one_round(positions: Vector, velocities: Vector, radius: float, restitution: float) -> Any:
     """One round is enough."""
-    return _shared(velocities, _touching(positions, radius), restitution, 1, own=False)
+    return _shared(velocities, _touching(positions, radius), restitution, 1, _larger)
 
 
 @wrong_model("P.2", "Strike the ball away from you, along y. Does it not spin then?")
@@ -216,3 +230,27 @@ def all_that_touch_count(
             changes[b] += change
         v += changes
     return v
+
+
+@wrong_model("P.3", "The second ball of a pair may be in more pairs than the first. Who counts it?")
+def by_the_count_of_the_first(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """A pair's impulse is divided by the count of its first ball."""
+    touching = _touching(positions, radius)
+    return _shared(velocities, touching, restitution, ROUNDS, lambda a, _: (a, a))
+
+
+@wrong_model("P.3", "Two balls in one pair each: by what does the task divide its impulse?")
+def by_both_counts_together(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """A pair's impulse is divided by the counts of both balls, added up."""
+    touching = _touching(positions, radius)
+    return _shared(velocities, touching, restitution, ROUNDS, lambda a, b: (a + b, a + b))
+
+
+@wrong_model("P.2", "About which point does a ball turn that nothing but the cue touches?")
+def turns_about_the_cloth(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A ball turns about the point where it lies on the cloth."""
+    return impulse / mass, -offset * np.hypot(*impulse) / (1.4 * mass * radius**2)

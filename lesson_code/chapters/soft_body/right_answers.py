@@ -81,3 +81,51 @@ def force_by_force(
         v[below, 1] = np.maximum(v[below, 1], 0.0)
         v[below, 0] *= BLOB.grip
     return p, v
+
+
+@alternative("S.1")
+def edge_by_edge(positions: Vector) -> Any:
+    """The shoelace formula in a loop; the last edge closes the ring."""
+    total = 0.0
+    count = len(positions)
+    for k in range(count):
+        x0, y0 = positions[k]
+        x1, y1 = positions[(k + 1) % count]
+        total += x0 * y1 - x1 * y0
+    return total / 2
+
+
+@alternative("S.2")
+def neighbour_by_neighbour(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """Each spring once, with its force on either end."""
+    count = len(positions)
+    forces = np.zeros((count, 2))
+    for i in range(count):
+        j = (i + 1) % count
+        way = positions[j] - positions[i]
+        distance = np.hypot(way[0], way[1])
+        u = way / distance
+        pull = stiffness * (distance - length) + damping * np.dot(velocities[j] - velocities[i], u)
+        forces[i] += pull * u
+        forces[j] -= pull * u
+    return forces
+
+
+@alternative("S.3")
+def pushed_edge_by_edge(positions: Vector, area: float, stiffness: float) -> Any:
+    """Each edge once: half of its push on either end."""
+    count, now = len(positions), 0.0
+    for i in range(count):
+        j = (i + 1) % count
+        now += (positions[i][0] * positions[j][1] - positions[j][0] * positions[i][1]) / 2
+    pressure = stiffness * (area / now - 1)
+    forces = np.zeros((count, 2))
+    for i in range(count):
+        j = (i + 1) % count
+        x, y = positions[j] - positions[i]
+        push = pressure * np.array([y, -x]) / 2
+        forces[i] += push
+        forces[j] += push
+    return forces

@@ -235,3 +235,43 @@ def edges_away_from_the_middle(positions: Vector, area: float, stiffness: float)
 @edited(force_by_force, {"-BLOB.gravity": "-BLOB.gravity / BLOB.mass"})
 def gravity_over_the_mass() -> None:
     """Gravity is added to the forces as it is given."""
+
+
+@wrong_model("S.3", "A ring is flat on one side. Which way does the gas push its masses there?")
+def by_the_chord_from_the_middle(positions: Vector, area: float, stiffness: float) -> Any:
+    """Pressure pushes each mass away from the middle, by half the way between its neighbours."""
+    pressure = stiffness * (area / ring_area(positions) - 1)
+    chord = np.roll(positions, -1, axis=0) - np.roll(positions, 1, axis=0)
+    away = positions - positions.mean(axis=0)
+    far = np.maximum(np.hypot(*away.T), LEAST_LENGTH)
+    return (pressure / 2 * np.hypot(*chord.T) / far)[:, None] * away
+
+
+@wrong_model("S.4", "The first mass has moved already. Which ring do the others feel in yours?")
+@edited(
+    force_by_force,
+    {
+        "        forces = ring_forces": (
+            "        for k in range(len(p)):\n         forces = ring_forces"
+        ),
+        "        forces = forces": "         forces = forces",
+        "        v = v + (forces / BLOB.mass - BLOB.air * v +": (
+            "         v[k] = v[k] + (forces[k] / BLOB.mass - BLOB.air * v[k] +"
+        ),
+        "        p = p + v * BLOB.dt": "         p[k] = p[k] + v[k] * BLOB.dt",
+        "        below = p[:, 1] < 0": (
+            "         below = (p[:, 1] < 0) & (np.arange(len(p)) == k)"
+        ),
+        "        p[below": "         p[below",
+        "        v[below, 1] =": "         v[below, 1] =",
+        "        v[below, 0]": "         v[below, 0]",
+    },
+)
+def mass_by_mass() -> None:
+    """One mass after the other moves, and each feels the ring as it is by then."""
+
+
+@wrong_model("S.4", "Which velocity has a mass that has just come to the floor: up, or none?")
+@edited(force_by_force, {"np.maximum(v[below, 1], 0.0)": "np.abs(v[below, 1])"})
+def floor_throws_back() -> None:
+    """The floor throws a mass back as fast as it came."""

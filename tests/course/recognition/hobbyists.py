@@ -1399,7 +1399,7 @@ def strike(impulse, offset, mass, radius):
         "P.3",
         "the impulse of a pair is divided by the count of its first ball only, not by the "
         "larger of the two counts",
-        ("ignored",),
+        ("by_the_count_of_the_first",),
         """
 import numpy as np
 

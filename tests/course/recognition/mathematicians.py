@@ -630,7 +630,7 @@ def sliding_impulse(vn, vt, knn, knt, friction):
         "9.4",
         "Adds the energy that the blow would give to a body at rest to the old energy, without "
         "the mixed terms",
-        ("ignored", "term"),
+        ("energies_add_up",),
         """
 import numpy as np
 

@@ -495,7 +495,7 @@ def time_to_floor(height, velocity, gravity):
         "7.3",
         "After each impact the rest is computed from the whole step (dt - t) and not from what "
         "was left, so a second wall makes the flight too long",
-        ("rest_of_the_whole_step",),
+        ("rest_of_the_whole_step", "stale"),
         """
 import numpy as np
 

@@ -16,6 +16,7 @@ from course.recognition.mathematicians import SEVENTH
 from course.recognition.newcomers import FIRST, FOURTH, SECOND, THIRD
 from course.recognition.pupils import SIXTH
 from course.recognition.students import WRONG, Wrong
+from course.recognition.teachers import TENTH
 from course.recognition.test_right_answers import FORMS, TASKS, WAYS
 from course.recognition.textual_slips import textual_slips
 from course.recognition.tutors import EIGHTH
@@ -36,7 +37,7 @@ from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
 from lesson_code.course.notebooks.root import home
 
-LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH)
+LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH)
 """Sets of wrong answers that the full tier tries, after the others."""
 
 SEED = 11

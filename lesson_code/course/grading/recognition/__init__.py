@@ -17,7 +17,18 @@ from functools import lru_cache
 from typing import Any, TypeAlias
 
 from lesson_code.course.grading.compare import agrees
-from lesson_code.course.grading.recognition.candidates import in_general, listed, pairs, slips
+from lesson_code.course.grading.recognition.candidates import (
+    any_case,
+    in_cases,
+    in_general,
+    inherited,
+    listed,
+    pairs,
+    parameters,
+    rarer_slips,
+    slips,
+)
+from lesson_code.course.grading.recognition.directions import direction_of
 from lesson_code.course.grading.task import Arguments, Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
@@ -26,14 +37,26 @@ from lesson_code.course.isolation.inside.vectors import numbers, places_near, un
 ENOUGH_TELLING_CALLS = 2
 """Wrong calls with telling numbers that a listed model must explain if it explains a part."""
 
+ENOUGH_TELLING_NUMBERS = 2
+"""Numbers that tell, in all wrong calls, where a mistake is made in some cases only."""
+
 ENOUGH_PLAIN_CALLS = 3
 """Wrong calls that a slip must explain where an answer holds no number that luck cannot give."""
 
 MOST_SAID = 2
 """Mistakes that explain the same and are both said; of more, none is."""
 
+LIKELIER_FIRST = (listed, inherited, slips, rarer_slips, pairs)
+"""Where mistakes are looked for, in this order."""
+
 VAGUEST = ("ignored", "term", "factor_missing")
 """Kinds of slips that are not said where others, made in the same place, explain the same."""
+
+SAYS_MORE = {"sign": ("minus",), "other": ("order",)}
+"""By kind the kinds that say more of the same answer: all signs, not one; the order of all."""
+
+PLAINEST = "given"
+"""A kind that is said alone: nothing else need be thought of where nothing was done."""
 
 NEAR = 1e-6
 """Relative difference up to which two signatures may belong to answers that agree: far above the
@@ -109,18 +132,42 @@ class Evidence:
         """Return the mistakes that explain the most of some criteria, if they are at most two."""
         best: tuple[str, ...] = ()
         found: list[WrongModel] = []
-        for models_of in (listed, slips, pairs):  # the likelier first; each is made if needed
+        for models_of in LIKELIER_FIRST:  # each is made if needed
             explained = self._explained_by(models_of(self._task), criteria)
             most = max(explained.values(), key=len, default=())
-            if len(most) > len(best):
-                best, found = most, [model for model, some in explained.items() if some == most]
+            some = [model for model, names in explained.items() if names == most]
+            is_plain = models_of is not rarer_slips or len(_said(some)) <= MOST_SAID
+            if len(most) > len(best) and is_plain:
+                best, found = most, some
             if len(best) == len(criteria):
                 break
-        said = _said(found)
-        if not best or len(said) > MOST_SAID:
+        said = _said(found) if best else self._in_some_cases(criteria)
+        best = best or tuple(criteria)
+        if not said or len(said) > MOST_SAID:
             return None
         beside = [name for name in self._apart if self._gives_all(said[0], self._wrong[name])]
         return Diagnosis(said, (*best, *beside), is_all=len(best) == len(self.failed))
+
+    def _in_some_cases(self, criteria: Sequence[str]) -> tuple[WrongModel, ...]:
+        """Return what explains all wrong calls though it is wrong in others, too, or a direction.
+
+        Then cases are told apart in another way than they should be.
+        """
+        wrong = [each for name in criteria for each in self._wrong[name]]
+        calls = [call for _, call in wrong]
+        if sum(map(telling_numbers, calls)) < ENOUGH_TELLING_NUMBERS:
+            return ()
+        found = [
+            models[index]
+            for models in (listed(self._task), slips(self._task), rarer_slips(self._task))
+            for index in self._near(models, criteria[0])
+            if self._gives_all(models[index], wrong)
+        ]
+        if found:
+            said = _said(found)
+            return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(found[0]),)
+        turned = direction_of(self._task, parameters(self._task), calls)
+        return () if turned is None else (turned,)
 
     def _explained_by(
         self, models: tuple[WrongModel, ...], criteria: Sequence[str]
@@ -194,6 +241,11 @@ def _said(found: list[WrongModel]) -> tuple[WrongModel, ...]:
     kinds: dict[str, dict[str, WrongModel]] = {}
     for model in found:
         kinds.setdefault(model.name, {})[model.hint] = model
+    if PLAINEST in kinds:
+        kinds = {PLAINEST: kinds[PLAINEST]}
+    for kind, others in SAYS_MORE.items():
+        if kinds.keys() & set(others):
+            kinds.pop(kind, None)
     for kind in VAGUEST:
         if len(kinds) > MOST_SAID:
             kinds.pop(kind, None)
@@ -276,14 +328,19 @@ def is_degenerate(arguments: Arguments) -> bool:
 
 
 def holds_a_telling_number(call: TriedCall) -> bool:
-    """Return whether a wrong answer holds a number that is neither given, expected nor whole.
+    """Return whether a wrong answer holds a number that is neither given, expected nor whole."""
+    return telling_numbers(call) > 0
+
+
+def telling_numbers(call: TriedCall) -> int:
+    """Return how many numbers of a wrong answer are neither given, expected nor whole.
 
     Where None was expected or came, a condition was wrong, and the numbers tell nothing of it.
     """
     if call.got is None or call.wanted is None:
-        return False
+        return 0
     known = set(leaves([plain(list(call.arguments)), call.wanted]))
-    return any(
+    return sum(
         isinstance(number, float) and not number.is_integer() and number not in known
         for number in leaves(call.got)
     )

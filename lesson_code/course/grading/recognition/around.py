@@ -46,6 +46,12 @@ ARGUMENTS: tuple[tuple[str, Change], ...] = (
 )
 """What may be done to one argument before it is used."""
 
+SIGNS: tuple[Change, ...] = (lambda x: x, abs, lambda x: -abs(x), lambda x: -x)
+"""What may become of the sign of an argument that has one."""
+
+LARGE = (1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e12)
+"""What is taken for infinity."""
+
 MOST_OF_ANY_KIND = 6
 """With more arguments only those are exchanged that are two of a pair by their names."""
 
@@ -77,7 +83,25 @@ def slips_around(right: Function, task: str, parameters: Sequence[str]) -> Itera
                 unchanged = _with_argument_returned(right, count, part, place)
                 yield model(task, "unchanged", unchanged, {"name": name})
 
+    for i, k in permutations(range(min(len(parameters), MOST_OF_ANY_KIND)), 2):
+        names = {"name": f"{parameters[i]} and {parameters[k]} come back"}
+        yield model(task, "given", lambda *given, i=i, k=k: (given[i], given[k]), names)
+
     yield from slips_by_parts(right, task, parameters)
+
+
+def rarer_slips_around(
+    right: Function, task: str, parameters: Sequence[str]
+) -> Iterator[WrongModel]:
+    """Yield slips in the arguments that are seldom made: large for infinite, signs of a pair."""
+    for most in LARGE:
+        yield model(task, "infinite", _with_finite(right, most), {})
+    for i, k in combinations(range(len(parameters)), 2):
+        one, other = parameters[i], parameters[k]
+        if other in others_of(one, {*parameters}):
+            for change, another in product(SIGNS, SIGNS):
+                signed = _with_argument(_with_argument(right, k, another), i, change)
+                yield model(task, "signs", signed, {"first": one, "second": other})
 
 
 ALONG: tuple[tuple[str, Callable[[Any, float], Any]], ...] = (
@@ -189,6 +213,15 @@ def _in_part(count: int, place: int, change: Change) -> Change:
 def _with_argument(right: Function, place: int, change: Change) -> Function:
     """Return a function that uses one of its arguments changed."""
     return lambda *given: right(*given[:place], change(given[place]), *given[place + 1 :])
+
+
+def _with_finite(right: Function, most: float) -> Function:
+    """Return a function that takes a large number for infinity."""
+
+    def finite(value: Any) -> Any:
+        return most if shape_of(value) == () and value == math.inf else value
+
+    return lambda *given: right(*map(finite, given))
 
 
 def _with_both_one(right: Function, i: int, k: int) -> Function:

@@ -5,14 +5,18 @@ from __future__ import annotations
 import ast
 import contextlib
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from itertools import chain, islice, zip_longest
 from random import Random
 from typing import Any
 
 from lesson_code.course.grading.exercises import Exercise, exercises
-from lesson_code.course.grading.recognition.around import of_the_answer, slips_around
+from lesson_code.course.grading.recognition.around import (
+    of_the_answer,
+    rarer_slips_around,
+    slips_around,
+)
 from lesson_code.course.grading.recognition.in_source import (
     HINTS,
     SAYS,
@@ -20,21 +24,28 @@ from lesson_code.course.grading.recognition.in_source import (
     model,
     of_function,
     pairs_in,
+    rarer_slips_in,
     slips_in,
 )
+from lesson_code.course.grading.recognition.trees import name_of
 from lesson_code.course.grading.submission import read_submission
-from lesson_code.course.grading.task import Task, WrongModel
+from lesson_code.course.grading.task import Function, Task, WrongModel
 from lesson_code.course.isolation.inside.answers import arguments_from, load
 from lesson_code.course.notebooks.root import home
 
 SECOND_SLIPS = ("gate", "sign", "factor", "other", "exchanged", "divisor", "precedence", "clamp")
 """Kinds of slips that are looked for beside another mistake."""
 
+WHERE_WRONG = (
+    "This holds where your numbers are wrong. Elsewhere they are right, so ask also: when? "
+)
+"""Stands before the hint of a mistake that is made in some cases only."""
+
 MOST_PAIRS = 600
 """Pairs of mistakes that are tried for one task."""
 
-MOST_LINES = 600_000
-"""Lines of Python that all slips of a task may take for one call: about .5 s, once for a class."""
+MOST_LINES = 1_200_000
+"""Lines of Python that all slips of a task may take for one call: about 1 s, once for a class."""
 
 
 def listed(task: Task) -> tuple[WrongModel, ...]:
@@ -45,10 +56,42 @@ def listed(task: Task) -> tuple[WrongModel, ...]:
 @cache
 def slips(task: Task) -> tuple[WrongModel, ...]:
     """Return the slips in the right answers to a task of the course."""
-    return tuple(islice(_slips(task), most_models(task)))
+    return tuple(islice(_slips(task, slips_in, slips_around), most_models(task)))
 
 
-def _slips(task: Task) -> Iterator[WrongModel]:
+@cache
+def inherited(task: Task) -> tuple[WrongModel, ...]:
+    """Return right answers that call another task's function, with a mistake of that task in it."""
+    return tuple(islice(_inherited(task), most_models(task)))
+
+
+def _inherited(task: Task) -> Iterator[WrongModel]:
+    """Yield each mistake of the tasks whose functions a right answer calls, once."""
+    (others,) = [each.tasks for each in exercises() if task in each.tasks] or [()]
+    made: set[Task] = set()
+    for answer in right_answers(task.id, task.function):
+        calls = [node for node in ast.walk(answer.definition) if isinstance(node, ast.Call)]
+        called = {name_of(call.func) for call in calls}
+        code = answer.compiled()
+        for other in [one for one in others if one.function in called and one not in made]:
+            made.add(other)
+            for wrong in (*other.wrong_models, *inherited(other)):
+                function = answer.function(code, **{other.function: wrong.function})
+                function.__name__, function.__doc__ = wrong.name, wrong.misconception
+                yield WrongModel(task.id, function, wrong.hint)
+
+
+@cache
+def rarer_slips(task: Task) -> tuple[WrongModel, ...]:
+    """Return slips that are looked for where no other explains an answer."""
+    return tuple(islice(_slips(task, rarer_slips_in, rarer_slips_around), most_models(task)))
+
+
+def _slips(
+    task: Task,
+    slips_in: Callable[[RightAnswer, str], Iterator[WrongModel]],
+    slips_around: Callable[[Function, str, list[str]], Iterator[WrongModel]],
+) -> Iterator[WrongModel]:
     """Yield slips around the first right answer, and in the source of all."""
     found = right_answers(task.id, task.function)
     for answer in found:
@@ -74,6 +117,13 @@ def _pairs(task: Task) -> Iterator[WrongModel]:
     for answer in right_answers(task.id, task.function)[:2]:
         for gate, slip in pairs_in(answer, task.id, ["gate"], SECOND_SLIPS):
             yield both(gate, slip)
+
+
+@cache
+def parameters(task: Task) -> tuple[str, ...]:
+    """Return the names of a task's arguments, as a right answer gives them."""
+    found = right_answers(task.id, task.function)
+    return tuple(found[0].parameters) if found else ()
 
 
 def most_models(task: Task) -> int:
@@ -175,3 +225,18 @@ def in_general(found: WrongModel) -> WrongModel:
     if found.name not in HINTS:
         return found
     return model(found.task, found.name, lambda *arguments: found.function(*arguments), {})
+
+
+def in_cases(found: WrongModel) -> WrongModel:
+    """Return a mistake as one that is made in some cases only."""
+
+    def function(*arguments: Any) -> Any:
+        return found.function(*arguments)
+
+    function.__name__, function.__doc__ = found.name, f"In some cases: {found.misconception}"
+    return WrongModel(found.task, function, f"{WHERE_WRONG}{found.hint}")
+
+
+def any_case(found: WrongModel) -> WrongModel:
+    """Return that cases are told apart wrongly, where several mistakes give the same there."""
+    return model(found.task, "case", lambda *given: found.function(*given), {})

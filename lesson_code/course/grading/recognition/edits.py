@@ -8,9 +8,14 @@ import math
 import re
 from collections.abc import Iterator
 from itertools import combinations
-from typing import TypeAlias
 
-PAIRS = {"1": "2", "a": "b", "x": "y", "low": "high", "start": "end", "inner": "outer", "n": "t"}
+from lesson_code.course.grading.recognition.trees import Edit, called, name_of
+
+PAIRS = {
+    "1": "2", "a": "b", "x": "y", "low": "high", "start": "end", "inner": "outer", "n": "t",
+    "i": "j", "width": "height", "light": "heavy", "left": "right", "earlier": "later",
+    "before": "after", "position": "velocity", "positions": "velocities", "angles": "rates",
+}  # fmt: skip
 OPPOSITE = PAIRS | {other: one for one, other in PAIRS.items()}
 """Parts of names that tell one of a pair from the other."""
 
@@ -31,14 +36,14 @@ LEFT_OUT = {
 ROOTS = ("hypot", "norm", "dist", "abs")
 """Functions that take a root, which may be left out."""
 
+OF_A_COUNT = ("full", "ones", "range", "repeat", "round", "tile", "zeros")
+"""Functions to which a 2 says how many, and not how much."""
+
 IN_RADIANS = ("sin", "cos", "tan")
 TURNED = {
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
 }  # fmt: skip
-
-Edit: TypeAlias = tuple[str, dict[str, str], ast.AST]
-"""The kind of a slip, the names that its hint holds, and what stands in a node's place."""
 
 
 def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
@@ -56,7 +61,7 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         case ast.Constant(value=bool() | str() | None):
             pass
         case ast.Constant(value=value) if value in (2, 0.5):
-            if not (isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Pow)):
+            if not _is_no_factor(parent):
                 yield "factor", {}, ast.Constant(1)
                 yield "factor", {}, ast.Constant(2 * value)
         case ast.Constant(value=value) if value in (3, 6, 12, 24):
@@ -102,6 +107,18 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         yield "sign", {}, ast.UnaryOp(ast.USub(), node)
 
 
+def _is_no_factor(parent: ast.AST) -> bool:
+    """Return whether a 2 below a node is a power, an end of a slice, or counts values."""
+    if isinstance(parent, ast.BinOp):
+        parts = (parent.left, parent.right)
+        return isinstance(parent.op, ast.Pow) or any(
+            isinstance(part, ast.Tuple | ast.List) for part in parts
+        )
+    return isinstance(parent, ast.Slice) or (
+        isinstance(parent, ast.Call) and called(parent) in OF_A_COUNT
+    )
+
+
 def _is_a_value(node: ast.expr, parent: ast.AST) -> bool:
     """Return whether a node is all that gets a name or is returned, alone or in a tuple."""
     if isinstance(node, ast.Constant | ast.Tuple | ast.List | ast.Compare | ast.BoolOp):
@@ -140,7 +157,7 @@ def _uses(node: ast.AST, name: str) -> bool:
 def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
     """Yield the slips in a sum, product, quotient or power."""
     left, right = node.left, node.right
-    in_range = isinstance(parent, ast.Call) and _called(parent) == "range"
+    in_range = isinstance(parent, ast.Call) and called(parent) == "range"
     match node.op:
         case ast.Add() | ast.Sub():
             turned = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
@@ -156,14 +173,14 @@ def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
         case ast.Mult():
             yield "product", {}, ast.BinOp(left, ast.Add(), right)
             yield "quotient", {}, ast.BinOp(left, ast.Div(), right)
-            yield _factor(right), {"of": _name(right)}, left
-            yield _factor(left), {"of": _name(left)}, right
+            yield _factor(right), {"of": name_of(right)}, left
+            yield _factor(left), {"of": name_of(left)}, right
             yield from _without_brackets(left, node.op, right)
             yield from _not_projected(left, right)
         case ast.Div():
             yield "quotient", {}, ast.BinOp(left, ast.Mult(), right)
             yield "upside_down", {}, ast.BinOp(right, ast.Div(), left)
-            yield "factor" if _is_two(right) else "divisor", {"by": _name(right)}, left
+            yield "factor" if _is_two(right) else "divisor", {"by": name_of(right)}, left
             yield from _halves(left, right)
             yield from _without_brackets(left, node.op, right)
         case ast.Pow():
@@ -179,7 +196,7 @@ def _not_projected(left: ast.expr, right: ast.expr) -> Iterator[Edit]:
     """Yield (v . n) n as v."""
     for number, direction in ((left, right), (right, left)):
         match number:
-            case ast.Call(args=[one, other]) if _called(number) == "dot":
+            case ast.Call(args=[one, other]) if called(number) == "dot":
                 pass
             case ast.BinOp(left=one, op=ast.MatMult(), right=other):
                 pass
@@ -217,7 +234,7 @@ def _without_brackets(left: ast.expr, op: ast.operator, right: ast.expr) -> Iter
 
 def _calls(node: ast.Call) -> Iterator[Edit]:
     """Yield the slips in the call of a function."""
-    name = _called(node)
+    name = called(node)
     if name in EXCHANGED_CALLS:
         other, kind = EXCHANGED_CALLS[name]
         yield kind, {}, ast.Call(_renamed(node.func, other), node.args, node.keywords)
@@ -242,7 +259,7 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
     if len(node.args) == 2 and name not in ("dot", "min", "max", "hypot"):
         one, two = node.args
         kind = "cross" if name == "cross" else "exchanged"
-        names = {"first": _name(one), "second": _name(two)}
+        names = {"first": name_of(one), "second": name_of(two)}
         yield kind, names, ast.Call(node.func, [two, one], node.keywords)
     for index, argument in enumerate(node.args):
         if isinstance(argument, ast.Starred | ast.Constant | ast.GeneratorExp):
@@ -251,21 +268,11 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
         yield "sign", {}, ast.Call(node.func, turned, node.keywords)
 
 
-def _called(node: ast.Call) -> str:
-    """Return the name of the function that is called, without its module."""
-    return node.func.attr if isinstance(node.func, ast.Attribute) else _name(node.func)
-
-
 def _renamed(function: ast.expr, name: str) -> ast.expr:
     """Return another function of the same module."""
     if isinstance(function, ast.Attribute):
         return ast.Attribute(function.value, name, ast.Load())
     return ast.Name(name, ast.Load())
-
-
-def _name(node: ast.expr) -> str:
-    """Return a name that is an expression by itself, else nothing."""
-    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _is_one(node: ast.expr) -> bool:

@@ -19,7 +19,11 @@ from functools import partial
 from types import CodeType
 from typing import Any, TypeAlias
 
+from lesson_code.course.grading.recognition.borders import at_borders
 from lesson_code.course.grading.recognition.edits import OPPOSITE, edits, parts_of
+from lesson_code.course.grading.recognition.sizes import of_sizes
+from lesson_code.course.grading.recognition.steps import TOOLS, in_loops, steps
+from lesson_code.course.grading.recognition.trees import Edit
 from lesson_code.course.grading.task import Function, WrongModel
 from lesson_code.course.isolation.inside.vectors import unwarned
 
@@ -45,6 +49,7 @@ HINTS = {
     "ignored": "{name} does not count. What should change with it?",
     "alike": "{first} and {second} count as equal. What should change where they differ?",
     "unchanged": "{name} comes back as it came in. What should have become of it?",
+    "given": "{name} as they came in. What should have become of them?",
     "index": "a component is taken for another. Which of x and y belongs there?",
     "order": "what is returned stands in another order. What was asked for first?",
     "gate": "a condition is turned round or not asked. When should something happen at all?",
@@ -60,6 +65,25 @@ HINTS = {
     "step": "one step is left out. Is each name brought up to date where it should be?",
     "degrees": "an angle is in degrees where radians belong, or the other way round. Which is it?",
     "rounding": "the answer is rounded. Can you return the number as it was worked out?",
+    "strict": "a border counts on the other side. What should happen just there?",
+    "threshold": "something small counts as nothing, or does not. How small may it really be?",
+    "whole": "a number becomes whole in another way. Is it up, down, or to the nearest?",
+    "limit": "a limit bounds another quantity, one factor on or back. What may not grow beyond it?",
+    "rounds": "a loop ends after so many rounds. What says that it is really done?",
+    "nothing": "0 and None are exchanged. What does each of them say?",
+    "length": "something else stands for the length of a vector. What would Pythagoras say?",
+    "along": "a length, or one component, stands for the part along a direction. Which is it?",
+    "one_sided": "a number counts on one side of 0 only. What should it do on the other side?",
+    "squares": "a function of a sum is taken for a sum, or the reverse. Is (a + b)^2 a^2 + b^2?",
+    "break_off": "one that does not count ends it all. What of those that follow?",
+    "only_one": "only the first, or the last, of several counts. What of the others?",
+    "updated": "a new value is used where its old one belongs. Which is it at that moment?",
+    "stale": "an old value is used where it has changed. Which is it at that moment?",
+    "anew": "each round begins again with the first value. What should it go on with?",
+    "infinite": "a large number stands for infinity. What is 1 over each of them?",
+    "case": "one case is taken for another. What tells them apart?",
+    "direction": "{name} is changed along {along}. In which direction should it be changed?",
+    "signs": "{first} and {second} go in with other signs. Does each sign say a direction?",
     "clamp": "one side of a limit is left out. Can the number also be too small, or too large?",
 }
 """By kind what a slip does, and a question. Before it stands SAYS."""
@@ -78,6 +102,10 @@ MOST_ROUNDS = 200
 that never ends."""
 
 
+Place: TypeAlias = tuple[str, dict[str, str], Callable[[], None], Callable[[], None]]
+"""The kind of a slip, names, what makes it in a tree and what takes it back."""
+
+
 class TooManyRoundsError(ArithmeticError):
     """Raised in a slip whose loops do not end."""
 
@@ -94,7 +122,7 @@ class RightAnswer:
     def __post_init__(self) -> None:
         self.definition.decorator_list, self.definition.returns = [], None
         self.definition.name = "slip"
-        self.names = {**self.names, "count_round": self._count_round}
+        self.names = {**self.names, **TOOLS, "count_round": self._count_round}
         for argument in self.definition.args.args:
             argument.annotation = None
         for node in ast.walk(self.definition):
@@ -116,10 +144,10 @@ class RightAnswer:
         tree = ast.fix_missing_locations(ast.Module([self.definition], type_ignores=[]))
         return compile(tree, "<slip>", "exec")
 
-    def function(self, code: CodeType) -> Function:
-        """Return the function that some code defines."""
+    def function(self, code: CodeType, **others: Function) -> Function:
+        """Return the function that some code defines, with others in the place of some it calls."""
         made: dict[str, Any] = {}
-        exec(code, self.names, made)  # noqa: S102 - the course's own source
+        exec(code, {**self.names, **others}, made)  # noqa: S102 - the course's own source
 
         def slip(*arguments: Any) -> Any:
             self.rounds = 0
@@ -141,7 +169,17 @@ def slips_in(
     answer: RightAnswer, task: str, kinds: Collection[str] = tuple(HINTS)
 ) -> Iterator[WrongModel]:
     """Yield a wrong model for each slip of some kinds in the source of an answer."""
-    for kind, names, put, take_back in _places(answer, kinds):
+    yield from _made(answer, task, _places(answer, kinds))
+
+
+def rarer_slips_in(answer: RightAnswer, task: str) -> Iterator[WrongModel]:
+    """Yield a wrong model for each slip about borders, sizes and the course of things."""
+    yield from _made(answer, task, rarer_changes(answer))
+
+
+def _made(answer: RightAnswer, task: str, places: Iterator[Place]) -> Iterator[WrongModel]:
+    """Yield the wrong model that is made in each of some places."""
+    for kind, names, put, take_back in places:
         put()
         try:
             code = answer.compiled()
@@ -178,9 +216,6 @@ def model(task: str, kind: str, function: Function, names: dict[str, str]) -> Wr
     return WrongModel(task, function, SAYS + says)
 
 
-Place: TypeAlias = tuple[str, dict[str, str], Callable[[], None], Callable[[], None]]
-
-
 def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
     """Yield each slip as what makes it in the tree and what takes it back.
 
@@ -188,12 +223,31 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
     for both bodies, is made in each and in all of them.
     """
     used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
+    known = used | {*answer.parameters}
+    yield from _edited(answer, lambda node, parent: edits(node, parent, known), kinds)
+    if "sequence" in kinds:
+        yield from _exchanged_steps(answer)
+
+
+def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
+    """Yield each slip about borders, sizes, and what comes before what."""
+    for edits_of in (at_borders, of_sizes, in_loops):
+        yield from _edited(answer, edits_of, HINTS)
+    for kind, put, take_back in steps(answer.definition):
+        yield kind, {}, put, take_back
+
+
+def _edited(
+    answer: RightAnswer,
+    edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]],
+    kinds: Collection[str],
+) -> Iterator[Place]:
+    """Yield each slip of some kinds at a node, and those at nodes of the same shape together."""
     alike: dict[str, list[Place]] = {}
     for parent in list(ast.walk(answer.definition)):
         for node, put in _children(parent):
             shape = _shape(node)
-            for number, edit in enumerate(edits(node, parent, used | {*answer.parameters})):
-                kind, names, other = edit
+            for number, (kind, names, other) in enumerate(edits_of(node, parent)):
                 if kind in kinds:
                     shown = _shown(names, answer)
                     place = kind, shown, partial(put, other), partial(put, node)
@@ -202,8 +256,6 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
     for places in alike.values():
         if len(places) > 1:
             yield _all_of(places)
-    if "sequence" in kinds:
-        yield from _exchanged_steps(answer)
 
 
 def _exchanged_steps(answer: RightAnswer) -> Iterator[Place]:

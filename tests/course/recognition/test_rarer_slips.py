@@ -1,0 +1,112 @@
+"""Slips about borders, sizes and the course of things: what they make of a right answer's text."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+from course.recognition.students import Wrong
+from course.recognition.test_recognition import verdict_of
+
+from lesson_code.course.grading.exercises import task_by_id
+from lesson_code.course.grading.recognition.candidates import rarer_slips
+from lesson_code.course.grading.recognition.in_source import RightAnswer, rarer_changes
+
+MADE = (
+    ("return 0 < t < dt", "condition", "return 0 < t"),
+    ("return 0 < t < dt", "condition", "return t < dt"),
+    ("return a < b", "strict", "return a <= b"),
+    ("return a <= 0", "threshold", "return a <= 0.001"),
+    ("return a >= b", "threshold", "return a >= b - 0.001"),
+    ("return ceil(a)", "whole", "return int(round(a))"),
+    ("return a // b", "whole", "return round(a / b)"),
+    ("return max(-b, min(-a / k, b))", "limit", "return max(-b, min(-a, b)) / k"),
+    ("return max(-1, min(1, a)) * k", "limit", "return max(-1, min(1, a * k))"),
+    ("return None", "nothing", "return 0.0"),
+    ("return hypot(a, b)", "length", "return abs(a) + abs(b)"),
+    ("return dot(a, b)", "along", "return (a @ a) ** 0.5"),
+    ("return a - b", "absolute", "return abs(a) - abs(b)"),
+    ("return a - b", "one_sided", "return max(0, a - b)"),
+    ("return a ** 2 + b ** 2", "squares", "return (a + b) ** 2"),
+    ("return sqrt(a + b)", "squares", "return sqrt(a) + sqrt(b)"),
+    ("for x in a:\n if x:\n  continue", "break_off", "break"),
+    ("for x in a:\n if x:\n  b += x", "only_one", "b += x\n            break"),
+    ("for x in a:\n b += x", "count", "for x in list(a)[1:]:"),
+    ("return [x for x in a if x > 0]", "break_off", "if not [x > 0 for x in [one_]][0]"),
+    ("if f(a):\n b = 1", "gate", "if True:"),
+    ("a, b = (b, a)\nreturn b", "updated", "a = b\n        b = a"),
+    ("b = f(a)\na += 1\nreturn b", "sequence", "a += 1\n    b = f(a)"),
+    ("a = a + 1\nreturn a * b", "stale", "return old_value * b"),
+    ("for x in b:\n c = f(a)\n a += c", "stale", "c = f(a)\n    for x in b"),
+    ("left = dt\nfor x in a:\n left -= x", "anew", "left = dt\n        left -= x"),
+    ("while a:\n a -= 1", "rounds", "in range(10):"),
+)
+"""Lines of a right answer, the kind of a slip in them, and what stands there after it."""
+
+
+@pytest.mark.parametrize(("lines", "kind", "expected"), MADE)
+def test_slip_of_a_kind_is_made_and_taken_back(lines: str, kind: str, expected: str) -> None:
+    """One of the slips of the kind writes what is expected, and the answer is left as it was."""
+    body = "\n".join(f" {line}" for line in lines.splitlines())
+    definition = ast.parse(f"def f(a, b, k, t, dt, left):\n{body}").body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    answer = RightAnswer(definition, {})
+    before, found = ast.unparse(definition), []
+    for made, _, put, take_back in rarer_changes(answer):
+        put()
+        found += [ast.unparse(ast.fix_missing_locations(definition))] if made == kind else []
+        take_back()
+        assert ast.unparse(definition) == before
+    assert any(expected in text for text in found), found
+
+
+def test_rarer_slips_are_made_once_and_ask_a_question() -> None:
+    """Each has a hint that asks and a misconception."""
+    task = task_by_id("5.4")
+    assert rarer_slips(task) is rarer_slips(task)
+    assert all(model.hint.endswith("?") and model.misconception for model in rarer_slips(task))
+
+
+SOME_CASES = Wrong(
+    "6.4",
+    "the first corners say which way the normal points",
+    ("case", "sign"),
+    """
+import numpy as np
+
+def mtv(a, b):
+    ways = []
+    for shape in (a, b):
+        for n in range(len(shape)):
+            x, y = shape[n] - shape[n - 1]
+            if not x and not y:
+                continue
+            axis = np.array([y, -x]) / np.hypot(x, y)
+            right, left = max(a @ axis) - min(b @ axis), max(b @ axis) - min(a @ axis)
+            ways += [(right, axis), (left, -axis)]
+    depth, normal = min(ways, key=lambda way: way[0])
+    if depth <= 0:
+        return None
+    return normal if (b[0] - a[0]) @ normal > 0 else -normal, depth
+""",
+)
+
+ALONG_THE_PATH = Wrong(
+    "3.3",
+    "the ball is taken back along its path, as long as it was in the wall",
+    ("direction",),
+    """
+def resolve_wall(position, velocity, normal, depth, restitution):
+    vn = velocity @ normal
+    back = position - velocity * depth / abs(vn)
+    return back, velocity - (1 + restitution) * min(vn, 0) * normal
+""",
+)
+
+
+@pytest.mark.parametrize("wrong", [SOME_CASES, ALONG_THE_PATH], ids=lambda wrong: wrong.task)
+def test_mistake_in_some_cases_and_one_of_direction_are_recognised(wrong: Wrong) -> None:
+    """Where no mistake explains all calls, one that explains the wrong ones is said, as that."""
+    (diagnosis,) = verdict_of(wrong).diagnoses
+    assert any(word in diagnosis.name for word in wrong.found)
+    assert diagnosis.hint.endswith("?")
