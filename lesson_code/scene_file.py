@@ -224,10 +224,20 @@ def set_up_of(
     )
 
 
-def ranges() -> dict[str, Any]:
-    """Return what a page has to know of the form."""
+def form() -> dict[str, Any]:
+    """Return what a page has to know of the form.
+
+    >>> form()["ranges"]["friction"]
+    {'low': 0, 'high': 1, 'usual': 0, 'is_whole': False}
+    """
     fields = {**SETTINGS, **FIELDS, "gravity": FALL, "side": SIDE}
-    return {name: field._asdict() for name, field in fields.items()}
+    return {
+        "ranges": {name: field._asdict() for name, field in fields.items()},
+        "shapes": SHAPES,
+        "rooms": ROOMS,
+        "gravity": GRAVITY,
+        "most_bodies": MOST_BODIES,
+    }
 
 
 # From plain values

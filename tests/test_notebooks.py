@@ -260,17 +260,21 @@ GAP = re.compile(r'@gap\("([^"]*)"\)\ndef (\w+)\(.*\):\n(?:    .*\n)?    return 
 
 
 @pytest.mark.parametrize("number", CONVERTED)
-def test_reader_writes_two_or_three_functions(number: str) -> None:
-    """Each gap of the chapter stands in its notebooks, open, and is used further down there."""
+def test_reader_writes_functions_in_every_part(number: str) -> None:
+    """Each gap stands in its chapter's notebooks, open, and is used further down in that part.
+
+    A part has one to three of them, a chapter two at least.
+    """
     gaps = []
     for path in PARTS[number]:
         code = "\n".join(cell.source for cell in code_cells(path))
         written = GAP.findall(code)
         gaps += [name for name, _ in written]
+        assert 1 <= len(written) <= 3, path.stem
         for _, function in written:
             assert len(re.findall(rf"\b{function}\b", code)) > 1, function
     assert gaps == [each.id for each in all_gaps() if each.id.startswith(number)]
-    assert 2 <= len(gaps) <= 3
+    assert len(gaps) >= 2
 
 
 PLUMBING = re.compile(

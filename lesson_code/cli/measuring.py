@@ -173,6 +173,9 @@ def measure_grading(
     only: Annotated[
         list[str] | None, typer.Option("--only", metavar="RUNG", help="Only this rung.")
     ] = None,
+    exercise: Annotated[
+        str, typer.Option(help="Which exercise; with mix, all of them in turn.")
+    ] = "01",
     workers: Workers = None,
     batches: Annotated[int, typer.Option(min=1, help="How often each takes its turn.")] = 5,
     as_json: AsJson = False,
@@ -183,7 +186,7 @@ def measure_grading(
 
     with clear_errors(), share_bar() as told:
         measured = throughput.measure_grading(
-            find_root(), only, workers=workers, batches=batches, told=told
+            find_root(), only, exercise=exercise, workers=workers, batches=batches, told=told
         )
     if as_json:
         print_json(measured.as_dict())

@@ -236,11 +236,6 @@ class LiveWorld:
         row.vy += jy * row.inv_m
         row.w += (arm[0] * jy - arm[1] * jx) * row.inv_i
 
-    def push_all(self, impulses: NDArray[np.float64]) -> None:
-        """Give every body an impulse at its centre, N s, shape (N, 2)."""
-        for number, (jx, jy) in zip(self._bodies, impulses.tolist(), strict=True):
-            self.push(number, (jx, jy))
-
     def coat(self, **coefficients: float) -> None:
         """Give every body another restitution, another friction, or both, by name."""
         self._write_back()

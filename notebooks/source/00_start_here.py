@@ -146,10 +146,10 @@ check("behind", dot(looking, (-2.0, 1.0)) < 0, True)
 
 # %% [markdown]
 # In the figure below the thick bar is the dot product of two unit vectors: how far b reaches along
-# a.
+# a. It is 1 where both point the same way, and 0 at a right angle.
 
 # %%
-predict("00-sign")
+predict("00-half-way")
 
 # %% tags=["answer"]
 # drag the tip of b round the circle
@@ -207,7 +207,7 @@ except CheckFailedError as failure:
     print(failure)
 
 # %% [markdown]
-# ## 6 Break it on purpose: when zero means no
+# ## 6 Break it on purpose: `if time:`
 #
 # You learn most from code that fails. So every chapter breaks something, and the faults are real:
 # we found them in a web lesson from which this course grew.

@@ -163,7 +163,7 @@ check("e = 1 is elastic", my_collision(1, 2, 3, -1, 1), elastic_1d(1, 2, 3, -1),
 # %% [markdown]
 # The engine of this course computes the same in another order. Since $v_1 - V = w_2 (v_1 - v_2)$
 # with $w_2 = m_2/(m_1 + m_2)$, it needs only the relative velocity. When you call `collide_1d`,
-# these lines run:
+# its arguments are checked, and then these lines run. (`equation(f)` is f without that check.)
 
 # %%
 print(inspect.getsource(equation(collide_1d)).split('"""')[-1].strip("\n"))
@@ -241,13 +241,13 @@ rng = np.random.default_rng(seed=1)
 m1, m2 = 10 ** rng.uniform(-3, 3, size=(2, 10_000))
 v1, v2 = rng.uniform(0, 100, size=10_000), rng.uniform(-100, 0, size=10_000)
 e = rng.uniform(0, 1, size=10_000)
-w1, w2 = collide_1d(m1, v1, m2, v2, e)
+u1, u2 = collide_1d(m1, v1, m2, v2, e)  # the velocities after
 size = np.maximum(np.abs(v1), np.abs(v2))  # errors are measured against the larger speed
 
 # %%
-p_before, p_after = m1 * v1 + m2 * v2, m1 * w1 + m2 * w2
+p_before, p_after = m1 * v1 + m2 * v2, m1 * u1 + m2 * u2
 check("momentum is kept", (p_after - p_before) / ((m1 + m2) * size), 0, tolerance=1e-12)
-lost = (m1 * v1**2 + m2 * v2**2 - m1 * w1**2 - m2 * w2**2) / 2
+lost = (m1 * v1**2 + m2 * v2**2 - m1 * u1**2 - m2 * u2**2) / 2
 error = (lost - energy_lost_1d(m1, v1, m2, v2, e)) / ((m1 + m2) * size**2)
 check("the energy lost is what chapter 02 says", error, 0, tolerance=1e-12)
 
@@ -255,14 +255,14 @@ check("the energy lost is what chapter 02 says", error, 0, tolerance=1e-12)
 pairs = list(zip(m1, v1, m2, v2, e, strict=True))
 exact = np.array([[float(v) for v in two_body_exact(*pair)] for pair in pairs])
 mine = np.transpose(my_collision(m1, v1, m2, v2, e))
-check("v1' in exact fractions", (w1 - exact[:, 0]) / size, 0, tolerance=1e-12)
-check("v2' in exact fractions", (w2 - exact[:, 1]) / size, 0, tolerance=1e-12)
+check("v1' in exact fractions", (u1 - exact[:, 0]) / size, 0, tolerance=1e-12)
+check("v2' in exact fractions", (u2 - exact[:, 1]) / size, 0, tolerance=1e-12)
 check("and by your two lines", (mine - exact) / size[:, np.newaxis], 0, tolerance=1e-12)
 
 # %%
 engine = np.array([collide_on_a_line(*pair) for pair in pairs[:1000]])
-check("v1' in pymunk", (w1[:1000] - engine[:, 0]) / size[:1000], 0, tolerance=1e-12)
-check("v2' in pymunk", (w2[:1000] - engine[:, 1]) / size[:1000], 0, tolerance=1e-12)
+check("v1' in pymunk", (u1[:1000] - engine[:, 0]) / size[:1000], 0, tolerance=1e-12)
+check("v2' in pymunk", (u2[:1000] - engine[:, 1]) / size[:1000], 0, tolerance=1e-12)
 
 # %% [markdown]
 # ## 7 Break it on purpose: one factor too many
@@ -277,9 +277,9 @@ predict("01-blind")
 # momentum and energy, with the factor doubled
 p_before = momentum([1, 1], [(2, 0), (-2, 0)])
 for e in (0.0, 0.5, 0.8, 1.0):
-    w1, w2 = doubled_impulse(1, 2, 1, -2, e)
-    p_after = momentum([1, 1], [(w1, 0), (w2, 0)])
-    energy_ratio = (w1**2 + w2**2) / (2**2 + 2**2)
+    u1, u2 = doubled_impulse(1, 2, 1, -2, e)
+    p_after = momentum([1, 1], [(u1, 0), (u2, 0)])
+    energy_ratio = (u1**2 + u2**2) / (2**2 + 2**2)
     print(f"e = {e}: momentum {p_before[0]} -> {p_after[0]}, ", end="")
     print(f"energy times {energy_ratio:.2f}, right {e**2:.2f}")
 
@@ -294,8 +294,8 @@ for e in (0.0, 0.5, 0.8, 1.0):
 
 # %%
 for model in (wrong.always_swaps, wrong.target_at_rest, wrong.both_turn_round):
-    w1, w2 = model(1.0, 2.0, 3.0, -1.0)
-    p, energy = w1 + 3 * w2, (w1**2 + 3 * w2**2) / 2
+    u1, u2 = model(1.0, 2.0, 3.0, -1.0)
+    p, energy = u1 + 3 * u2, (u1**2 + 3 * u2**2) / 2
     print(f"{model.name:16} momentum -1 -> {p:+.1f} kg m/s, energy 3.5 -> {energy:.1f} J")
 
 # %%

@@ -88,10 +88,14 @@ relative = 1 / 2 * 3 / 4 * (2 - -1) ** 2
 check("the part of the relative energy kept", 1 - lost / relative, 0.49, tolerance=1e-12)
 figures.speed_and_energy_kept()
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
 # Speeds shrink by e, and energies by e²:
 #
 # $$\text{energy lost} = \tfrac12\, m_r\,(1 - e^2)\,(v_1 - v_2)^2$$
+
+# %% [markdown]
+# Compare that loss with the energies of the two carts, before and after:
 
 # %%
 before = (1 * 2**2 + 3 * 1**2) / 2
@@ -175,9 +179,10 @@ live(
 # %% [markdown]
 # ## 5 An engine that steps through time gets it nearly right
 #
-# Engines do not know the formula above. They move everything by a small step `dt`, look who
-# overlaps, and apply an impulse. So they always find the ball a little *after* it has touched the
-# floor. This is pymunk, at its usual 1/60 s:
+# The arcs above come from a **closed form**: a formula that gives the place at any time, at once.
+# Engines have none. They move everything by a small step `dt`, look who overlaps, and apply an
+# impulse. So they always find the ball a little *after* it has touched the floor. This is pymunk,
+# at its usual 1/60 s:
 
 # %%
 times, stepped = drop_onto_floor(height=1.0, restitution=0.8, duration=4.5, dt=1 / 60, gravity=9.81)
@@ -203,11 +208,11 @@ for dt in (1 / 60, 1 / 600, 1 / 6000):
     times, stepped = drop_onto_floor(height=1.0, restitution=0.8, duration=1.5, dt=dt, gravity=9.81)
     errors[dt] = np.abs(stepped - bouncing_ball(times, 1.0, 0.8, 9.81)).mean()
     print(f"dt = 1/{1 / dt:.0f} s: mean error {errors[dt]:.4f} m")
-order = np.log10(errors[1 / 60] / errors[1 / 6000]) / 2
+order = np.log10(errors[1 / 60] / errors[1 / 6000]) / 2  # the step shrinks by 10 to the power 2
 check("the error shrinks like dt to the power", order, 1.0, tolerance=0.2)
 
 # %% [markdown]
-# ## 6 Break it on purpose: a ball that climbs
+# ## 6 Break it on purpose: the doubled impulse on a ball
 #
 # Take the doubled impulse of chapter 01 and put it into a small stepping loop of our own.
 # `drop_in_steps` takes the bounce rule as an argument, so you can give it the right one or a
@@ -234,6 +239,16 @@ figures.heights(
 speed_after = wrong_bounce.doubled_impulse(np.array([0.0, -1.0]), np.array([0.0, 1.0]), 0.8)[1]
 check("each bounce multiplies the energy by", speed_after**2, 6.76, tolerance=1e-12)
 check("the right factor is", bounce((0, -1), (0, 1), 0.8)[1] ** 2, 0.64, tolerance=1e-12)
+
+# %% [markdown]
+# The doubled impulse acts like an e of 2.6. In the functions of this course e must lie between 0
+# and 1, because any larger one makes energy at every bounce:
+
+# %%
+try:
+    bounce((0, -1), (0, 1), restitution=2.6)
+except ValueError as error:
+    print(error)
 
 # %% [markdown]
 # Other faults are quieter. Suppose somebody takes e for an *energy* ratio: the ball still comes to

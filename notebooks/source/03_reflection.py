@@ -209,12 +209,11 @@ live(
 # %% [markdown]
 # ## 5 Break it on purpose: a wall without a gate
 #
-# The formula is right, and a ball can still get stuck in the floor. A program looks at the ball
-# once per time step. When it finds the ball inside the wall, the ball may already be on its way
-# *out*, because it bounced a step ago. Bounce it again, and you send it back in. So every bounce
-# needs a gate:
+# A program looks at the ball once per time step. When it finds the ball inside the wall, the ball
+# may already be on its way *out*, because it bounced a step ago. Such a ball needs no second
+# bounce. So every bounce has a gate, and only a ball that moves into the wall may pass it:
 #
-# $$v \cdot N < 0 \quad\text{(with N inward: the ball moves against the normal, into the wall)}$$
+# $$v \cdot N < 0 \quad\text{(with N inward: the ball moves against the normal)}$$
 #
 # Write the bounce with its gate. One line is enough if you use `min(vn, 0)`: a ball that leaves
 # then gets no impulse.
@@ -258,7 +257,7 @@ check("a leaving ball is left alone", bounce((3, 4), (0, 1), 0.5), (3, 4))
 # Our `bounce` contains the gate, so you cannot forget it: `normal_impulse` never lets the impulse
 # of a wall be negative. A wall can push, but not pull.
 #
-# ## 6 Separate first, or sink
+# ## 6 Separate first
 #
 # The gate takes care of the velocity. But the ball is still inside the wall, by some depth. Where
 # do you put it? Write the new position:

@@ -155,7 +155,7 @@ print(inspect.getsource(equation(smooth_impulse)).split('"""')[-1].strip("\n"))
 # e = 0.7. Across n they move at 5 and -7 m/s.
 
 # %%
-predict("04-which-change")
+predict("04-by-hand")
 
 # %% tags=["answer"]
 # the four numbers, before and after
@@ -440,7 +440,8 @@ check("each round leaves this part of the fault", fault[1:6] / fault[:5], 1 / 16
 check("pymunk's fault, round by round", aside["pymunk"] - fault, 0, 1e-12)
 
 # %% [markdown]
-# Why 1/16? The two normals are 60 degrees apart, so an impulse at one contact spoils the other by
+# Why 1/16? The two contacts share the cue ball, which is one of the two discs in each pair, and
+# their normals are 60 degrees apart. So an impulse at one contact spoils the other by
 # cos 60°/2 = 1/4, and each round goes there and back. The engine and pymunk make ten rounds in
 # each step, unless you ask for more.
 #

@@ -143,13 +143,13 @@ predict("06-nested")
 # two pairs of intervals
 check("one end inside: the part they share", shorter_way(0, 3, 2, 5), 1)
 check("B inside A, right in the middle", shorter_way(0, 40, 15, 25), 25)
-check("the part they share is not the way out", wrong.common_part((0, 40), (15, 25)), 10)
+check("the part they share", wrong.common_part((0, 40), (15, 25)), 10)
 check("touching is not overlapping", overlap((0, 3), (3, 5)), None)
 
 # %% [markdown]
-# "The part they share" is right as long as each interval has an end outside the other. It fails
-# when one contains the other: then a small body sits deep in a large one, where a wrong depth does
-# most harm.
+# Many programs take the part that both shadows share as the depth. That is right as long as each
+# has an end outside the other. It fails when one contains the other: then a small body sits deep in
+# a large one, where a wrong depth does most harm.
 #
 # ## 4 The shortest way out has a direction
 #
@@ -353,8 +353,8 @@ for name, with_plank in (("the plank is free", scene), ("the plank is a wall", w
 #
 # - **beside an edge**: the foot of the perpendicular; the normal is the edge's;
 # - **beside a vertex**: the vertex; the normal points from it to c;
-# - **the centre is inside**: out through the nearest edge. Its normal points *against* the way
-#   from the closest point to c, and the depth is r + d instead of r - d.
+# - **the centre is inside**: out through the nearest edge. Then the normal points from c to the
+#   closest point, and with d between the two the depth is r + d instead of r - d.
 #
 # A segment is the same with two sides and two round ends.
 
@@ -402,10 +402,10 @@ check("the trap", wrong.nothing_at_the_origin(np.array([0.3, 0.4]), 0.6, corners
 # ## 10 What one contact does, the next one feels
 #
 # The two contacts of a box share a body. A push at the left corner also moves the right corner.
-# If k11 says how much a push changes its own velocity and k12 how much it changes the other's,
-# then
+# Say that 1 N s at one corner changes the velocity of that corner by k11, and the velocity of the
+# other by k12. For a box of the width b
 #
-# $$k_{11} = \frac1m + \frac{(w/2)^2}{I}, \qquad k_{12} = \frac1m - \frac{(w/2)^2}{I}$$
+# $$k_{11} = \frac1m + \frac{(b/2)^2}{I}, \qquad k_{12} = \frac1m - \frac{(b/2)^2}{I}$$
 #
 # A solver that visits the contacts in turn leaves an error behind each time. A visit corrects one
 # contact and disturbs the other by $k_{12}/k_{11}$. A **sweep** visits both. Which part of an error
@@ -431,6 +431,8 @@ for sweeps in (1, 10, 100):
     print(f"pymunk, sweeps {sweeps:3}: up at {v:.4f} m/s, turning at {w:.4f} rad/s")
     check("   as predicted, m/s", run.velocities[-1, 1], (0, v), tolerance=1e-7)
     check("   as predicted, rad/s", abs(run.angular_velocities[-1, 1]), w, tolerance=1e-7)
+
+# %%
 k_move, k_turn = 1.0, 0.5**2 / ((1 + 10**2) / 12)  # of 1 kg
 spins = [abs(flat_landing(1, 10, 1.0, 0.5, sweeps=n)[1]) for n in (20, 10)]
 law = error_left(k_move + k_turn, k_move - k_turn, 10)
@@ -484,6 +486,8 @@ stack = rigid_bodies.box_stack(10)
 ours = simulate(stack, 8.0, solver="sequential")
 pymunks = simulate(stack, 8.0, solver="pymunk")
 check("no box moves sideways", ours.positions[-1, 1:, 0], 0, tolerance=1e-12)
+
+# %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3)
 heights = {"ours": (ours.times, ours.positions[:, 10, 1])}
 heights["pymunk"] = (pymunks.times, pymunks.positions[:, 10, 1])
@@ -527,40 +531,24 @@ animate(
 )
 
 # %% [markdown]
-# ## 12 Break it on purpose: three faults with polygons
+# ## 12 Break it on purpose: two faults with polygons
 #
-# **The part they share.** Take the part that both shadows share as the depth. Then put a small
-# triangle into a large square.
-
-# %%
-predict("06-wrong-depth")
-
-# %% tags=["answer"]
-# the triangle after it was moved
-room, chip = 4 * square, np.array([(5, 3), (6, 3), (5.5, 4)])
-for name, model in (("right", mtv), ("the part they share", wrong.common_part_as_depth)):
-    normal, depth = model(room, chip)
-    left = mtv(room, chip + depth * normal)
-    print(f"{name}: moved by {depth:.3f} m, then", "out" if left is None else "still inside")
-normal, depth = wrong.common_part_as_depth(room, chip)
-check("the rest of the way, m", mtv(room, chip + depth * normal)[1], 2.2, tolerance=1e-12)
-
-# %% [markdown]
 # **The direction from the positions.** Many programs point the normal from the position of A to the
-# position of B. But a position may be any point of a body that its author found handy, not only the
-# middle.
+# position of B. But a position may be any point of a body that its author found handy. In the next
+# scene it is a corner.
 
 # %%
 predict("06-notes")
 
 # %% tags=["answer"]
 # the crate, by both rules
+room = 4 * square
 crate = np.array([(7.5, 3), (8.5, 3), (8.5, 4), (7.5, 4)])
 position_a, position_b = room[2], crate[0]
 normal, depth = mtv(room, crate)
 pointed = normal if (position_b - position_a) @ normal > 0 else -normal
 check("the way out is to the right", normal, (1, 0))
-check("pointed from note to note: to the left", pointed, (-1, 0))
+check("from position to position: to the left", pointed, (-1, 0))
 check("the crate was this deep, m", depth, 0.5)
 check("and is now this deep, m", mtv(room, crate + depth * pointed)[1], 1.0)
 

@@ -76,11 +76,13 @@ live(
     "be changed.",
 )
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
 # Let pymunk try it with 200 balls at each speed. Each ball starts a little further back than the
 # one before, so that their steps end at all possible places.
 
-# %%
+# %% tags=["answer"]
+# 200 balls at each speed
 speeds = np.array([6, 9, 10, 12, 15, 18, 25, 40, 60, 100])
 passed = []
 for speed in speeds.tolist():
@@ -90,7 +92,8 @@ for speed in speeds.tolist():
 law = [share_passing(speed, 1 / 60, 0.1, 0.1) for speed in speeds.tolist()]
 check("pymunk: fraction that gets through", passed, law, tolerance=1 / 200)
 
-# %% tags=["plumbing"]
+# %% tags=["answer", "plumbing"]
+# 200 balls at each speed
 fine = np.linspace(6, 100, 400)
 curve = [share_passing(speed, 1 / 60, 0.1, 0.1) for speed in fine.tolist()]
 fig, ax = style.figure(width=7, height=3)
@@ -219,10 +222,10 @@ live(
 )
 
 # %% [markdown]
-# ## 4 The formula from school loses digits
+# ## 4 Two forms of one root
 #
-# Why two forms of the same root? A ball is 1 m above the floor and moves down at 1 m/s, with a
-# weak gravity g: on board a spaceship, say. It lands after about one second. From school:
+# Why should you prefer the second one? A ball is 1 m above the floor and moves down at 1 m/s, with
+# a weak gravity g: on board a spaceship, say. It lands after about one second. From school:
 #
 # $$t = \frac{v + \sqrt{v^2 + 2 g h}}{g} \qquad v = -1\ \text{m/s}$$
 
@@ -238,9 +241,14 @@ for g in (1e-3, 1e-7, 1e-11, 1e-15):
     )
     print(f"g = {g:.0e} m/s²: school {school:.12f} s, with fifty digits {right:.12f} s")
 
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
+# A float has 16 digits. Where 2 g h is 2e-15, only one or two of them are left for it beside the
+# 1 under the root, and taking the 1 away leaves just these.
+
 # %% [markdown]
-# A float has 16 digits, so 2 g h is written with one or two of them beside the 1. Multiplied above
-# and below by $\sqrt{\cdot} - v$, the formula has no subtraction any more:
+# Multiply the formula above and below by $\sqrt{v^2 + 2gh} - v$, and nothing is subtracted any
+# more, since v is negative:
 #
 # $$t = \frac{2h}{\sqrt{v^2 + 2gh} - v}$$
 #
@@ -292,16 +300,9 @@ for name, (place, velocity, expected) in cases.items():
     check(name, time_of_impact(unit, origin, still, unit, place, velocity, 9), expected)
 
 # %% [markdown]
-# In Python, 0.0 counts as false. If you write `if t:` for "if they meet", you lose just the hits
-# that are due *now*. Write `if t is not None:`.
-
-# %%
-place, velocity, _ = cases["touching, and approaching"]
-t = time_of_impact(unit, origin, still, unit, place, velocity, duration=9)
-print("if t:", "a hit" if t else "no hit")
-print("if t is not None:", "a hit" if t is not None else "no hit")
-
-# %% [markdown]
+# So ask `if t is not None:`. You know from notebook 00 what `if t:` would lose: the hits that are
+# due *now*.
+#
 # ## 6 At the time of impact nothing overlaps
 #
 # Move two circles to their exact time of impact, and call a function of chapter 04, which starts
@@ -322,10 +323,13 @@ check("more than a quarter of them are ignored", bool(ignored > 250), True)
 deepest = max(c.penetrations[0] for c in contacts if c is not None)
 check("the others overlap by rounding only, m", deepest, 0, tolerance=1e-14)
 
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
+# Only rounding decides, in the last digit, whether there is an overlap.
+
 # %% [markdown]
-# Only rounding decides, in the last digit, whether there is an overlap. So an event must resolve
-# the contact **explicitly**: the time of impact has told you that there is one, and the normal
-# leads from centre to centre. You still ask the gate, as always.
+# So an event must resolve the contact **explicitly**: the time of impact has told you that there is
+# one, and the normal leads from centre to centre. You still ask the gate, as always.
 
 # %%
 turned_round = []

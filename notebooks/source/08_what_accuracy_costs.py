@@ -31,7 +31,7 @@ from lesson_code.chapters.ch08_what_accuracy_costs import figures
 from lesson_code.chapters.ch08_what_accuracy_costs.prices import milliseconds
 from lesson_code.course.grading.gaps import gap
 from lesson_code.course.quiz.notebook import predict, show_quiz
-from lesson_code.evidence import check, hard_cases
+from lesson_code.evidence import check
 from lesson_code.evidence import work_precision as wp
 from lesson_code.evidence.scenes import events, rigid_bodies
 from lesson_code.view.browser.live import live
@@ -193,9 +193,9 @@ run = simulate(box, 10, solver="exact", sample=times)
 check("exact: error, m", events.error_in_the_box(run), 0, tolerance=1e-13)
 
 # %% [markdown]
-# Both engines make *your* error: the step errs, not the solver. So this millimetre costs as many
-# steps, whoever makes them. Only chapter 07's exact solver has no step, and no error. What differs
-# is the time, here that of your own machine:
+# Both engines make *your* error: the step errs, not the solver. So they need as many steps as you
+# for this millimetre. Only chapter 07's exact solver has no step, and no error. What differs is the
+# time, here that of your own machine:
 
 # %% tags=["nbval-ignore-output"]
 programs = {"yours": partial(my_places, enough)}
@@ -210,17 +210,21 @@ for name, ms in milliseconds(programs).items():
 #
 # ## 5 A map of prices
 #
-# To choose, you need more prices than these. Here is a stored result of `workbook measure
-# accuracy`. Each point is a method at one setting. **Down and left is better.** The race is fair:
-# all run the same scene in turns, without drawing; the right answer comes from none of them.
+# To choose, you need more prices than these. The next figure is a map of them. Each point is a
+# method at one setting. **Down and left is better.** Besides those that you know there are *naive*,
+# the first attempt of chapter 04; *substep*, with short steps and springs in its contacts (section
+# 6); *direct*, which chapter 09 is about; and Box2D, another engine in C. Ours run in plain Python
+# or compiled to machine code. All ran the same scene in turns, without drawing (`workbook measure
+# accuracy`), and the right answer comes from none of them.
 
 # %% tags=["plumbing"]
 result = wp.stored()
 figures.map_of_prices(result)
 
 # %% [markdown]
-# *Along* a line the step gets shorter. The gap between parallel lines is a factor in time, such as
-# the price of plain Python. A **cross** is a failure: leave those out, and every method looks good.
+# Go *along* a line, and the step gets shorter. The gap between two parallel lines is a factor in
+# time: that is what plain Python costs. A **cross** is a failure. Leave those out, and every method
+# looks good.
 #
 # ## 6 A tower: how to spend a hundred sweeps
 #
@@ -242,8 +246,8 @@ check("with springs, best in this many sub-steps", best.substeps, 10)
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
 # Two methods want as many sub-steps as they can get: what a sweep leaves over moves the boxes only
-# for a short time. "substep" puts springs into its contacts. In one sub-step they are too soft, and
-# in each of 50 a single sweep is too little. **Its best lies inside**, at ten.
+# for a short time. The springs of "substep" are too soft in one or two sub-steps; with 50, each has
+# too few sweeps. **Its best lies between**, at ten.
 
 # %% [markdown]
 # ## 7 How wrong may it be?
@@ -267,21 +271,21 @@ live(
 )
 
 # %% [markdown]
-# Between the walls, steps that end at impacts stay wrong by 1 cm: the engine lets a ball 2.5 mm
-# into a wall before it calls that a contact. Two impacts cost that there and back.
+# Between the walls, steps that end at impacts stay wrong by 1 cm, however short they are: the
+# engine lets a ball a few millimetres into a wall before it calls that a contact.
 #
-# Now buy. The cheapest millimetre of each scene in the stored result:
+# Now buy. Here is the cheapest millimetre of each scene:
 
 # %%
 for name in result.scenes:
     print(f"{name}: {wp.in_words(wp.cheapest(result, name, 1e-3))}")
 
 # %% [markdown]
-# **Which do you choose?** The exact solver where a formula describes the flight between collisions.
-# In a pile, sweeps in many sub-steps. And sixty cheap steps a second where nobody sees the
-# difference (half a picture late is no fault in a game), nobody can know better (a gas is chaotic),
-# or your model is worse than your method (you know e to a few parts in a hundred). But where one
-# body rests on another, a small error *every* step adds up until the tower falls.
+# **Which do you choose?** Take the exact solver where a formula describes the flight between
+# collisions, and sweeps in many sub-steps in a pile. Sixty cheap steps a second are enough where
+# nobody sees the difference (half a picture late is no fault in a game), where nobody can know
+# better (a gas is chaotic), or where you know e only to a few parts in a hundred. But where one
+# body rests on another, a small error in *every* step adds up until the tower falls.
 #
 # ## 8 Break it on purpose: a method that judges itself
 #
@@ -327,33 +331,12 @@ show_quiz("08")
 # - First ask what is good enough, then what is cheapest. Never let a method be its own judge.
 
 # %% [markdown]
-# ## 10 Appendix: the whole map, and what a law costs
+# ## 10 Appendix: the whole map
 #
 # Look up a price in seven scenes. In the two piles, the settings are splits of sweeps.
 
 # %% tags=["plumbing"]
 figures.whole_map(result)
-
-# %% [markdown]
-# A **law** is kept or broken: a tower stands or falls. The default call pays for laws with the
-# **direct** solver, which solves all contacts at once, or the exact one (chapter 09).
-
-# %%
-predict("08-law")
-
-# %% tags=["answer"]
-# the price of each family
-families = hard_cases.stored()
-for engine, called in (("ours", "default call"), ("sequential", "sweeps")):
-    held = families.holds(engine)
-    print(f"{called}: {held} of {len(families.names)} families hold in every draw")
-typical = np.median([families.price(name) for name in families.names])
-print(f"time of the default call over that of sweeps, typically: {typical:.2g}")
-figures.laws(families)
-
-# %% [markdown] tags=["answer"]
-# <b class="answer">The answer.</b>
-# Each mark is a family of scenes. Left of 1 a law costs less than nothing.
 
 # %% [markdown]
 # ## What was checked, and what comes next

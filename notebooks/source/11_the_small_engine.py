@@ -20,7 +20,8 @@
 # 3. say what your engine cannot do, why, and what would help.
 #
 # **You need** notebooks 00 to 07, and your solved exercises 04, 05, 06 and 11; what you have not
-# solved yet is lent. **Time:** about 50 minutes to read, fifteen seconds to run.
+# solved yet is lent. **Time:** about 50 minutes to read and to write two lines, fifteen seconds to
+# run.
 
 # %% tags=["plumbing"]
 import numpy as np
@@ -121,7 +122,7 @@ for (name, way), power in zip(near_places.WAYS.items(), (2, 1.5, 1), strict=True
     check(f"{name}: the same pairs", list(pairs) == every, True)
     order = work_precision.fit_order(counts, compared[name]).order
     check(f"{name}: comparisons grow like N to the power", order, power, tolerance=0.1)
-check("every pair: so many, as you say", compared["every pair"], [pairs_of(n) for n in counts])
+check("every pair: as many as you say", compared["every pair"], [pairs_of(n) for n in counts])
 
 # %% tags=["plumbing"]
 fig, ax = style.figure(width=7, height=3.4)
@@ -149,9 +150,12 @@ for count in (20, 200, 2000):
         took = near_places.seconds(way, places)
         print(f"{count:5} bodies, {name:10}: {1e3 * took:8.2f} ms")
 
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
+# So the workbook's engine compares every pair of few bodies, and takes a grid for many.
+
 # %% [markdown]
-# Your own `near_pairs` (task 11.1) may use any of these ways. The workbook's engine compares every
-# pair of few bodies and takes a grid for many; chapter 10 shows what that saves.
+# Your own `near_pairs` (task 11.1) may use any of these ways.
 #
 # ## 4 One hit, to the last digits
 #
@@ -172,15 +176,8 @@ check("40 hits, all velocities after: largest difference", worst, 0.0, tolerance
 # %% [markdown]
 # ## 5 Many hits: what a step costs
 #
-# A ball in a box, without friction: chapter 07 has its path in closed form. Which error do you
-# expect at a step of `dt_2`, if you know that at `dt_1`? The method is of the first order.
-
-
-# %%
-@gap("11-error-at")
-def error_at(dt_2, dt_1, error_1):
-    return ...
-
+# Chapter 07 has the path of a ball in a box in closed form. So you can say how wrong the small
+# engine is, step by step.
 
 # %%
 predict("11-half-a-step")
@@ -197,8 +194,6 @@ steps = [1 / rate for rate in rates]
 fit = work_precision.fit_order(steps, errors)
 print(f"order {fit}")
 check("first order", fit.order, 1, tolerance=0.3)
-expected = error_at(1 / 960, 1 / 30, errors[0])
-print(f"at 1/960 s: {errors[-1]:.3f} m; you expected {expected:.3f} m")
 
 # %% tags=["answer", "plumbing"]
 # six steps, each half of the one before
@@ -212,9 +207,20 @@ show(
 )
 
 # %% [markdown]
-# It is the order of pymunk and of the workbook's stepped solver (chapter 08), and for the same
-# reason: a hit is seen at the end of the step in which it happens.
-#
+# Now you can say which error to expect at a step of `dt_2`, if you know that at `dt_1`. Write it:
+
+
+# %%
+@gap("11-error-at")
+def error_at(dt_2, dt_1, error_1):
+    return ...
+
+
+# %%
+expected = error_at(1 / 960, 1 / 30, errors[0])
+print(f"at 1/960 s: {errors[-1]:.3f} m; you expected {expected:.3f} m")
+
+# %% [markdown]
 # ## 6 All together, with your functions
 #
 # The lesson that this course grew out of ended with a demo: five circles, a triangle and a square
@@ -304,7 +310,8 @@ both = {}
 for name, (scene, seconds) in edges.items():
     both[name] = small_engine.simulate_small(scene, seconds), simulate(scene, seconds)
 
-# %%
+# %% tags=["answer"]
+# the tower
 tower = both["a tower of five boxes"]
 animate(
     {"small engine": tower[0], "workbook": tower[1]},
@@ -315,7 +322,8 @@ animate(
 moved = [bool(np.abs(r.positions[-1] - r.positions[0]).max() > 0.1) for r in tower]
 check("a box has moved by more than 10 cm: small, workbook", moved, [True, False])
 
-# %%
+# %% tags=["answer"]
+# the wall and the rack
 shot = both["a fast ball and a thin wall"]
 through = [bool(r.positions[-1, 1, 0] > 0) for r in shot]
 check("the ball is behind the wall: small, workbook", through, [True, False])
@@ -324,7 +332,9 @@ kept = [float(run.kinetic_energy[-1] / run.kinetic_energy[0]) for run in broken]
 check("both have lost energy", [part < 0.9 for part in kept], [True, True])
 check("and not the same", abs(kept[0] - kept[1]) > 0.05, True)
 
-# %% [markdown]
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
+#
 # - **The tower.** A contact is visited once, and each visit disturbs the next one. The weight of
 #   the top does not get to the floor. What helps: sweeps (chapter 06), remembered impulses, or all
 #   contacts at once (chapter 09).
@@ -333,7 +343,8 @@ check("and not the same", abs(kept[0] - kept[1]) > 0.05, True)
 # - **The pool break.** Both lose energy, as e = 0.95 says, but not the same. In the small engine
 #   many balls of the rack are hit within one step, in the order of their numbers. The exact solver
 #   hits each of them at its own time. What helps: shorter steps, or none (chapters 07 and 08).
-#
+
+# %% [markdown]
 # ## 8 Callbacks, a light, and a sound
 #
 # The last column of the diagram changes no velocity. It tells the player what has happened. A
@@ -397,7 +408,7 @@ for name, (_, theirs) in both.items():
 #   moves the floor (04).
 # - **Use unit normals.** A normal of length 2 makes an impulse four times too large (03).
 # - **Make steps of one length.** Collect the time that has passed, and make as many whole steps as
-#   fit in. Or a slow computer plays another game, and resting things jump (03, 09).
+#   fit in. Or a slow computer plays another game, and resting things jump (09, section 8).
 # - **Keep e between 0 and 1.** Beyond it every bounce makes energy (02).
 # - **Give coincident centres a normal.** Or a division by zero ends the game (04).
 # - **Make steps short against sizes,** or look for the time of impact. Or fast things pass through

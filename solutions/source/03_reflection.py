@@ -86,4 +86,4 @@ def resolve_wall(position, velocity, normal, depth, restitution):
 check_task("3.3", resolve_wall)
 
 # %% [markdown] tags=["solution"]
-# **Why.** The position is mended whichever way the ball moves; the velocity only behind the gate.
+# **Why.** The ball is put back whichever way it moves. Its velocity changes only behind the gate.

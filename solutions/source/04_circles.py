@@ -50,8 +50,8 @@ def circle_contact(p1, r1, p2, r2):
 check_task("4.1", circle_contact)
 
 # %% [markdown] tags=["solution"]
-# **Why.** The centres of touching circles are exactly r1 + r2 apart. What is missing to that is the
-# depth. Without a direction between the centres any normal will do, as long as it is a unit vector
+# **Why.** The centres of touching circles are exactly r1 + r2 apart. The depth is what the distance
+# lacks. Without a direction between the centres any normal will do, as long as it is a unit vector
 # and always the same.
 
 # %% [markdown]
@@ -81,8 +81,8 @@ check_task("4.2", resolve_circles)
 # %% [markdown]
 # ## Task 4.3 The way apart (4 points)
 #
-# Two circles overlap by a depth. Return the pair (p1', p2') of positions after they were moved
-# apart along the normal, just so far that they touch. The lighter one moves further: the ways are
+# Two circles overlap by a depth. Move them apart along the normal until they just touch, and return
+# the pair (p1', p2') of their new positions. The lighter one moves further: the ways are
 # in inverse proportion to the masses. A mass may be `math.inf`; that circle is fixed and does not
 # move. (In Python, `1 / math.inf` is 0.0.) The two are never both fixed.
 

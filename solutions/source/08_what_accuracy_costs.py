@@ -92,7 +92,7 @@ check_task("8.3", fit_power)
 
 # %% [markdown] tags=["solution"]
 # **Why.** In logarithms a power is a straight line: p is its slope. Its height at ln dt = 0 is
-# ln C, and exp makes C of that: the error that a step of 1 s would have.
+# ln C, so exp gives C: the error that a step of 1 s would have.
 
 # %% [markdown]
 # ## Task 8.4 Equal work (4 points)
@@ -105,7 +105,7 @@ check_task("8.3", fit_power)
 
 # %% tags=["task"]
 def best_split(table, sweeps):
-    """Return (substeps, iterations) of the best row with so many sweeps, or None."""
+    """Return (substeps, iterations) of the best row with exactly `sweeps` sweeps, or None."""
     equal = [row for row in table if row[0] * row[1] == sweeps and row[2] < math.inf]
     if not equal:
         return None
@@ -118,7 +118,7 @@ check_task("8.4", best_split)
 
 # %% [markdown] tags=["solution"]
 # **Why.** Settings can only be compared at equal work: with more sweeps almost everything gets
-# better. Where everything has fallen, the least of endless errors is no recommendation.
+# better. If every run has failed, all errors are infinite, and there is no best one.
 
 # %% [markdown]
 # ## Task 8.5 The cheapest that is good enough (5 points)
@@ -138,5 +138,5 @@ def cheapest(table, allowed):
 check_task("8.5", cheapest)
 
 # %% [markdown] tags=["solution"]
-# **Why.** First what is good enough, then what is cheap: in this order. Who asks for the most
-# accurate pays for digits that nobody wants, and who asks for the fastest gets one that fell.
+# **Why.** First what is good enough, then what is cheap: in this order. Ask for the most accurate,
+# and you pay for digits that nobody wants. Ask for the fastest, and you may get one that fell.

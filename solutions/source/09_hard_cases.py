@@ -10,7 +10,7 @@
 # # Exercise 09: hard cases
 #
 # Five functions to write, twenty points. Read notebook [09](../notebooks/09_hard_cases.ipynb)
-# first. Each function answers a question that an engine gets wrong if it does not ask it.
+# first. Each function answers a question that an engine has to ask.
 #
 # - Replace the `raise` line of each function with your answer. Do not change its name or its
 #   arguments.
@@ -69,8 +69,8 @@ check_task("9.2", sweeps_needed)
 
 # %% [markdown] tags=["solution"]
 # **Why.** After n sweeps (M/(M + m))^n is left. The logarithm turns that into n times
-# ln(M/(M + m)) = -ln(1 + m/M). For m/M = 1e-9 the number 1 + 1e-9 has seven digits left of it;
-# `log1p` takes 1e-9 itself and loses none.
+# ln(M/(M + m)) = -ln(1 + m/M). For m/M = 1e-9 the number 1 + 1e-9 keeps only seven digits of the
+# 1e-9; `log1p` takes 1e-9 itself and loses none.
 
 # %% [markdown]
 # ## Task 9.3 A tip that slides (5 points)
@@ -158,5 +158,5 @@ check_task("9.5", one_by_one)
 # %% [markdown] tags=["solution"]
 # **Why.** Seen from the centre of mass of a pair an elastic strike turns both velocities round.
 # Equal balls just change velocities, so the strikes sort them: as many leave on one side as have
-# come from the other. It is not the only answer that keeps momentum and energy. Which one nature
-# takes hangs on how the balls touch.
+# come from the other. It is not the only answer that keeps momentum and energy. How the balls touch
+# decides which one you see.

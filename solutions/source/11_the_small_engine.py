@@ -64,9 +64,9 @@ check_task("11.1", near_pairs)
 
 # %% [markdown] tags=["solution"]
 # **Why.** It is the separating axis test of chapter 06, with the axes x and y alone: two intervals
-# overlap if each begins before the other one ends. Corners prove nothing: the planks of a cross
-# have none in each other. This compares all pairs, N (N - 1)/2 of them. If the boxes are sorted by
-# their left sides, each need only be compared with those that have not ended yet.
+# overlap if each begins before the other one ends. Do not look for corners inside the other box:
+# two planks that make a cross have none. This compares all pairs, N (N - 1)/2 of them. If the boxes
+# are sorted by their left sides, each need only be compared with those that have not ended yet.
 
 # %% [markdown]
 # ## Task 11.2 A hit of any two bodies (5 points)
@@ -103,8 +103,8 @@ check_task("11.2", hit)
 
 # %% [markdown] tags=["solution"]
 # **Why.** The velocity of a contact point along n is v . n + w (r x n): task 5.2, seen along one
-# direction. Impulse and friction differ in nothing but the direction, the e and the clamp, so one
-# loop does both. All of the chapters 01 to 05 is in it: put both levers to 0 and mu to 0, and it is
+# direction. Normal impulse and friction differ only in the direction, the e and the clamp, so one
+# loop does both. Chapters 01 to 05 are all in it: set both levers and mu to 0, and it is
 # `collide_1d`; give a an infinite mass, and it is `bounce`.
 
 # %% [markdown]
@@ -142,9 +142,9 @@ def step_discs(positions, velocities, masses, radii, restitution, gravity, room,
 check_task("11.3", step_discs)
 
 # %% [markdown] tags=["solution"]
-# **Why.** Each gate and each share in it is a fault of an earlier chapter, avoided: the pair that
-# parts is not hit, the wall does not catch who comes back, the heavy disc hardly gives way. The
-# order matters, too. Walls come last, so that no pair pushes a disc out of the room.
+# **Why.** Each gate and each share avoids a fault of an earlier chapter: a pair that parts is not
+# hit, the wall does not catch a disc that comes back, the heavy disc hardly gives way. The order
+# matters, too. Walls come last, so that no pair pushes a disc out of the room.
 #
 # Now call it six hundred times, and draw the discs. It is an engine.
 
@@ -169,7 +169,7 @@ check_task("11.4", touch_changes)
 
 # %% [markdown] tags=["solution"]
 # **Why.** A callback belongs to a pair, not to a body: the ball that lies on the floor can still
-# begin to touch the goal. What both sets hold goes on, and is nobody's news.
+# begin to touch the goal. A pair in both sets goes on touching, which is no news.
 
 # %% [markdown]
 # ## Task 11.5 A light that fades (3 points)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from math import cos, hypot, pi, sin
 from random import Random
 from typing import TYPE_CHECKING, Any
@@ -47,6 +48,9 @@ MANY = ["Rack of fifteen", "Gas of 500"]
 TWO_FRAMES = """() => new Promise(
     (done) => requestAnimationFrame(() => requestAnimationFrame(done)))"""
 """In the page: lets two frames pass."""
+
+PLANNED = 10.0
+"""s: the run that the lab's plan is for, as it says itself."""
 
 SHOWN = 5e-5
 """Numbers have four decimals."""
@@ -292,6 +296,31 @@ def test_lab_runs_until_it_is_paused(page: Page, faults: list[str], tmp_path: Pa
     assert faults == []
 
 
+def test_link_keeps_the_run_and_says_what_it_has_done(page: Page, tmp_path: Path) -> None:
+    """The address holds the set-up, the clock goes on, and the words tell it."""
+    lab = opened(page, tmp_path)
+    press(lab, "Step", 30)
+    href = lab.get_by_role("link", name="Link to this set-up").get_attribute("href") or ""
+    lab.get_by_role("link", name="Link to this set-up").click()
+    lab.get_by_role("link", name=re.compile("The link is copied|The address holds")).wait_for()
+    assert page.url.endswith(href)
+    assert lab.locator(".lab-clock").inner_text() == "t = 0.50 s"
+
+
+def test_choice_says_what_the_lab_began_with(page: Page, tmp_path: Path) -> None:
+    """A preset by its name, also after Reset; anything else is the reader's own."""
+    lab = opened(page, tmp_path)
+    begun = lab.get_by_label("Begin with")
+    assert begun.input_value() == "Oblique hit"
+    press(lab, "Step", 5)
+    press(lab, "Reset")
+    assert begun.input_value() == "Oblique hit"
+    lab.get_by_label("Walls").uncheck()
+    assert begun.input_value() == "a set-up of your own"
+    begun.select_option("Oblique hit")
+    assert lab.get_by_label("Walls").is_checked()
+
+
 def test_lab_says_what_it_needs_where_no_script_runs() -> None:
     """In words and a still picture of today's lab, which the script replaces."""
     before = lab_html().split("<script")[0]
@@ -393,8 +422,13 @@ def plan_of(lab: Locator) -> list[tuple[str, str, str]]:
 
 
 def planned(set_up: dict[str, Any]) -> list[tuple[str, str, str]]:
-    """Return the plan of a set-up in Python; nobody knows how long it will run."""
-    choices = choose_effects(Question(scene_file.scene_of(set_up)))
+    """Return the plan of a set-up in Python, for the time that the lab names.
+
+    A hand may reach in: no two bodies are taken to fly past each other.
+    """
+    question = Question(scene_file.scene_of(set_up), duration=PLANNED)
+    question.facts.flights_meet = True
+    choices = choose_effects(question)
     return [(c.name.replace("_", " "), c.verdict, c.reason) for c in choices]
 
 
@@ -406,6 +440,7 @@ def test_plan_of_a_preset_is_that_of_python(page: Page, tmp_path: Path, preset: 
     with page.expect_download() as saved:
         press(lab, "Save as file")
     set_up = json.loads(saved.value.path().read_text("utf-8"))
+    assert f"for {PLANNED:g} s" in (lab.locator("details:has(.lab-plan) p").text_content() or "")
     assert plan_of(lab) == planned(set_up)
 
 

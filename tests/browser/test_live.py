@@ -23,6 +23,22 @@ CHOOSING = [name for name in FIGURES if "names: " in file_of(name).read_text("ut
 
 NONSENSE = ("NaN", "Infinity", "undefined", "null")
 
+LEAST_LETTERS = 8
+"""Pixels: a little less than those of a chart in print."""
+
+LEAST_HANDLE = 24
+"""Pixels: what a finger can take hold of (WCAG 2.2, 2.5.8)."""
+
+SMALLEST = """figure => {
+    const scale = figure.querySelector("svg").getScreenCTM().a;
+    const sizes = [...figure.querySelectorAll("svg text")].map(
+        (words) => scale * words.getAttribute("font-size"));
+    const handles = [...figure.querySelectorAll(".handle circle")].map(
+        (circle) => circle.getBoundingClientRect().width);
+    return [Math.min(...sizes), Math.min(...handles)];
+}"""
+"""In the page: the size of the smallest letters and handle of a figure, in pixels; of none inf."""
+
 SHEET = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Figure</title>
 <body style="background: {background}; color: {ink}"><main><h1>Figure</h1>{figure}</main>"""
 
@@ -106,12 +122,15 @@ def test_figure_answers_to_each_choice(
 def test_figure_on_a_phone_has_its_panels_below_each_other(
     page: Page, tmp_path: Path, figure: str
 ) -> None:
-    """Nothing has to be scrolled sideways; made wider, it stands as before."""
+    """Nothing has to be scrolled sideways, letters can be read; made wider, it stands as before."""
     live = opened(page, tmp_path, figure)
     wide = seen(live), live.locator("svg").get_attribute("viewBox")
     page.set_viewport_size({"width": 360, "height": 740})
     page.wait_for_function("document.documentElement.scrollWidth === 360")
     seen(live)
+    letters, handle = live.evaluate(SMALLEST)
+    assert letters >= LEAST_LETTERS
+    assert handle >= LEAST_HANDLE
     page.set_viewport_size({"width": 1280, "height": 900})
     page.wait_for_function(
         "size => document.querySelector('figure svg').getAttribute('viewBox') === size", arg=wide[1]

@@ -34,6 +34,18 @@ PHONE: Any = {"width": 360, "height": 740}
 AXE: Any = {"resultTypes": ["violations"], "preload": False}
 """What axe-core is asked. By itself it would load style sheets, which a folder does not let it."""
 
+JUMPS = """() => new Promise((done) => {
+    let sum = 0;
+    new PerformanceObserver((list) => {
+        for (const { value } of list.getEntries()) sum += value;
+    }).observe({ type: "layout-shift", buffered: true });
+    setTimeout(() => done(sum), 200);
+})"""
+"""In the page: how far its parts have jumped since it was opened, as Cumulative Layout Shift."""
+
+LITTLE_JUMPS = 0.02
+"""A fifth of what the web's vitals call good: the words above the picture may take another line."""
+
 SOON = 10_000
 """ms: what needs no computing is there at once, unless the machine is busy."""
 
@@ -92,6 +104,23 @@ def test_every_picture_is_there_and_has_a_text(site: Path, page: Page, name: str
     assert shown or moving
     assert all(arrived and alt for arrived, alt in shown)
     assert all(moving)
+
+
+@pytest.mark.parametrize("name", ["index", "lab"])
+@pytest.mark.parametrize("view", [{"width": 1280, "height": 800}, {"width": 390, "height": 844}])
+def test_first_throw_needs_no_scrolling_and_nothing_jumps(
+    site: Path, page: Page, name: str, view: Any
+) -> None:
+    """What to do, the picture and Run are seen at once; they stand where the still picture was."""
+    page.set_viewport_size(view)
+    open_page(page, site, name)
+    lab = page.locator("[data-lab][data-ready]")
+    lab.wait_for()
+    for part in (lab.get_by_text("Drag a body"), lab.get_by_role("button", name="Run", exact=True)):
+        box = part.bounding_box()
+        assert box
+        assert box["y"] + box["height"] <= view["height"]
+    assert page.evaluate(JUMPS) <= LITTLE_JUMPS
 
 
 def test_dark_and_light_follow_the_reader(site: Path, page: Page) -> None:

@@ -197,17 +197,6 @@ def test_coat_and_pull_change_what_is_to_come() -> None:
     assert world.velocity(8) == pytest.approx((0.0, -6.0 * TIME_STEP), rel=ROUNDING)
 
 
-def test_push_all_is_a_push_of_each() -> None:
-    """Impulses of shape (N, 2) act body by body."""
-    one, other = LiveWorld(crowd()), LiveWorld(crowd())
-    impulses = np.arange(18.0).reshape(9, 2)
-    one.push_all(impulses)
-    for number, (x, y) in enumerate(impulses.tolist()):
-        other.push(number, (x, y))
-    assert (one.states() == other.states()).all()
-    assert math.isclose(one.time, 0.0)
-
-
 def test_impulses_of_many_impacts_in_one_step_are_all_told() -> None:
     """A ball that goes to and fro in one step is pushed as often as it turns."""
     walls = [Body(Segment((x, -1), (x, 1)), material=BOUNCY) for x in (-1.0, 1.0)]

@@ -14,7 +14,6 @@ import pytest
 import tiers
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
-from known_to_fail import KNOWN_TO_FAIL
 
 from lesson_code import Body, Circle, Scene
 from lesson_code.evidence.hard_cases import (
@@ -28,11 +27,11 @@ from lesson_code.evidence.hard_cases import (
     Result,
     Trial,
     catalogue,
-    comparison,
     family,
     family_by_name,
     installed_engines,
     loads,
+    measure,
     measure_hard_cases,
     replay,
     run_draw,
@@ -57,14 +56,8 @@ EXAMPLES = 3
 # The laws
 
 
-def held_family(known: Family) -> Any:
-    """Return a family as a parameter of a test of the full tier."""
-    return pytest.param(known, id=known.name, marks=pytest.mark.full)
-
-
-@pytest.mark.parametrize(
-    "known", [held_family(known) for known in FAMILIES if known.name not in KNOWN_TO_FAIL]
-)
+@pytest.mark.full
+@pytest.mark.parametrize("known", FAMILIES, ids=lambda known: known.name)
 def test_default_call_holds_the_law(known: Family) -> None:
     """The bound stands in the catalogue, with its reason."""
 
@@ -106,14 +99,6 @@ def test_pair_forces_of_a_step_in_parts_sums_the_impulses_of_all_parts() -> None
 def test_corner_that_turns_by_above_the_floor_is_not_held_off() -> None:
     """At that seed a step looks at the corner four times, at gaps down to 9e-5 m, without a hit."""
     assert run_draw(family_by_name("polygon-over-floor"), OURS, 3100099).held
-
-
-def test_known_failures_are_families() -> None:
-    """A name in the list that is no family would hide nothing and excuse nothing."""
-    for name, (seed, reason) in KNOWN_TO_FAIL.items():
-        assert family_by_name(name).name == name
-        assert seed >= 0
-        assert len(reason) > 10
 
 
 # The catalogue
@@ -287,7 +272,10 @@ def test_trial_refuses_unknown_engines() -> None:
 def test_comparison_is_the_same_for_one_worker_and_for_two() -> None:
     """Only the seconds differ."""
     names = ["collapse", "infinite-inertia"]
-    one, two = (measure_hard_cases(names, workers=n).without_times().as_dict() for n in (1, 2))
+    one, two = (measure_hard_cases(names, workers=n).as_dict() for n in (1, 2))
+    for known in one["families"] + two["families"]:
+        for result in known["results"].values():
+            result.pop("seconds")
     assert one == two
     assert [known["name"] for known in one["families"]] == names
     assert one["engines"] == list(installed_engines())
@@ -329,7 +317,7 @@ def one_dies(function: Any, tasks: Any, **_options: Any) -> Any:
 
 def test_dead_process_is_no_result_in_that_draw(monkeypatch: pytest.MonkeyPatch) -> None:
     """The others go on."""
-    monkeypatch.setattr(comparison, "iter_tasks", one_dies)
+    monkeypatch.setattr(measure, "iter_tasks", one_dies)
     both = measure_hard_cases(["collapse"], draws=2, engines=[OURS, "pymunk"])
     assert (both.not_held(), both.not_held("pymunk")) == ([], ["collapse"])
     written = both.as_dict()["families"][0]["results"]["pymunk"]

@@ -97,7 +97,7 @@ class Asteroids(Game):
     def reset(self) -> None:
         """Scatter the asteroids, and put the ship into the middle."""
         self.random.seed(self.seed)
-        self.score = self.hits_taken = self.wave = self.safe_until = 0
+        self.score = self.wave = self.safe_until = 0
         self.lives, self.plays_itself = LIVES, False
         self.carried_away = (0.0, 0.0)
         self._last_shot = -RELOAD_STEPS
@@ -283,11 +283,10 @@ class Asteroids(Game):
             if one in self.shots and other != self.ship and other not in self.shots:
                 self.struck.add(other)
                 self.shots[one] = self.world.steps
-            if one == self.ship and other not in self.shots:
-                self.hits_taken += 1
-                if self.world.steps >= self.safe_until:
-                    self.lives = max(self.lives - 1, 0)
-                    self.safe_until = self.world.steps + SAFE_STEPS
+            is_safe = self.world.steps < self.safe_until
+            if one == self.ship and other not in self.shots and not is_safe:
+                self.lives = max(self.lives - 1, 0)
+                self.safe_until = self.world.steps + SAFE_STEPS
 
     def _burst(self, rock: int) -> None:
         """Split an asteroid into pieces of unequal mass, which keep mass and momentum."""

@@ -4,7 +4,7 @@ import { written } from "../../view/browser/figure.js";
 
 const PLACES = [-4, 4]; // of the carts in each row; 1 unit is 1 m/s
 const COLORS_OF = ["blue", "orange"];
-const ROWS = { ground: [11.6, 8.2], centre: [3.6, 0.2] }; // the track's height, before and after
+const ROWS = { ground: [13, 9], centre: [4.2, 0.2] }; // the track's height, before and after
 const BARS = [-3.1, -4.1]; // the same for momenta and energies
 const ROOM = 9; // for the longest bar
 const LEVEL = 0.45; // of arrows above the track
@@ -58,7 +58,7 @@ const speedOf = (velocity) => (Math.abs(velocity) < 1e-9 ? "stands still" : `has
 
 export default {
   program: "formulas",
-  panels: [{ view: [-13.2, 13.2, -5.2, 16], width: 620 }],
+  panels: [{ view: [-13.2, 13.2, -5.2, 17.7], width: 620 }],
   numbers: {
     m1: { label: "mass of cart 1, kg", low: 0.1, high: 10, start: 1, step: 0.1 },
     v1: { label: "velocity of cart 1, m/s", low: -3, high: 3, start: 2, step: 0.1 },
@@ -79,10 +79,10 @@ export default {
     const after = meet ? lesson.collide_1d(m1, v1, m2, v2, e) : before;
     const centre = lesson.inelastic_1d(m1, v1, m2, v2)[0];
     const seen = (velocities) => velocities.map((velocity) => velocity - centre);
-    pen.text([-13, 15.4], "seen from the ground", { anchor: "start", bold: true });
+    pen.text([-13, 16.8], "seen from the ground", { anchor: "start", bold: true });
     row(pen, ROWS.ground[0], "before", masses, before);
     row(pen, ROWS.ground[1], "after", masses, after);
-    pen.text([-13, 7.3], `seen from the centre of mass, which moves at ${signed(centre)} m/s`, { anchor: "start", bold: true });
+    pen.text([-13, 8], `seen from the centre of mass, which moves at ${signed(centre)} m/s`, { anchor: "start", bold: true });
     row(pen, ROWS.centre[0], "before", masses, seen(before));
     row(pen, ROWS.centre[1], "after", masses, seen(after));
     const momentum = (velocities) => velocities.map((velocity, k) => masses[k] * velocity);

@@ -34,7 +34,7 @@ export default {
     pen.line([v, twice], { color: "vermilion", dashed: true });
     for (const [count, name] of [[1, "once"], [2, "twice"]]) {
       pen.dot(without(count), { color: "vermilion" });
-      pen.text(without(count), name, { shift: [10, 5], anchor: "start", size: 13 });
+      pen.text(without(count), name, { shift: [12, -6], anchor: "start", size: 13 });
     }
     pen.arrow([0, 0], normal.map((part) => 1.6 * part), { name: "N", color: "grey" });
     pen.arrow([0, 0], after, { color: "blue" });

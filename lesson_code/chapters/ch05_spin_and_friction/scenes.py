@@ -40,12 +40,13 @@ def on_slope(
     solver: str = "sequential",
     iterations: int = 10,
     duration: float = 1.0,
+    mass: float = 1.0,
 ) -> Run:
-    """Return the run of a body of 1 kg that is let go on a slope; it is body 1.
+    """Return the run of a body that is let go on a slope; it is body 1.
 
     Parameters
     ----------
-    shape, degrees, friction
+    shape, degrees, friction, mass
         As :func:`lesson_code.evidence.scenes.slopes.body_on_slope` takes them.
     solver, iterations, duration
         As :func:`lesson_code.simulate` takes them.
@@ -56,19 +57,24 @@ def on_slope(
     >>> round(float(run.velocities[-1, 1, 0]), 9)
     4.905
     """
-    scene = body_on_slope(shape, degrees, friction)
+    scene = body_on_slope(shape, degrees, friction, mass=mass)
     return simulate(scene, duration, solver=solver, iterations=iterations)
 
 
 def acceleration(
-    shape: Circle | Polygon, degrees: float, friction: float, solver: str = "sequential"
+    shape: Circle | Polygon,
+    degrees: float,
+    friction: float,
+    solver: str = "sequential",
+    mass: float = 1.0,
 ) -> float:
     """Return how fast a body that is let go on a slope speeds up, m/s^2, over 1 s.
 
     >>> round(acceleration(Circle(0.5), degrees=30, friction=1.0), 9)
     3.27
     """
-    return float(on_slope(shape, degrees, friction, solver=solver).velocities[-1, 1, 0])
+    run = on_slope(shape, degrees, friction, solver=solver, mass=mass)
+    return float(run.velocities[-1, 1, 0])
 
 
 def tipping_angle(

@@ -50,7 +50,7 @@ def as_lines(axes: Any) -> list[list[float]]:
     return [
         list(axis)
         for axis, previous in zip(turned, [None, *turned], strict=False)
-        if previous is None or math.dist(axis, previous) > ANSWER_TOLERANCE
+        if previous is None or not math.dist(axis, previous) <= ANSWER_TOLERANCE  # nan is kept
     ]
 
 

@@ -1,12 +1,15 @@
-"""What the reader of chapter 07 writes: who passes a wall, when circles meet, and a fold."""
+"""What the reader of chapter 07 writes: passing a wall, first touch, a fold, a pressure."""
 
 from __future__ import annotations
 
 import math
 from random import Random
+from typing import Any, TypeAlias
 
 from lesson_code.course.grading.gaps import Gap
 from lesson_code.course.grading.task import wrong_model
+
+Vector: TypeAlias = Any
 
 
 def share_passing(v: float, dt: float, r: float, th: float) -> float:
@@ -90,6 +93,35 @@ def stays_at_the_wall(x: float, room: float) -> float:
     return min(max(x, 0.0), room)
 
 
+def pressure(impulses: Vector, seconds: float, length: float) -> float:
+    """Return the pressure on walls of a length, N/m, from the impulses they received in a time."""
+    return float(sum(impulses)) / (seconds * length)
+
+
+@wrong_model("07-pressure", "Each blow stops a disc and sends it back. Is that not in J already?")
+def every_blow_counts_twice(impulses: Vector, seconds: float, length: float) -> float:
+    """A disc is turned round, so that its impulse counts twice."""
+    return 2 * pressure(impulses, seconds, length)
+
+
+@wrong_model("07-pressure", "Twice as many blows in the same time: is the pressure the same?")
+def of_a_mean_blow(impulses: Vector, seconds: float, length: float) -> float:
+    """The mean blow says how hard the gas presses."""
+    return pressure(impulses, seconds, length) / len(impulses)
+
+
+@wrong_model("07-pressure", "Watch the walls for twice as long. Should the pressure double?")
+def without_the_time(impulses: Vector, seconds: float, length: float) -> float:
+    """The pressure is the impulse on each metre."""
+    return float(sum(impulses)) / length
+
+
+@wrong_model("07-pressure", "That is a force, in N. How many metres of wall share it?")
+def force_of_all_walls(impulses: Vector, seconds: float, length: float) -> float:
+    """The pressure is the impulse in a second."""
+    return float(sum(impulses)) / seconds
+
+
 def balls_at_a_wall(stream: Random) -> tuple[float, ...]:
     """Draw a speed, m/s, a step, s, a radius and a thickness, m; some balls are slow."""
     dt, r = 1 / stream.choice((30, 60, 120)), round(stream.uniform(0.05, 0.2), 2)
@@ -110,6 +142,12 @@ def straight_ways(stream: Random) -> tuple[float, ...]:
     return round((image + stream.uniform(0.1, 0.9)) * room, 2), room
 
 
+def blows(stream: Random) -> tuple[Any, ...]:
+    """Draw some impulses, N s, a time, s, and a length of wall, m."""
+    impulses = tuple(round(stream.uniform(0.2, 3), 2) for _ in range(stream.randint(3, 8)))
+    return impulses, round(stream.uniform(2, 9), 1), round(stream.uniform(2, 9), 1)
+
+
 GAPS = (
     Gap("07-passing", share_passing, balls_at_a_wall,
         (below_zero_for_slow_balls, seen_in_all_of_the_wall, those_that_are_stopped,
@@ -119,4 +157,6 @@ GAPS = (
     Gap("07-fold", fold, straight_ways,
         (comes_in_on_the_other_side, every_image_is_mirrored, one_bounce_at_most,
          stays_at_the_wall)),
+    Gap("07-pressure", pressure, blows,
+        (every_blow_counts_twice, of_a_mean_blow, without_the_time, force_of_all_walls)),
 )  # fmt: skip

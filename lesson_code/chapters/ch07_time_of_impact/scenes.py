@@ -112,16 +112,6 @@ def three_balls_and_a_post() -> Scene:
     return Scene([*box(4.0, 3.0), post, *movers])
 
 
-def milliseconds(scene: Scene, duration: float, **settings: Any) -> float:
-    """Return how long a run takes, ms: the shortest of seven."""
-    taken = []
-    for _ in range(7):
-        begin = perf_counter()
-        simulate(scene, duration, sample="end", **settings)
-        taken.append(1e3 * (perf_counter() - begin))
-    return min(taken)
-
-
 def microseconds_a_collision(side: int, duration: float) -> tuple[float, int]:
     """Return how long the exact solver takes for a collision in a gas, us, and their number."""
     gas = disc_gas(side, covered=0.3, seed=1)

@@ -96,7 +96,7 @@ export default {
     pen.circle([contact, 0], RADIUS, { filled: false, thick: 2, dashed: true });
     pen.line([[last, -RADIUS], [last, STRIP]], { color: "grey", thick: 1, dashed: true });
     pen.text([contact - way, STRIP], "thick: from here it is stopped; thin: it gets through", { anchor: "start", size: 13, shift: [0, 24] });
-    pen.text([contact, 0.44], "first touch", { size: 13, anchor: "end", shift: [-4, 0] });
+    pen.text([contact, 0.44], "first touch", { size: 13, anchor: "end", shift: [-4, 6] });
     pen.line([[contact, 0.4], [contact, RADIUS]], { color: "grey", thick: 1 });
     const law = Math.max(0, 1 - (RADIUS + thickness / 2) / way);
     const share = `From ${passes.filter((through) => through).length} of ${STARTS} places it gets through; the law says ${written(100 * law, 1)} %.`;

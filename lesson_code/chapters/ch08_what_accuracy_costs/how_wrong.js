@@ -6,6 +6,7 @@ import { written } from "../../view/browser/figure.js";
 const DURATION = 2; // s
 const LOOKS = 10; // times at which the place is compared with the right one, evenly spread
 const RATES = [15, 20, 30, 40, 60, 80, 120, 160, 240, 320]; // steps a second; LOOKS go into all of them
+const POINTS = 100; // after the first, of the right path; LOOKS go into them
 const RADIUS = 0.5; // m, of every ball
 const GRAVITY = 10; // m/s²
 const DROP = 1; // m
@@ -101,21 +102,23 @@ function run(lesson, shown, e, method, rate, every) {
   return places;
 }
 
-/** Return the largest error at the times that are looked at, m. */
-function errorOf(lesson, shown, e, method, rate) {
+/** Return the largest distance from the right path at the times that are looked at, m. */
+function errorOf(lesson, shown, e, method, rate, path) {
   const places = run(lesson, shown, e, method, rate, (DURATION * rate) / LOOKS);
-  return Math.max(...places.map((place, k) => Math.abs(place - shown.right(lesson.formulas, (DURATION * k) / LOOKS, e))));
+  return Math.max(...places.map((place, k) => Math.abs(place - path[(k * POINTS) / LOOKS])));
 }
 
-const known = {}; // errors of each method, by scene and restitution: they change with these only
+const known = {}; // by scene and, where one bounces, restitution
 
-function errors(lesson, shown, e) {
-  const key = `${shown.name} ${e}`;
-  if (known.key !== key) {
-    known.key = key;
-    known.found = METHODS.map((method) => RATES.map((rate) => errorOf(lesson, shown, e, method, rate)));
-  }
-  return known.found;
+/** Return the right path, and the errors of each method: they change with these two only. */
+function knownOf(lesson, shown, e) {
+  const key = `${shown.name} ${shown.describe.length ? e : ""}`;
+  return (known[key] ??= foundOf(lesson, shown, e));
+}
+
+function foundOf(lesson, shown, e) {
+  const path = Array.from({ length: POINTS + 1 }, (_, k) => shown.right(lesson.formulas, (k * DURATION) / POINTS, e));
+  return { path, errors: METHODS.map((method) => RATES.map((rate) => errorOf(lesson, shown, e, method, rate, path))) };
 }
 
 /** Return the place of the first rate from which on all errors are small enough, or -1. */
@@ -161,15 +164,14 @@ export default {
     const [low, high] = shown.view;
     const at = (t, place) => [t, (place - low) / (high - low)];
     drawPath(path, shown, at);
-    const right = (t) => at(t, shown.right(lesson.formulas, t, e));
-    path.line(Array.from({ length: 101 }, (_, k) => right((k * DURATION) / 100)), { color: "grey", thick: 2 });
+    const { path: right, errors: found } = knownOf(lesson, shown, e);
+    path.line(right.map((place, k) => at((k * DURATION) / POINTS, place)), { color: "grey", thick: 2 });
     const every = Math.ceil(rate / 60); // so many steps from one point to the next
     const points = run(lesson, shown, e, method, rate, every).map((place, k) => at((k * every) / rate, place));
     path.line(points, { color: method.color, thick: 1.5, dashed: true });
     if (rate <= 60) for (const point of points) path.dot(point, { color: method.color });
     path.legend([0, 1 + 58 / path.height], [["right", { color: "grey" }], [`${method.name}, ${rate} steps a second`, { color: method.color, dashed: true }]]);
 
-    const found = errors(lesson, shown, e);
     chart.axes("steps a second, sub-steps counted", "", "xy");
     chart.text([1, 0.5], "largest error, m", { anchor: "start", size: 13, shift: [-36, -52] });
     const allowed = 10 ** power;
@@ -188,7 +190,7 @@ export default {
       chart.line([at(0), at(24)], { color });
       chart.text(at(30), name, { anchor: "start", size: 12, shift: [0, 4] });
     });
-    const error = errorOf(lesson, shown, e, method, rate);
+    const error = errorOf(lesson, shown, e, method, rate, right);
     return `${shown.name[0].toUpperCase()}${shown.name.slice(1)}, ${method.name}, ${rate} steps a second: wrong by up to ${metres(error)}. Within ${metres(allowed)}, in steps or sub-steps a second: ${answers.join("; ")}.`;
   },
 };

@@ -109,7 +109,7 @@ export default {
     const whole = run(program, values);
     const others = EFFECTS.map(({ without }) => run(program, values, without));
     const found = others.map((other) => compare(whole, other));
-    const needed = planOf(rules, worldOf(program, values)).filter(({ calledFor }) => calledFor).map(({ name }) => name);
+    const needed = planOf(rules, worldOf(program, values), STEPS / 60).filter(({ calledFor }) => calledFor).map(({ name }) => name);
     drawGround(pen, GROUNDS[values.ground]);
     whole.forEach((way, n) => drawBall(pen, way, others[values.out][n], n ? "orange" : "blue"));
     const [x, y] = tip(values);

@@ -169,9 +169,15 @@ def _both_orders(name: str) -> set[str]:
 
     >>> sorted(_both_orders("Byron, Ada"))
     ['Ada Byron', 'Byron, Ada']
+
+    Either of two commas may stand before the first name.
+
+    >>> sorted(_both_orders("Comma, Jr., Sam"))
+    ['Comma, Jr., Sam', 'Jr., Sam Comma', 'Sam Comma, Jr.']
     """
-    last, _, first = name.partition(", ")
-    return set(filter(str.strip, (name, f"{first} {last}" if first else name)))
+    parted = (name.partition(", "), name.rpartition(", "))
+    turned = {f"{first} {last}" for last, _, first in parted if first and last}
+    return set(filter(str.strip, {name, *turned}))
 
 
 def _names_no_person(rest: str) -> bool:

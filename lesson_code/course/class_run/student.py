@@ -154,9 +154,18 @@ def lateness(
     if limit is None or paper.handed_in <= limit:
         return "", 0
     seconds = (paper.handed_in - limit).total_seconds()
-    minutes = int(seconds // 60)
     begun = -int(-seconds // (MINUTES_A_DAY * 60))
     off = number(hundredths(min(exact(full), exact(full) * percent * begun / 100)))
-    days, hours = minutes // MINUTES_A_DAY, minutes % MINUTES_A_DAY // 60
     taken = f"; {off} points are taken off" if off else ""
-    return f"{name}: {days} d {hours} h {minutes % 60} min late{taken}", off
+    return f"{name}: {_time(int(seconds // 60))} late{taken}", off
+
+
+def _time(minutes: int) -> str:
+    """Return a time in days, hours and minutes, without those that are none.
+
+    >>> _time(31), _time(1440 + 5), _time(0)
+    ('31 min', '1 d 5 min', '0 min')
+    """
+    parts = ((minutes // MINUTES_A_DAY, "d"), (minutes % MINUTES_A_DAY // 60, "h"))
+    said = [f"{number} {unit}" for number, unit in (*parts, (minutes % 60, "min")) if number]
+    return " ".join(said) or "0 min"

@@ -13,8 +13,9 @@ from typing import Any
 from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Arguments, Task
-from lesson_code.course.grading.verdict import Verdict, better, judge
+from lesson_code.course.grading.verdict import Verdict, better, calls_of, judge
 from lesson_code.course.isolation.call_outcome import CallOutcome
+from lesson_code.course.isolation.inside.answers import in_the_form_of
 from lesson_code.course.isolation.inside.imports import THE_LIST, may_be_imported
 
 LARGEST_SEED = 10_000
@@ -77,11 +78,24 @@ def _call_with_ours(
     """Return what came of a call while ours stand in the place of some functions."""
     names = inspect.unwrap(function).__globals__
     own = {task.function: names[task.function] for task in lent}
-    names.update({task.function: task.expected for task in lent})
+    names.update({task.function: _in_their_form(task, own[task.function]) for task in lent})
     try:
         return call_here({name: function}, name, arguments)
     finally:
         names.update(own)
+
+
+def _in_their_form(task: Task, own: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the right function of a task; its values have the form of the student's own."""
+    returned: dict[str, Any] = {}
+    for calls in calls_of([task], seed=0):
+        if not returned:
+            call_here({task.function: own}, *calls[0], returned=returned)
+
+    def right(*arguments: Any, **named: Any) -> Any:
+        return in_the_form_of(returned.get(task.function), task.expected(*arguments, **named))
+
+    return right
 
 
 def check_criterion(

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import struct
+from collections.abc import Mapping
 from typing import Any
 
 from lesson_code.course.grading.compare import agrees
@@ -15,6 +16,11 @@ COUNTS = ("no", "one", "two", "three", "four", "five", "six")
 FACTORS = {-1.0: "minus", 2.0: "twice", 0.5: "half of", -2.0: "minus twice", -0.5: "minus half of"}
 
 PLACES = ("first", "second", "third", "fourth")
+
+UNTELLING = {0.0, 1.0}
+"""Numbers that stand in many answers: a normal turned by a right angle is not in another order."""
+
+NAN = "nan is no number: it comes of 0/0, or of inf - inf."
 
 ALMOST = 1e-4
 """Relative difference up to which an answer counts as right but for its last digits: a slip in a
@@ -52,13 +58,51 @@ def _of_form_inside(got: Any, expected: Any) -> str:
     """Return such a sentence about the first of some values whose form differs, or nothing."""
     if not isinstance(expected, list):
         return ""
-    for mine, right in zip(got, expected, strict=True):
+    for place, (mine, right) in enumerate(zip(got, expected, strict=True)):
         if said := of_form(mine, right):
             asked = _asked_for(right)
-            there = "a tuple" if isinstance(mine, list) else "one value"
-            is_simple = isinstance(mine, list) != isinstance(right, list)
-            return f"There is {there} where {asked[0].lower()}{asked[1:]}." if is_simple else said
+            if isinstance(mine, list) != isinstance(right, list) and mine is not None:
+                there = "a tuple" if isinstance(mine, list) else "one value"
+                return f"There is {there} where {asked[0].lower()}{asked[1:]}."
+            if 1 < len(expected) <= len(PLACES):
+                return f"In the {PLACES[place]}: {said[0].lower()}{said[1:]}"
+            return said
     return ""
+
+
+def kind_of(value: Any) -> str:
+    """Return of what kind a plain value is at first sight, in a word."""
+    if isinstance(value, list):
+        return "list"
+    return {type(None): "None", bool: "truth", str: "text"}.get(type(value), "number")
+
+
+def of_given(got: Any, expected: Any, given: Mapping[str, Any]) -> str:
+    """Return a sentence where an answer holds nothing but arguments as they came in, or nothing.
+
+    >>> of_given([3.0, -1.0], [1.0, 2.0], {"m1": 2.0, "v1": 3.0, "m2": 5.0, "v2": -1.0})
+    'That is v1 and v2 as they came in.'
+    >>> of_given([3.0, 4.0], [-3.0, 4.0], {"velocity": [3.0, 4.0]})
+    'That is velocity as it came in.'
+    """
+    if agrees(got, expected):
+        return ""
+    if whole := _name_of(got, given):
+        return f"That is {whole} as it came in."
+    if not isinstance(got, list) or len(got) > len(PLACES):
+        return ""
+    names = [_name_of(item, given) for item in got]
+    if len(names) < 2 or not all(names) or len(set(names)) < len(names):
+        return ""
+    return f"That is {', '.join(names[:-1])} and {names[-1]} as they came in."
+
+
+def _name_of(value: Any, given: Mapping[str, Any]) -> str:
+    """Return the name of the only argument that is a value, if that tells anything."""
+    if {abs(number) for number in _numbers(value) or ()} <= UNTELLING:
+        return ""
+    names = [name for name, argument in given.items() if agrees(value, argument)]
+    return names[0] if len(names) == 1 else ""
 
 
 def of_numbers(got: Any, expected: Any) -> str:
@@ -67,11 +111,11 @@ def of_numbers(got: Any, expected: Any) -> str:
     >>> of_numbers([3.0, -1.0], [-1.0, 3.0])
     'That is the right answer in another order.'
     """
+    if _is_nan_in(got):
+        return NAN
     mine, right = _numbers(got), _numbers(expected)
     if mine is None or right is None or len(mine) != len(right):
         return ""
-    if any(math.isnan(number) for number in mine):
-        return "nan is no number: it comes of 0/0, or of inf - inf."
     if any(math.isinf(number) for number in mine):
         return "inf is beyond all numbers: something was divided by zero."
     if not any(right) or not any(mine):
@@ -108,8 +152,9 @@ def _of_one_part(got: Any, expected: Any) -> str:
 
 def _of_the_order(mine: list[float], right: list[float]) -> str:
     """Return in a sentence that two different numbers stand in each other's places, or nothing."""
-    sizes = {round(abs(number), 9) for number in right}
-    if len(sizes) > 1 and agrees(sorted(mine), sorted(right)):
+    moved = [b for a, b in zip(mine, right, strict=True) if not agrees(a, b)]
+    sizes = {round(abs(number), 9) for number in moved}
+    if len(sizes) > 1 and sizes - UNTELLING and agrees(sorted(mine), sorted(right)):
         return "That is the right answer in another order."
     return ""
 
@@ -139,6 +184,13 @@ def _is_column(value: Any) -> bool:
         and len(value) > 1
         and all(isinstance(item, list) and len(item) == 1 for item in value)
     )
+
+
+def _is_nan_in(value: Any) -> bool:
+    """Return whether nan is among the numbers of a plain value."""
+    if isinstance(value, list):
+        return any(map(_is_nan_in, value))
+    return isinstance(value, float) and math.isnan(value)
 
 
 def _numbers(value: Any) -> list[float] | None:

@@ -7,6 +7,7 @@ such an error usually answers.
 from __future__ import annotations
 
 import difflib
+import math
 from collections.abc import Iterable
 from typing import Any
 
@@ -14,10 +15,13 @@ from lesson_code.course.grading import difference
 from lesson_code.course.grading.compare import shortened, told_apart, written
 from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.tried import TriedCall, of_any_answer
-from lesson_code.course.isolation.call_outcome import CallOutcome
+from lesson_code.course.isolation.inside.answers import plain
 from lesson_code.course.isolation.inside.imports import THE_LIST
 
 NOT_WRITTEN = "not written yet"
+
+LEFT_OUT = "which is left out"
+"""What is said of an import that no answer may use."""
 
 SAYS_ALL = ("missing", "not called")
 """Kinds of outcome whose own words are the message: nothing was called."""
@@ -38,6 +42,19 @@ HIDDEN = {
     "unusable": "It returned something that is no number, vector or tuple.",
 }
 """The message for each kind of outcome while inputs stay hidden: no word of it is the student's."""
+
+
+HIDDEN_FORMS = {
+    ("None", "number"): "It returned None where a number was asked for.",
+    ("None", "list"): "It returned None where several values were asked for.",
+    ("number", "list"): "It returned one number where several values were asked for.",
+    ("list", "number"): "It returned several values where one number was asked for.",
+    ("number", "None"): "It returned a number where None was asked for.",
+    ("list", "None"): "It returned values where None was asked for.",
+    ("text", "number"): "It returned a text where a number was asked for.",
+    ("text", "list"): "It returned a text where several values were asked for.",
+}
+"""What may be said of an answer of another kind than asked for while inputs stay hidden."""
 
 
 def message(task: Task, call: TriedCall, *, may_be_none: bool = False) -> tuple[str, str]:
@@ -68,13 +85,47 @@ def message(task: Task, call: TriedCall, *, may_be_none: bool = False) -> tuple[
         said = f"it {outcome.text}" if outcome.kind == "unusable" else outcome.text
         return f"{called} {_sentence(said)}", outcome.text
     got, expected = call.got, call.wanted
-    shown = "It returned {}; expected {}.".format(*told_apart(got, expected))
+    if _has_another_form(call) or got is None:
+        got, expected = outcome.value, call.expected
     looks = difference.of_form(got, expected, may_be_none=may_be_none)
     if not looks:
-        looks = difference.of_numbers(got, expected)
+        looks = _of_values(task, call)
         why = _explained(task, call.arguments, outcome.value)
-        return f"{called} {' '.join(filter(None, (shown, looks, why)))}", looks
-    return f"{called} {shown} {looks}", looks
+        return f"{called} {' '.join(filter(None, (_shown(call), looks, why)))}", looks
+    return f"{called} {_shown(call)} {looks}", looks
+
+
+def _of_values(task: Task, call: TriedCall) -> str:
+    """Return in a sentence how the values of an answer of the right form differ, or nothing."""
+    given = dict(zip(task.parameters, plain(list(call.arguments)), strict=False))
+    return difference.of_given(call.got, call.wanted, given) or difference.of_numbers(
+        call.got, call.wanted
+    )
+
+
+def _has_another_form(call: TriedCall) -> bool:
+    """Return whether an answer is of another kind than asked for, before its part is looked at."""
+    got, expected = _kinds_of(call)
+    return got != expected
+
+
+def _shown(call: TriedCall) -> str:
+    """Return what came and what was expected; what a criterion looks at beside what came."""
+    returned = call.outcome.value
+    if call.got is None and returned is not None:  # it has no part of the kind that is looked at
+        return "It returned {}; expected {}.".format(*told_apart(returned, call.expected))
+    got, expected = told_apart(call.got, call.wanted)
+    if call.criterion.part is None or _first_kinds(call.got) == _first_kinds(returned):
+        return f"It returned {got}; expected {expected}."
+    return (
+        f"It returned {shortened(written(returned))}, which counts as {got}; expected {expected}."
+    )
+
+
+def _first_kinds(value: Any) -> tuple[str, ...]:
+    """Return of what kind a list is, and its first value, where a criterion puts it in order."""
+    is_list = difference.kind_of(value) == "list"
+    return ("list", *map(difference.kind_of, value[:1])) if is_list else (repr(value),)
 
 
 def call_of(task: Task, arguments: Arguments) -> str:
@@ -86,14 +137,25 @@ def call_of(task: Task, arguments: Arguments) -> str:
     return f"{task.function}({', '.join(values)})"
 
 
-def hidden_message(outcome: CallOutcome) -> tuple[str, str]:
-    """Return a message without inputs, values and the words of errors, and its reason in short."""
+def hidden_message(call: TriedCall) -> tuple[str, str]:
+    """Return a message without inputs, values and the words of errors, and its reason in short.
+
+    How many values were asked for is not said: that may tell a number of an input.
+    """
+    outcome = call.outcome
     if outcome.kind == "not written":
         return NOT_WRITTEN, NOT_WRITTEN
     if outcome.kind in SAYS_ALL:
         return outcome.text, outcome.text
     said = HIDDEN.get(outcome.kind, _sentence(outcome.text))
+    if outcome.kind == "returned":
+        said = HIDDEN_FORMS.get(_kinds_of(call), said)
     return said, said
+
+
+def _kinds_of(call: TriedCall) -> tuple[str, str]:
+    """Return of what kind an answer is, and of what kind it should be."""
+    return difference.kind_of(call.outcome.value), difference.kind_of(call.expected)
 
 
 def _sentence(text: str) -> str:
@@ -102,8 +164,27 @@ def _sentence(text: str) -> str:
 
 
 def _question(text: str) -> str:
-    """Return what to ask oneself after an error."""
-    return QUESTIONS.get(text.partition(":")[0], "")
+    """Return what to ask oneself after an error, unless its text says the reason.
+
+    >>> _question("NameError: name 'np' is not defined (your answer.py, line 2)")
+    'Is `import numpy as np` missing?'
+    """
+    kind = text.partition(":")[0]
+    name = text.removeprefix("NameError: name '").partition("'")[0]
+    if LEFT_OUT in text:
+        return ""
+    if kind == "NameError" and (line := _import_of(name)):
+        return f"Is `{line}` missing?"
+    return QUESTIONS.get(kind, "")
+
+
+def _import_of(name: str) -> str:
+    """Return the import that is likely to be missing where a name is, or nothing."""
+    if name == "np":
+        return "import numpy as np"
+    if name in ("numpy", "math", "cmath", "itertools", "functools", "random", "copy"):
+        return f"import {name}"
+    return f"from math import {name}" if hasattr(math, name) else ""
 
 
 def _explained(task: Task, arguments: Arguments, answer: Any) -> str:
@@ -126,7 +207,7 @@ def left_out_name(text: str, left_out: dict[str, str]) -> str:
     if not text.startswith("NameError") or name not in left_out:
         return ""
     rule = "an answer stands on its own" if left_out[name].endswith("lesson_code") else THE_LIST
-    return f"{name} comes from an {left_out[name]}, which is left out: {rule}"
+    return f"{name} comes from an {left_out[name]}, {LEFT_OUT}: {rule}"
 
 
 def missing_function(function: str, others: Iterable[str], lost: dict[str, str]) -> str:

@@ -27,12 +27,20 @@ from lesson_code.course.isolation.limits import PATIENCE
 
 
 def call_here(
-    functions: dict[str, Any], function: str, arguments: Arguments, seconds: float = 3.0
+    functions: dict[str, Any],
+    function: str,
+    arguments: Arguments,
+    seconds: float = 3.0,
+    *,
+    returned: dict[str, Any] | None = None,
 ) -> CallOutcome:
-    """Call a function in this process, as a notebook does with its reader's own code."""
+    """Call a function in this process, as a notebook does with its reader's own code.
+
+    What it returns is kept in `returned` as it came, by the function's name.
+    """
     try:
         with kept_apart(), silence(), time_limit(seconds):
-            reply = answers.call(function, list(arguments), functions)
+            reply = answers.call(function, list(arguments), functions, returned)
     except TimeLimitError:
         return CallOutcome("timeout", text=f"it did not finish within {seconds:g} s")
     return call_outcome(reply)

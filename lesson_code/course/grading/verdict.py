@@ -217,5 +217,5 @@ def _mark(
 def _message(task: Task, trial: TriedCall, hidden: bool, may_be_none: bool) -> tuple[str, str]:
     """Return what to say of a trial that failed, in the part that its criterion looks at."""
     if hidden:
-        return hidden_message(trial.outcome)
+        return hidden_message(trial)
     return message(task, trial, may_be_none=may_be_none)

@@ -23,7 +23,7 @@ from typing import Any
 
 from rich.table import Table
 
-from lesson_code.course.grading.exercises import exercise_by_name
+from lesson_code.course.grading.exercises import exercise_by_name, exercises
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.isolation import InForce, IsolationError, Limits, opened
 from lesson_code.course.measuring import nbgrader_run
@@ -32,7 +32,9 @@ from lesson_code.course.measuring.processes import cpu_seconds
 from lesson_code.parallel import usable_cores
 
 VERSION = 1
-EXERCISE = "01"
+EXERCISE, MIX = "01", "mix"
+"""What is graded if nothing is said, and the name of all exercises one after another."""
+
 SEED = 7
 """A class is graded with one seed."""
 
@@ -81,6 +83,7 @@ class Rate:
 class Throughput:
     """The rates of all ways of grading that were measured, and why others were not."""
 
+    exercise: str
     rates: tuple[Rate, ...]
     missing: dict[str, str]
 
@@ -89,7 +92,7 @@ class Throughput:
         return {
             "version": VERSION,
             "command": "measure grading",
-            "exercise": exercise_by_name(EXERCISE).name,
+            "exercise": self.exercise,
             "cores": os.cpu_count(),
             "python": sys.version.split()[0],
             "rates": [rate.as_dict() for rate in self.rates],
@@ -100,7 +103,7 @@ class Throughput:
         """Return a table, a row for each way of grading."""
         table = Table(
             "grader", "isolation", "workers", "submissions a second", "processor, ms each",
-            title=f"Grading {exercise_by_name(EXERCISE).name}, {os.cpu_count()} cores",
+            title=f"Grading {self.exercise}, {os.cpu_count()} cores",
         )  # fmt: skip
         for rate in self.rates:
             level = "none" if rate.in_force is None else rate.in_force.level
@@ -115,6 +118,7 @@ def measure_grading(
     root: Path,
     wanted: Sequence[str] | None = None,
     *,
+    exercise: str = EXERCISE,
     workers: int | None = None,
     batches: int = BATCHES,
     told: Callable[[str, float], None] = lambda *_: None,
@@ -127,6 +131,9 @@ def measure_grading(
         The workbook's folder; its solution is what is graded.
     wanted : sequence of str, optional
         Names of rungs; by default all, and nbgrader where it is installed.
+    exercise : str
+        Name or number of what is graded; with `MIX` all exercises, one after another. nbgrader,
+        which has no programs, does without the mix.
     workers : int, optional
         Processes that grade side by side; one for each core by default.
     batches : int
@@ -134,7 +141,8 @@ def measure_grading(
     told : callable
         Receives progress messages, and the share of the work that is done.
     """
-    path = exercise_by_name(EXERCISE).solution(root)
+    chosen = exercises() if exercise == MIX else (exercise_by_name(exercise),)
+    paths = [each.solution(root) for each in chosen]
     count = workers or usable_cores()
     missing: dict[str, str] = {}
     with ExitStack() as stack:
@@ -147,16 +155,17 @@ def measure_grading(
                 continue
             children.close()
             pool = stack.enter_context(ProcessPoolExecutor(count))
-            turns.append((Rate(rung.name, in_force, count), _turn(pool, rung.name, path, count)))
-        if wanted is None:
+            turns.append((Rate(rung.name, in_force, count), _turn(pool, rung.name, paths, count)))
+        if wanted is None and len(paths) == 1 and paths[0].suffix == ".ipynb":
             if missing_nbgrader := nbgrader_run.missing():
                 missing["nbgrader"] = missing_nbgrader
             else:
                 folder = stack.enter_context(tempfile.TemporaryDirectory())
-                course = nbgrader_run.Course(Path(folder), path, exercise_by_name(EXERCISE), SEED)
+                course = nbgrader_run.Course(Path(folder), paths[0], chosen[0], SEED)
                 turns.append((Rate("nbgrader", None, 1), partial(course.grade, SMALL_BATCH)))
         _take_turns(turns, batches, told)
-    return Throughput(tuple(rate for rate, _ in turns), missing)
+    name = chosen[0].name if len(chosen) == 1 else exercise
+    return Throughput(name, tuple(rate for rate, _ in turns), missing)
 
 
 def _take_turns(
@@ -175,15 +184,16 @@ def _take_turns(
 
 
 def _turn(
-    pool: ProcessPoolExecutor, rung: str, path: Path, workers: int
+    pool: ProcessPoolExecutor, rung: str, paths: Sequence[Path], workers: int
 ) -> Callable[[], tuple[int, float, float]]:
     """Return what grades one batch on all workers: how many, in what time, for what CPU time."""
-    each = SMALL_BATCH if rung in SLOW else BATCH
+    rounds = max(1, (SMALL_BATCH if rung in SLOW else BATCH) // len(paths))
+    each = [*paths] * rounds
 
     def turn() -> tuple[int, float, float]:
         began = time.perf_counter()
-        used = sum(pool.map(_grade_batch, [rung] * workers, [path] * workers, [each] * workers))
-        return each * workers, time.perf_counter() - began, used
+        used = sum(pool.map(_grade_batch, [rung] * workers, [each] * workers))
+        return len(each) * workers, time.perf_counter() - began, used
 
     return turn
 
@@ -192,13 +202,13 @@ _kept: dict[str, Grader] = {}
 """The graders of a worker process, kept from batch to batch as in a class run."""
 
 
-def _grade_batch(rung: str, path: Path, count: int) -> float:
-    """Return the processor's time, s, for grading a submission `count` times; run by a worker."""
+def _grade_batch(rung: str, paths: Sequence[Path]) -> float:
+    """Return the processor's time, s, for grading some submissions; run by a worker."""
     if rung not in _kept:
         _kept[rung] = Grader(rung=rung).__enter__()
         Finalize(None, _kept[rung].__exit__, (None, None, None), exitpriority=1)
     before = cpu_seconds()
-    for _ in range(count):
+    for path in paths:
         if not _kept[rung].grade(path, seed=SEED).is_full:
             raise RuntimeError(f"{path} has lost marks on rung {rung}")
     return cpu_seconds() - before

@@ -56,6 +56,7 @@ SETTINGS: dict[str, Any] = {
     "myst_enable_extensions": ["dollarmath"],
     "html_math_renderer": "mathml",
     "html_theme": "furo",
+    "html_favicon": "_static/icon.svg",
     "html_static_path": ["_static"],
     "html_extra_path": ["downloads"],
     "html_css_files": ["site.css"],

@@ -75,9 +75,8 @@ LAB_PAGE = """# Collision lab
 
 {lab}
 
-Drag a body, or the tip of its velocity, or type numbers. What moves the bodies is the course's own
-engine, compiled for the browser from the Python that the chapters show. **Link to this set-up**
-opens the same bodies for somebody else.
+What moves the bodies is the course's own engine, compiled for the browser from the Python that the
+chapters show. **Link to this set-up** opens the same bodies for somebody else.
 """
 
 EXERCISE_PAGE = """# Exercises

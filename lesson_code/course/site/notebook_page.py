@@ -10,6 +10,7 @@ import re
 import struct
 from collections.abc import Collection, Iterable, Iterator
 from html import escape
+from io import BytesIO
 from pathlib import Path
 from typing import Any, TypeGuard
 
@@ -27,6 +28,15 @@ END_ANSWER = "</details>"
 """What stands around the cells that answer a prediction."""
 
 IN_THE_PAGE = "write it and have it checked in the browser"
+
+BEGINS = "**After this notebook"
+"""Stands in the first cell of a notebook that teaches."""
+
+RUN_ALREADY = (
+    "\n\nOn this page the notebook has run already: answer its questions and move its figures "
+    "here. To write its lines yourself, [open it on your computer](../pages/students.md)."
+)
+"""What the first cell says of code that cannot be changed in the page."""
 
 SHOWING = {"show", "live", "lab", "animate", "show_quiz", "predict"}
 """What a cell calls to show something."""
@@ -66,6 +76,8 @@ class NotebookPage:
             if exercise[:2] == self._name[:2]:  # each part of a chapter leads to its exercise
                 link = f"[{IN_THE_PAGE}](../exercises/{exercise}.md)"
                 page.cells[0].source += f"\n\n**Exercise:** {link}."
+        if BEGINS in page.cells[0].source:
+            page.cells[0].source += RUN_ALREADY
         page.cells = list(_folded(page.cells))
         return page
 
@@ -91,7 +103,7 @@ class NotebookPage:
         self._count += 1
         name = f"{self._name}-{self._count}"
         alt, png = output.metadata["image/png"]["alt"], base64.b64decode(output.data["image/png"])
-        (self._folder / f"{name}.png").write_bytes(png)
+        (self._folder / f"{name}.png").write_bytes(smaller(png))
         return f'<figure class="drawn">{_image(f"{name}.png", alt, png)}</figure>'
 
 
@@ -147,6 +159,22 @@ def download(words: str, address: str) -> str:
 def _html_output(output: Any, html: str) -> Any:
     """Return an output that is this HTML."""
     return type(output)(output_type="display_data", metadata={}, data={"text/html": html})
+
+
+def smaller(png: bytes) -> bytes:
+    """Return a drawing on white as a PNG of 256 colours: a quarter of the bytes.
+
+    A drawing has few colours; its edges get the nearest of the palette.
+    """
+    from PIL import Image  # comes with matplotlib
+
+    with Image.open(BytesIO(png)) as picture:
+        sheet = Image.new("RGBA", picture.size, "white")
+        sheet.alpha_composite(picture.convert("RGBA"))
+    made = BytesIO()
+    few = sheet.convert("RGB").quantize(256, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    few.save(made, "PNG", optimize=True)
+    return made.getvalue()
 
 
 def _image(file: str, alt: str, png: bytes) -> str:

@@ -15,9 +15,10 @@ from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 def take_skins_off(world: World) -> None:
     """Let each contact tell of the bodies without their skins, and act on both at one point.
 
-    An impulse and its opposite at one point leave no torque over. The point lies midway between
-    the two surfaces, or on the one of the body that can be pushed: so that a disc rolls by its
-    radius, however deep it lies in the floor.
+    An impulse and its opposite at one point leave no torque over. The point divides the way from
+    one surface to the other as the widths of the bodies do: both lever arms of two discs are too
+    short by the same share. A body that nothing can push counts as infinitely wide: so a disc
+    rolls by its radius, however deep it lies in the floor.
     """
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -27,7 +28,7 @@ def take_skins_off(world: World) -> None:
         c.ax, c.ay = c.ax - skin_a * c.nx, c.ay - skin_a * c.ny
         c.bx, c.by = c.bx + skin_b * c.nx, c.by + skin_b * c.ny
         dx, dy = b.x - a.x, b.y - a.y
-        of_b = 0.5 if a.inv_m > 0.0 and b.inv_m > 0.0 else (1.0 if b.inv_m > 0.0 else 0.0)
+        of_b = 1.0 / (1.0 + b.min_width / a.min_width)
         c.ax += of_b * (dx + c.bx - c.ax)
         c.ay += of_b * (dy + c.by - c.ay)
         if of_b < 1.0:

@@ -92,15 +92,19 @@ def look(seen: Seen) -> None:
     facts.body_count = len(seen.bodies)
     thinnest = math.inf
     for body in seen.bodies:
-        has_corners, can_turn = body.corner_count > 0, body.inv_i > 0.0
-        facts.cornered_count += 1 if has_corners else 0
-        facts.has_spin = facts.has_spin or body.w != 0.0
-        facts.has_turnable = facts.has_turnable or can_turn
-        facts.has_turnable_cornered = facts.has_turnable_cornered or (can_turn and has_corners)
+        has_corners = body.corner_count > 0
+        if has_corners:
+            facts.cornered_count += 1
+        if body.w != 0.0:
+            facts.has_spin = True
+        if body.inv_i > 0.0:
+            facts.has_turnable = True
+            facts.has_turnable_cornered = facts.has_turnable_cornered or has_corners
         if body.mass < math.inf:
             facts.free_count += 1
             facts.has_free_cornered = facts.has_free_cornered or has_corners
-            thinnest = min(thinnest, body.min_width if facts.skin > 0.0 else thickness(body))
+            width = body.min_width if facts.skin > 0.0 else thickness(body)
+            thinnest = width if width < thinnest else thinnest
             note(seen.free_restitution, body.restitution)
             note(seen.free_friction, body.friction)
         else:
@@ -135,7 +139,8 @@ def fastest_point(bodies: list[SeenBody]) -> float:
             if body.w != 0.0:
                 twice_energy += body.w * body.w / body.inv_i if body.inv_i > 0.0 else math.inf
             arm = body.bounding_radius if body.corner_count > 0 else 0.0
-            most_yielding = max(most_yielding, 1.0 / body.mass + arm * arm * body.inv_i)
+            yields = 1.0 / body.mass + arm * arm * body.inv_i
+            most_yielding = yields if yields > most_yielding else most_yielding
     return math.sqrt(twice_energy * most_yielding)
 
 
@@ -148,10 +153,12 @@ def note(found: Coefficients, value: float) -> None:
         found.open_count += 1
         return
     found.own_count += 1
-    found.next_most = max(found.next_most, min(value, found.most))
-    found.most = max(found.most, value)
-    found.next_least = min(found.next_least, max(value, found.least))
-    found.least = min(found.least, value)
+    if value > found.next_most:
+        found.next_most = min(value, found.most)
+        found.most = max(found.most, value)
+    if value < found.next_least:
+        found.next_least = max(value, found.least)
+        found.least = min(found.least, value)
 
 
 def most_of_pairs(rule: int, free: Coefficients, fixed: Coefficients) -> float:

@@ -105,7 +105,10 @@ def _solve(problem: Problem, guess: Cases | None) -> Answer:
 def _answers(problem: Problem, guess: Cases | None) -> Iterator[Answer]:
     """Yield the answers of one method after the other, the quickest first."""
     for spring in SPRINGS:
-        yield by_pivoting(problem._replace(spring=spring), first_guess(problem, guess))
+        answer = by_pivoting(problem._replace(spring=spring), first_guess(problem, guess))
+        yield answer
+        if not answer.fits:
+            break
     if len(problem.friction) <= MOST_FOR_LEMKE:
         yield by_lemke(problem)
 

@@ -88,6 +88,8 @@ class Answer(NamedTuple):
     """What is left of the complementarity conditions, m/s; 0 is exact."""
     method: str
     """"open" (no contact is needed), "one" (closed form), "pivoting", "lemke" or "softened"."""
+    fits: bool = True
+    """Whether the search for cases has come to its end; else it went in circles."""
 
 
 def complementarity_error(problem: Problem, x: Floats) -> float:

@@ -67,16 +67,17 @@ def by_pivoting(problem: Problem, cases: Cases) -> Answer:
     """Return the answer by block principal pivoting, the error of the spring taken out."""
     m = len(problem.friction)
     centre = np.zeros(2 * m)
-    best = Answer(centre, complementarity_error(problem, centre), "pivoting")
+    best, found = Answer(centre, complementarity_error(problem, centre), "pivoting"), False
     for _ in range(CENTRES):
         cases, fits = _pivot(problem, cases, centre)
+        found = found or fits
         centre = legal(problem, _solve_cases(problem, cases, centre, exact=True))
         error = complementarity_error(problem, centre)
         gained = error < 0.5 * best.error
         best = Answer(centre, error, "pivoting") if error < best.error else best
         if best.error <= tolerance(problem, best.impulses) or not (fits and gained):
             break
-    return best
+    return best._replace(fits=found)
 
 
 def _pivot(problem: Problem, cases: Cases, centre: Floats) -> tuple[Cases, bool]:

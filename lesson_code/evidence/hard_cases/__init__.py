@@ -7,15 +7,8 @@ module for each theme. ``workbook measure hard-cases`` compares the engines.
 """
 
 from lesson_code.evidence.hard_cases.catalogue import FAMILIES, by_theme, family_by_name
-from lesson_code.evidence.hard_cases.comparison import (
-    Comparison,
-    Replay,
-    Result,
-    installed_engines,
-    measure_hard_cases,
-    replay,
-    summed_up,
-)
+from lesson_code.evidence.hard_cases.comparison import Comparison, Replay, Result, summed_up
+from lesson_code.evidence.hard_cases.measure import installed_engines, measure_hard_cases, replay
 from lesson_code.evidence.hard_cases.parameters import Draw, seeded
 from lesson_code.evidence.hard_cases.trial import (
     ENGINES,

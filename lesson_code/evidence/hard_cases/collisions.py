@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.measures import ROUNDING, STEP, gain, largest
+from lesson_code.evidence.hard_cases.measures import ROUNDING, gain, largest
 from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import OURS, Trial, family
 from lesson_code.evidence.scenes import corner_impacts, spinning_discs
@@ -221,8 +220,9 @@ def oblique_discs(draw: Draw, trial: Trial) -> float:
     impacts = spinning_discs.random_impacts(1, seed=draw.integer("pair", 0, 10**9))
     a, b, e, mu = next(impacts)
     expected = spinning_discs.hit(a, b, spinning_discs.normal_between(a, b), e, mu)
-    back = [replace(disc, position=disc.position - disc.velocity * STEP) for disc in (a, b)]
-    run = trial.run(spinning_discs.scene_of(back[0], back[1], e, mu), STEP, dt=STEP)
+    step = spinning_discs.STEP
+    scene = spinning_discs.scene_of(a.moved(-step), b.moved(-step), e, mu)
+    run = trial.run(scene, step, dt=step)
     return spinning_discs.difference(expected, run)
 
 

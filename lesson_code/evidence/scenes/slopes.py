@@ -26,9 +26,14 @@ STICKS = 2.0
 
 
 def body_on_slope(
-    shape: Circle | Polygon, degrees: float, friction: float, *, sunk: float = 0.0
+    shape: Circle | Polygon,
+    degrees: float,
+    friction: float,
+    *,
+    sunk: float = 0.0,
+    mass: float = 1.0,
 ) -> Scene:
-    """Return a slope, and a body of 1 kg at rest on it, which is body 1.
+    """Return a slope, and a body at rest on it, which is body 1.
 
     Parameters
     ----------
@@ -40,10 +45,12 @@ def body_on_slope(
         Friction coefficient of body and slope, >= 0; the restitution is 0.
     sunk : float
         How deep the body stands in the slope, as a share of its height above it.
+    mass : float
+        Of the body, kg.
     """
     theta = math.radians(one_number("degrees", degrees, finite))
     lowest = -shape.radius if isinstance(shape, Circle) else min(y for _, y in shape.outline)
     surface = Material(restitution=0.0, friction=friction)
-    body = Body(shape, position=(0.0, -lowest * (1 - sunk)), mass=1.0, material=surface)
+    body = Body(shape, position=(0.0, -lowest * (1 - sunk)), mass=mass, material=surface)
     slope = Body(Segment((-HALF_LENGTH, 0), (HALF_LENGTH, 0)))
     return Scene([slope, body], gravity=(GRAVITY * math.sin(theta), -GRAVITY * math.cos(theta)))

@@ -16,12 +16,15 @@
 // put somewhere. A screen reader is told its place, or the words of `says(values)` instead.
 // `draw` is called after each change; `lesson` holds the compiled functions of the course
 // (program.js), or each of several programs by its name; one pen for each panel follows. Nothing
-// else decides what is seen. On a narrow screen the panels stand one below the other.
+// else decides what is seen. On a narrow screen the panels stand one below the other, and letters,
+// arrowheads and handles keep a size that can be read and touched.
 //
 // What a figure imports from this folder comes with it: world.js steps a scene.
 
 const MARGIN = 14; // pixels between panels
 const NARROW = 0.75; // of the drawing's width: with less room its panels stand one below the other
+const GRIP = 14; // pixels: the radius of a handle
+const LEAST = 0.86; // of their size: how small letters may become where the drawing has to shrink
 const TIP = 9; // pixels: the length of an arrow's head
 const QUIET = 400; // ms without a change, after which a screen reader is told what can be seen
 const COLORS = ["blue", "orange", "green", "vermilion", "purple", "sky"]; // of the palette
@@ -39,12 +42,12 @@ const escaped = (words) => words.replace(/[&<>"]/g, (letter) => `&#${letter.char
 
 /** Draws in the units of one panel, x to the right and y upwards. */
 class Pen {
-  constructor(panel, left, top) {
+  constructor(panel, left, top, zoom) {
     const [west, east, south, north] = panel.view;
     this.view = panel.view;
     this.scale = panel.width / (east - west);
     this.scaleY = panel.height ? panel.height / (north - south) : this.scale;
-    Object.assign(this, { left, top, width: panel.width, height: this.scaleY * (north - south) });
+    Object.assign(this, { left, top, zoom, width: panel.width, height: this.scaleY * (north - south) });
     this.parts = [];
   }
 
@@ -89,7 +92,7 @@ class Pen {
     else {
       const [ux, uy] = [dx / length, dy / length];
       const [x, y] = [this.x(to[0]), this.y(to[1])];
-      const head = Math.min(TIP, length);
+      const head = Math.min(TIP * this.zoom, length);
       const wing = (side) =>
         `${(x - head * (ux - 0.5 * side * uy)).toFixed(1)} ${(y - head * (uy + 0.5 * side * ux)).toFixed(1)}`;
       const d = `M${this.place(from)}L${this.place(to)}M${wing(1)}L${this.place(to)}L${wing(-1)}`;
@@ -106,14 +109,15 @@ class Pen {
 
   /** Write words at a place, shifted by some pixels. They are always in ink. */
   text([x, y], words, { shift = [0, 0], anchor = "middle", bold = false, size = 14 } = {}) {
-    const place = { x: (this.x(x) + shift[0]).toFixed(1), y: (this.y(y) + shift[1]).toFixed(1) };
+    const [right, down] = shift.map((pixels) => pixels * this.zoom);
+    const place = { x: (this.x(x) + right).toFixed(1), y: (this.y(y) + down).toFixed(1) };
     const weight = bold ? { "font-weight": "bold" } : {};
-    this.put("text", { ...place, "text-anchor": anchor, "font-size": size, ...weight }, words);
+    this.put("text", { ...place, "text-anchor": anchor, "font-size": size * this.zoom, ...weight }, words);
   }
 
   /** Say below a place, line by line, what lines of some style are: [[name, style], ...]. */
   legend([x, y], lines) {
-    const at = (right, down) => [x + right / this.scale, y - down / this.scaleY];
+    const at = (right, down) => [x + (right * this.zoom) / this.scale, y - (down * this.zoom) / this.scaleY];
     lines.forEach(([name, style], row) => {
       this.line([at(0, 18 * row + 10), at(28, 18 * row + 10)], style);
       this.text(at(36, 18 * row + 14), name, { anchor: "start", size: 13 });
@@ -185,7 +189,7 @@ const STYLE = `
     align-items: center; margin: 4px 0; }
   [data-live] :is(input, select) { font: inherit; width: 100%; box-sizing: border-box; margin: 0; }
   [data-live] p { margin: 6px 0; }
-  [data-live] button { font: inherit; padding: 3px 10px; }
+  [data-live] button { font: inherit; padding: 3px 10px; margin-top: 6px; }
   [data-live] .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
   @media (max-width: 36em) {
     [data-live] label { grid-template-columns: 1fr 5.5em; }
@@ -195,12 +199,12 @@ const STYLE = `
 `;
 
 /** Return the drawing of a figure at some values, and what can be seen in it. */
-export function drawn(figure, lesson, values, isNarrow = false) {
-  const { left = 0, gap = MARGIN, top = 0, bottom = 0 } = figure;
+export function drawn(figure, lesson, values, isNarrow = false, zoom = 1) {
+  const { left, gap, top, bottom } = roomOf(figure, isNarrow, zoom);
   const pens = [];
-  let [right, down] = [isNarrow ? narrowLeft(figure) : left, 0];
+  let [right, down] = [left, 0];
   for (const panel of figure.panels) {
-    pens.push(new Pen(panel, right, down));
+    pens.push(new Pen(panel, right, down, zoom));
     if (isNarrow) down += heightOf(panel) + top + bottom + MARGIN;
     else right += panel.width + gap;
   }
@@ -208,15 +212,21 @@ export function drawn(figure, lesson, values, isNarrow = false) {
   return { words, pens, drawing: pens.flatMap((pen) => pen.parts).join("") };
 }
 
-const narrowLeft = ({ left = 0, gap = MARGIN, panels }) => (panels.length > 1 ? Math.max(left, gap - MARGIN) : left);
+/** Return the room that the letters around a figure's panels need. */
+function roomOf({ left = 0, gap = MARGIN, top = 0, bottom = 0, panels }, isNarrow, zoom) {
+  const side = isNarrow && panels.length > 1 ? Math.max(left, gap - MARGIN) : left;
+  return { left: side * zoom, gap: gap * zoom, top: top * zoom, bottom: bottom * zoom };
+}
+
 const heightOf = ({ height, width, view: [west, east, south, north] }) => height ?? (width * (north - south)) / (east - west);
 
 /** Return the view box of a figure's drawing, with the room that its axes need. */
-export function sizeOf(figure, isNarrow = false) {
-  const { left = 0, gap = MARGIN, top = 0, bottom = 0, panels } = figure;
+export function sizeOf(figure, isNarrow = false, zoom = 1) {
+  const { left, gap, top, bottom } = roomOf(figure, isNarrow, zoom);
   const sum = (numbers) => numbers.reduce((all, number) => all + number, 0);
+  const { panels } = figure;
   const [widths, heights] = [panels.map(({ width }) => width), panels.map(heightOf)];
-  const width = isNarrow ? narrowLeft(figure) + Math.max(...widths) : left + sum(widths) + gap * (panels.length - 1);
+  const width = left + (isNarrow ? Math.max(...widths) : sum(widths) + gap * (panels.length - 1));
   const height = isNarrow ? sum(heights) + (top + bottom + MARGIN) * (panels.length - 1) : Math.max(...heights);
   return [0, -top, Math.ceil(width + 8), Math.ceil(height + top + bottom)];
 }
@@ -254,12 +264,17 @@ class Live {
     return Object.fromEntries(Object.entries(this.figure.numbers).map(([key, { start }]) => [key, start]));
   }
 
-  /** Put the panels beside or below each other, as there is room; return whether that is new. */
+  /** Put the panels beside or below each other, as there is room, with letters that can be read; return
+   *  whether that is new. */
   fit() {
-    const isNarrow = this.place.clientWidth < NARROW * sizeOf(this.figure)[2];
-    if (isNarrow === this.isNarrow) return false;
-    this.isNarrow = isNarrow;
-    const size = sizeOf(this.figure, isNarrow);
+    const room = this.place.clientWidth; // 0 where the figure is not seen yet
+    const isNarrow = room < NARROW * sizeOf(this.figure)[2];
+    const [once, twice] = [1, 2].map((zoom) => sizeOf(this.figure, isNarrow, zoom)[2]);
+    const margins = LEAST * (twice - once); // they grow with the letters
+    const zoom = room ? Math.max(1, Math.ceil((10 * (LEAST * once - margins)) / (room - margins)) / 10) : 1;
+    if (isNarrow === this.isNarrow && zoom === this.zoom) return false;
+    Object.assign(this, { isNarrow, zoom });
+    const size = sizeOf(this.figure, isNarrow, zoom);
     this.svg.setAttribute("viewBox", size.join(" "));
     this.svg.setAttribute("width", size[2]);
     return true;
@@ -311,7 +326,7 @@ class Live {
     const group = this.drawn("g", {
       ...OURS, class: "handle", tabindex: 0, role: "slider", "aria-label": label, "aria-roledescription": "point that can be moved",
     }, this.svg);
-    this.drawn("circle", { r: 14 }, group);
+    this.drawn("circle", { r: GRIP }, group);
     const moved = (to) => this.set(handle.moved(this.values, to));
     let from = null; // where on the handle it was taken hold of
     group.addEventListener("pointerdown", (event) => {
@@ -357,7 +372,7 @@ class Live {
   }
 
   show(typing = null) {
-    const { words, pens, drawing } = drawn(this.figure, this.lesson, this.values, this.isNarrow);
+    const { words, pens, drawing } = drawn(this.figure, this.lesson, this.values, this.isNarrow, this.zoom);
     this.pens = pens;
     this.picture.innerHTML = drawing;
     this.words.textContent = words;
@@ -375,7 +390,7 @@ class Live {
     }
     for (const { group, at, says, panel = 0, step } of this.handles) {
       const [x, y] = at(this.values);
-      group.setAttribute("transform", `translate(${pens[panel].place([x, y]).replace(" ", ",")})`);
+      group.setAttribute("transform", `translate(${pens[panel].place([x, y]).replace(" ", ",")}) scale(${this.zoom})`);
       group.setAttribute("aria-valuenow", x);
       group.setAttribute("aria-valuetext", says?.(this.values) ?? `${written(x, step)}, ${written(y, step)}`);
     }

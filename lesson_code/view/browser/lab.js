@@ -15,6 +15,7 @@ class Lab {
     Object.assign(this, { place, program, isRunning: false, chosen: null, shown });
     place.setAttribute("data-ready", "");
     place.replaceChildren(made("style", {}, LAB_STYLE));
+    put(place, "p", {}, HANDS);
     this.canvas = put(place, "canvas", { ...FREE_KEYS, role: "application", tabindex: 0 });
     this.controls = new Controls(this);
     this.account = new Account(this);
@@ -27,7 +28,7 @@ class Lab {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
     new MutationObserver(draw).observe(document.documentElement, { attributes: true });
     window.addEventListener("hashchange", () => this.read());
-    if (!this.read()) this.open(PRESETS["Oblique hit"]());
+    if (!this.read()) this.openPreset(FIRST);
   }
 
   another() {
@@ -56,12 +57,17 @@ class Lab {
 
   // What happens
 
-  /** Begin with a set-up. */
-  open(setup) {
+  /** Begin with a set-up; `name` is that of its preset. */
+  open(setup, name = OWN) {
     this.run(false);
     this.begin(setup);
+    this.controls.preset.box.value = name;
     this.controls.deal();
     this.refresh();
+  }
+
+  openPreset(name) {
+    this.open(PRESETS[name](), name);
   }
 
   begin(setup) {
@@ -84,7 +90,7 @@ class Lab {
       this.open(understood(JSON.parse(decodeURIComponent(found[1]))));
       return true;
     } catch (error) {
-      if (!this.setup) this.open(PRESETS["Oblique hit"]());
+      if (!this.setup) this.openPreset(FIRST);
       this.controls.error.textContent = `The link holds no set-up: ${error.message}`;
       return true;
     }
@@ -101,6 +107,7 @@ class Lab {
     const before = setup.bodies.length;
     change(setup);
     this.begin(setup);
+    this.controls.preset.box.value = OWN;
     if (before !== setup.bodies.length) this.controls.deal();
     this.refresh();
   }
@@ -188,3 +195,6 @@ class Lab {
     requestAnimationFrame(frame);
   }
 }
+
+const FIRST = "Oblique hit";
+const HANDS = "Drag a body, or the tip of its arrow. Then press Run.";

@@ -64,9 +64,10 @@ def lab_html() -> str:
     """
     picture = base64.b64encode(STILL.read_bytes()).decode() if STILL.exists() else ""
     return (
-        f'<div data-lab="{title()}" style="{colors()}"><img alt="{escape(ALT)}" '
-        'style="display:block;max-width:100%;background:#fff" '
-        f'src="data:image/svg+xml;base64,{picture}"><p>{WITHOUT}</p></div>\n'
+        f'<div data-lab="{title()}" style="{colors()};font:14px/1.4 sans-serif">'
+        f'<p>{WITHOUT}</p><img alt="{escape(ALT)}" '
+        'style="display:block;width:100%;max-width:56em;background:#fff" '
+        f'src="data:image/svg+xml;base64,{picture}"></div>\n'
         f'<script type="module">\n{script()}'
         "startLab(await open_program(), await open_formulas(), FUNCTIONS, "
         "await open_plan());\n</script>"
@@ -87,8 +88,8 @@ def script_sum() -> str:
 def script() -> str:
     """Return the lab's modules and its program as one script."""
     here = Path(__file__).parent
-    ranges = f"const RANGES = {json.dumps(scene_file.ranges())};\n"
-    modules = ranges + "\n".join((here / name).read_text("utf-8") for name in MODULES)
+    form = f"const FORM = {json.dumps(scene_file.form())};\n"
+    modules = form + "\n".join((here / name).read_text("utf-8") for name in MODULES)
     functions = "\n".join(code_of(function) for function in SHOWN)
     return (
         plain(programs.script_with(SOLVER, modules))

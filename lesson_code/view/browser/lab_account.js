@@ -156,7 +156,7 @@ class Account {
     }
     pen.stroke();
     if (isBeyond) pen.fillText(name, tx + 20 * ux, ty + 12 * uy);
-    else pen.fillText(name, (x + tx) / 2 + 12 * uy, (y + ty) / 2 - 12 * Math.abs(ux));
+    else pen.fillText(name, (x + tx) / 2 + 16 * uy, (y + ty) / 2 - 12 * Math.abs(ux));
   }
 
   showGraph() {

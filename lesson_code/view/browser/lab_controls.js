@@ -53,26 +53,36 @@ class Controls {
   constructor(lab) {
     this.lab = lab;
     const { place } = lab;
-    this.words = put(place, "p", { class: "lab-words" });
+    this.buttons(put(place, "div", { class: "lab-row" }));
     this.error = put(place, "p", { role: "alert" });
     this.told = put(place, "p", { class: "unseen", role: "status" });
-    this.buttons(put(place, "div", { class: "lab-row" }));
-    this.settings(put(place, "div", { class: "lab-row" }));
+    this.words = put(place, "p", { class: "lab-words" });
+    this.settings(put(place, "div", { class: "lab-row" }), put(place, "div", { class: "lab-row" }));
     this.cards = put(place, "div");
-    const last = put(place, "p", { class: "lab-row" });
+    const last = put(place, "div", { class: "lab-row" });
     this.adds = button(last, "Add a body", () => lab.edit((setup) => setup.bodies.push(lab.another())));
-    this.link = put(last, "a", { href: "#" }, "Link to this set-up");
     button(last, "Save as file", () => this.save());
-    const opens = put(last, "label", {}, "Open a file ");
-    const file = put(opens, "input", { ...FREE_KEYS, type: "file", accept: ".json,application/json" });
+    const opens = put(last, "label", { class: "lab-button" }, "Open a file");
+    const file = put(opens, "input", { ...FREE_KEYS, class: "unseen", type: "file", accept: ".json,application/json" });
     file.addEventListener("change", () => this.openFile(file));
-    put(place, "p", { class: "lab-keys" }, KEYS);
+    this.link = put(last, "a", { href: "#" }, "Link to this set-up");
+    this.link.addEventListener("click", (event) => this.share(event));
+    put(place, "p", {}, KEYS);
   }
 
   /** Give all surfaces an elasticity or a friction, those of their own included. */
   coat(setup, name, value) {
     setup[name] = value;
     for (const one of setup.bodies) delete one[name];
+  }
+
+  /** Put the link into the address, and onto the clipboard where that is allowed; go on with the run. */
+  async share(event) {
+    event.preventDefault();
+    history.replaceState(null, "", this.link.href);
+    const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+    this.told.textContent = this.link.textContent = isCopied ? "The link is copied" : "The address holds the set-up";
+    setTimeout(() => (this.link.textContent = "Link to this set-up"), 3000); // ms: long enough to be read
   }
 
   /** Hand the set-up over as a scene file. */
@@ -119,17 +129,16 @@ class Controls {
 
   buttons(row) {
     this.runs = button(row, "Run", () => this.lab.run(!this.lab.isRunning));
+    this.runs.className = "lab-go";
     this.back = button(row, "Step back", () => this.lab.go(this.lab.count - 1));
     button(row, "Step", () => this.lab.go(this.lab.count + 1));
-    button(row, "Reset", () => this.lab.open(this.lab.setup));
+    button(row, "Reset", () => this.lab.open(this.lab.setup, this.preset.box.value));
     check(row, "Slow", false, (isOn) => (this.lab.isSlow = isOn));
     this.clock = put(row, "span", { class: "lab-value lab-clock" });
   }
 
-  settings(row) {
-    this.preset = select(row, "Begin with", { "": ["Choose"], ...CHAPTERS }, (name) => {
-      if (PRESETS[name]) this.lab.open(PRESETS[name]());
-    });
+  settings(row, shows) {
+    this.preset = select(row, "Begin with", { "": [OWN], ...CHAPTERS }, (name) => PRESETS[name] && this.lab.openPreset(name));
     this.ways = select(row, "Motion", ["on a line", "in the plane"], (value) =>
       this.lab.edit((setup) => (setup.dimensions = value === "on a line" ? 1 : 2)),
     );
@@ -145,8 +154,9 @@ class Controls {
       const parts = check(row, label, false, (isOn) => this.lab.edit((setup) => (setup[name] = isOn)));
       return { name, isPlane, ...parts };
     });
+    put(shows, "span", {}, "Show");
     for (const [name, label] of Object.entries(SHOWN))
-      check(row, label, this.lab.shown[name], (isOn) => {
+      check(shows, label, this.lab.shown[name], (isOn) => {
         this.lab.shown[name] = isOn;
         this.lab.refresh();
       });
@@ -225,6 +235,7 @@ class Controls {
   }
 }
 
+const OWN = "a set-up of your own";
 const KEYS =
   "Keys on the picture: 1 to 8 choose a body, the arrows move it, Shift and the arrows change its velocity, + and \u2212 its size. " +
   "Drag the small square of a chosen body to change its size.";
@@ -236,23 +247,28 @@ const LAB_STYLE = `
   [data-lab] :is(details, ul) { margin: 8px 0; max-width: 56em; }
   [data-lab] ul { padding-left: 1.3em; font-variant-numeric: tabular-nums; }
   [data-lab] pre { white-space: pre-wrap; max-width: 56em; font-size: 13px; }
-  [data-lab] .lab-keys { max-width: 56em; }
+  [data-lab] :is(p, fieldset) { max-width: 56em; box-sizing: border-box; }
   [data-lab] summary { cursor: pointer; font-weight: bold; }
   [data-lab] .lab-row { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 8px 0; }
-  [data-lab] .lab-words { min-height: 4.2em; margin: 6px 0; max-width: 56em; font-variant-numeric: tabular-nums; }
-  [data-lab] :is(button, input, select) { font: inherit; }
-  [data-lab] button { padding: 4px 12px; min-width: 4.5em; }
+  [data-lab] .lab-row label { display: inline-flex; gap: 6px; align-items: center; }
+  [data-lab] .lab-words { min-height: 4.2em; margin: 6px 0; font-variant-numeric: tabular-nums; }
+  [data-lab] :is(button, input, select) { font: inherit; margin: 0; }
+  [data-lab] :is(button, .lab-button) { padding: 4px 12px; min-width: 4.5em; }
+  [data-lab] .lab-button { position: relative; background: ButtonFace; color: ButtonText; border: 1px solid ButtonBorder; border-radius: 3px; }
+  [data-lab] .lab-button:focus-within { outline: 3px solid; outline-offset: 2px; }
+  [data-lab] .lab-go { font-weight: bold; min-width: 6em; }
   [data-lab] .lab-value { font-variant-numeric: tabular-nums; font-weight: bold; min-width: 2.5em; display: inline-block; }
   [data-lab] input[type="range"] { width: 8em; vertical-align: middle; }
-  [data-lab] fieldset { display: flex; flex-wrap: wrap; gap: 4px 12px; border: 1px solid color-mix(in srgb, currentColor 40%, transparent);
-    margin: 6px 0; padding: 4px 10px 8px; max-width: 56em; box-sizing: border-box; align-items: center; }
-  [data-lab] fieldset input { width: 5em; }
+  [data-lab] fieldset { display: grid; grid-template-columns: repeat(auto-fill, minmax(7em, 1fr)); gap: 4px 12px;
+    border: 1px solid color-mix(in srgb, currentColor 40%, transparent); margin: 6px 0; padding: 4px 10px 8px; align-items: end; }
+  [data-lab] fieldset :is(input, select) { width: 100%; box-sizing: border-box; }
+  [data-lab] fieldset label { display: grid; }
   [data-lab] .lab-plan { border-collapse: collapse; display: table; margin: 0; }
   [data-lab] .lab-plan :is(th, td) { text-align: left; vertical-align: top; font-weight: normal; padding: 2px 12px 2px 0; }
   [data-lab] .lab-plan td:nth-child(2) { white-space: nowrap; }
   [data-lab] .lab-plan tr:not(.lab-out) :is(th, td:nth-child(2)) { font-weight: bold; }
-  [data-lab] a { color: inherit; }
-  [data-lab] [hidden] { display: none; }
+  [data-lab] a { color: inherit; text-decoration: underline; }
+  [data-lab] [hidden] { display: none !important; }
   [data-lab] [role="alert"] { color: inherit; font-weight: bold; margin: 0; }
   [data-lab] .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
   @media print { [data-lab] :is(button, fieldset, .lab-row) { display: none; } }

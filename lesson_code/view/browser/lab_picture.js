@@ -3,6 +3,8 @@
 /** Return the distance from a body's centre to its farthest point, m. */
 const reachOf = ({ shape, size }) => (shape === "box" ? Math.SQRT2 * size : size);
 
+const BESIDE = 13; // pixels from one letter to the next
+
 class Picture {
   constructor(lab, canvas) {
     Object.assign(this, { lab, canvas });
@@ -77,8 +79,10 @@ class Picture {
 
   drawArrows({ mass }, { x, y, vx, vy }) {
     if (this.lab.setup.bodies.length > MOST_WITH_ARROWS) return;
-    if (this.lab.shown.momenta) this.arrow([x, y], [mass * vx, mass * vy], "purple", "p");
-    if (this.lab.shown.velocities) this.arrow([x, y], [vx, vy], "green", "v");
+    const { momenta, velocities } = this.lab.shown;
+    const between = Math.abs(mass - 1) * ARROW * Math.hypot(vx, vy) * this.scale; // pixels from tip to tip
+    if (momenta) this.arrow([x, y], [mass * vx, mass * vy], "purple", "p", velocities && between < BESIDE ? BESIDE : 0);
+    if (velocities) this.arrow([x, y], [vx, vy], "green", "v");
   }
 
   /** Draw where each body has been. */
@@ -131,8 +135,8 @@ class Picture {
     this.write([x, y], "CM", [16, -10]);
   }
 
-  /** Draw an arrow whose name stands beyond its tip; momenta are broader. */
-  arrow([x, y], [vx, vy], color, name) {
+  /** Draw an arrow whose name stands beyond its tip, some pixels to the right; momenta are broader. */
+  arrow([x, y], [vx, vy], color, name, aside = 0) {
     const [dx, dy] = [ARROW * vx, ARROW * vy];
     const length = Math.hypot(dx, dy);
     if (length * this.scale < 2) return;
@@ -151,7 +155,7 @@ class Picture {
     }
     pen.stroke();
     pen.globalAlpha = 1;
-    this.write([x + dx, y + dy], name, [12 * ux + (name === "p" ? 13 : 0), -12 * uy]);
+    this.write([x + dx, y + dy], name, [12 * ux + aside, -12 * uy]);
   }
 
   /** Write words at a place, shifted by some pixels. */

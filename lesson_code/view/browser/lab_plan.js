@@ -5,7 +5,7 @@ class PlanOfEffects {
   /** Take the rules of the effects, as a program. */
   constructor(lab, rules) {
     Object.assign(this, { lab, rules });
-    this.part = part(lab, "", true);
+    this.part = part(lab, "", false);
     this.title = this.part.querySelector("summary");
     put(this.part, "p", {}, PLAN_WORDS);
     this.rows = put(put(this.part, "table", { class: "lab-plan" }), "tbody");
@@ -16,7 +16,7 @@ class PlanOfEffects {
     const { world } = this.lab;
     if (world === this.asked) return;
     this.asked = world;
-    const found = planOf(this.rules, world);
+    const found = planOf(this.rules, world, PLANNED);
     const used = found.filter(({ calledFor }) => calledFor).length;
     this.title.textContent = `The plan: ${used} of ${found.length} effects are needed`;
     this.rows.replaceChildren();
@@ -29,6 +29,7 @@ class PlanOfEffects {
   }
 }
 
+const PLANNED = 10; // s
 const PLAN_WORDS =
-  "Python asks these rules of the set-up before it runs it, and compiles no line for an effect that is left out: " +
-  "the result stays the same to the last bit. The page's own engine holds the effects of a step all the time.";
+  `Python asks these rules before it runs a set-up, here for ${PLANNED} s, and compiles no line for an effect that is left out: ` +
+  "the result stays the same to the last bit. The page's own engine holds all of them all the time, but sleep.";

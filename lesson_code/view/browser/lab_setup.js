@@ -1,17 +1,15 @@
 // What the collision lab begins with: a plain object, which a link or a file can hold. Its form is that
-// of scene files (lesson_code/scene_file.py), where RANGES come from.
+// of scene files (lesson_code/scene_file.py), where FORM comes from.
 
 const DT = 1 / 60; // s, of a step
 const SLOW = 0.25; // of the true speed
 const MOST_STEPS = 4; // in a frame; a machine that is slower shows it slower
-const GRAVITY = 9.81; // m/s^2
-const ROOMS = { 1: [8, 2], 2: [8, 5] }; // m, width and height by the number of dimensions
+const { ranges: RANGES, shapes: SHAPE_NAMES, rooms: ROOMS, gravity: GRAVITY, most_bodies: MOST_BODIES } = FORM;
 const ARROW = 0.4; // m for 1 m/s, or 1 kg m/s
 const GRIP = 14; // pixels around a tip that can be taken hold of
 const MOST_WITH_NUMBERS = 8;
 const MOST_WITH_ARROWS = 50;
 const MOST_PATH = 1200; // steps that a path goes back
-const MOST_BODIES = 1000;
 const STEPS_A_SAVE = 30; // on the way back, fewer steps than this are made again
 const MOST_SAVED = 64e6; // bytes
 const REST = 400; // ms without a change, after which a screen reader is told
@@ -38,7 +36,6 @@ const SWITCHES = {
   walls: { label: "Walls" },
 };
 const SHOWN = { velocities: "Velocities", momenta: "Momenta", centre: "Centre of mass", paths: "Paths" };
-const SHAPE_NAMES = ["disc", "box", "polygon"];
 
 const body = (x, y, vx, vy, more = {}) => ({ shape: "disc", mass: 1, size: 0.4, corners: 5, x, y, vx, vy, angle: 0, w: 0, ...more });
 const track = (elasticity, bodies) => ({ dimensions: 1, elasticity, friction: 0, gravity: false, walls: true, bodies });

@@ -1,12 +1,13 @@
 // The plan of effects of a world: what Python's rules, compiled, find in it (programs/plan.py), in
-// Python's words. The page does not know how long the world will run.
+// Python's words. Bodies that fly freely are taken to meet: a hand may reach in.
 
-/** Return of each effect its name, whether the scene calls for it, and why. */
-export function planOf(rules, world) {
+/** Return of each effect its name, whether a run of the world calls for it, which takes some time in s, and why. */
+export function planOf(rules, world, duration) {
   const { facts, bodies, finding, about } = rules;
   for (const table of rules.tables) table.resize(0); // forget the last scene
   for (const table of rules.tables) if (table.isSingle) table.resize(1);
   for (const name of ["gravity_x", "gravity_y", "damping", "dt", "restitution_rule", "friction_rule"]) facts[name] = world.state[name];
+  facts.duration = duration;
   bodies.resize(world.bodies.length);
   world.bodies.forEach((body, k) => {
     const row = bodies.at(k);

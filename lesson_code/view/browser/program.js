@@ -58,13 +58,19 @@ class Program {
 
   /** Run an entry on the tables, and return the number that it returns. */
   run(entry) {
+    if (this.hasMoved) this.tell();
+    if (this.exports[entry](this.result, this.result + 8, this.words))
+      throw new Error(`${entry} has stopped at an error`);
+    return this.view.getFloat64(this.result, true);
+  }
+
+  /** Write down where the tables are, and how long. */
+  tell() {
     this.tables.forEach(({ address, length }, k) => {
       this.view.setBigUint64(this.words + 16 * k, BigInt(address), true);
       this.view.setBigUint64(this.words + 16 * k + 8, BigInt(length), true);
     });
-    if (this.exports[entry](this.result, this.result + 8, this.words))
-      throw new Error(`${entry} has stopped at an error`);
-    return this.view.getFloat64(this.result, true);
+    this.hasMoved = false;
   }
 
   /** Make steps; the tables must be as engine/core/tables.py makes them. The record of impulses is
@@ -202,6 +208,7 @@ class Table {
       Object.assign(this, { address, capacity: rows });
     }
     this.length = rows;
+    this.program.hasMoved = true;
     if (rows <= had) return;
     const from = this.address + had * this.bytes;
     new Uint8Array(this.program.exports.memory.buffer, from, (rows - had) * this.bytes).fill(0);

@@ -31,11 +31,6 @@ SUM = re.compile(r'data-sum="(\w+)"')
 IN_NOTEBOOK = re.compile(r'<figure data-live=\\"([\w-]+)\\"')
 """A figure in a notebook's file, and its title."""
 
-PARTS = re.compile(r">(?=<[^/])")
-"""Between two elements, where a line of the file ends."""
-
-BREAK = ">\n"
-
 DRAWN = """() => ["style", "svg > g", "svg"].map((found) => {
     const element = document.querySelector(`figure[data-ready] ${found}`);
     return found === "svg" ? element.getAttribute("viewBox") : element.innerHTML;

@@ -112,7 +112,7 @@ def _step(
         look: dict[str, Any] = {
             "ha": "center",
             "va": "center",
-            "fontsize": 8,
+            "fontsize": 9,
             "family": "monospace",
         }
         middle = y + (height - NAME) / 2 + 0.06

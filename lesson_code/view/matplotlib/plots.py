@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
@@ -71,19 +70,6 @@ def arrow(
             ha="center",
             va="center",
         )
-    return ax
-
-
-def wall(ax: Axes, point: Point, normal: Point, half_length: float) -> Axes:
-    """Draw a straight wall through a point, hatched on the side away from its normal."""
-    p, n = np.asarray(point, dtype=float), np.asarray(normal, dtype=float)
-    along = np.array([-n[1], n[0]])
-    a, b = p - half_length * along, p + half_length * along
-    ax.plot(*zip(a, b, strict=True), color=style.INK, linewidth=2)
-    for offset in np.linspace(-half_length, half_length, 17)[:-1]:
-        foot = p + (offset + half_length / 16) * along
-        behind = foot - (n + along) * half_length / 16
-        ax.plot(*zip(foot, behind, strict=True), color=style.GREY, linewidth=0.8)
     return ax
 
 
@@ -197,64 +183,6 @@ def _cart_velocity(
     if shown:
         arrow(ax, (x, y + size + 0.15), (1.6 * v / fastest, 0), "", color)
     ax.text(x, y - 0.22, f"{shown:+.2f} m/s", ha="center", va="center", fontsize=9)
-
-
-def velocity_at_wall(
-    ax: Axes,
-    incident: Point,
-    normal: Point,
-    outgoing: Mapping[str, tuple[Point, str, bool]],
-) -> Axes:
-    """Draw a velocity that meets a wall at the origin, and what becomes of it.
-
-    Parameters
-    ----------
-    ax : Axes
-        Where to draw.
-    incident : sequence of 2 floats
-        The velocity before; it is drawn up to the wall.
-    normal : sequence of 2 floats
-        The wall's unit normal.
-    outgoing : mapping of str to (vector, colour, dashed)
-        The velocities after, by name, drawn from the wall.
-    """
-    speeds = [math.hypot(*v) for v in (incident, *(v for v, _, _ in outgoing.values()))]
-    reach = max(speeds) or 1.0
-    wall(ax, (0, 0), normal, 0.95 * reach)
-    arrow(ax, np.negative(incident), incident, "", style.INK)
-    ax.annotate(
-        "I",
-        (-incident[0], -incident[1]),
-        xytext=(-8, 6),
-        textcoords="offset points",
-        fontsize=11,
-        fontweight="bold",
-    )
-    arrow(ax, (0, 0), np.multiply(normal, 0.4 * reach), "N", style.GREY, beside=(8, 6))
-    for vector, color, dashed in outgoing.values():
-        arrow(ax, (0, 0), vector, "", color, dashed=dashed)
-    _legend_of_arrows(ax, outgoing)
-    lowest = min(-incident[1], *(vector[1] for vector, _, _ in outgoing.values()))
-    ax.set_xlim(-1.25 * reach, 1.25 * reach)
-    ax.set_ylim(min(-0.8 * reach, lowest - 0.15 * reach), 1.15 * reach)
-    ax.set_aspect("equal")
-    ax.set_xlabel("velocity along x, m/s")
-    ax.set_ylabel("velocity along y, m/s")
-    return ax
-
-
-def _legend_of_arrows(ax: Axes, arrows: Mapping[str, tuple[Point, str, bool]]) -> None:
-    """Name arrows above the axes: at their tips the names of two that agree would overlap."""
-    ax.legend(
-        handles=[
-            Line2D([], [], color=color, linestyle="--" if dashed else "-", linewidth=2, label=name)
-            for name, (_, color, dashed) in arrows.items()
-        ],
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=len(arrows),
-        frameon=False,
-    )
 
 
 def path(ax: Axes, positions: Any, label: str, color: str, *, dashed: bool = False) -> Axes:

@@ -6,6 +6,15 @@ import math
 from fractions import Fraction as F  # noqa: N817 - written many times below
 
 ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
+    "04-by-hand": (
+        2 - F(17, 10) * 3 * F(3, 4),
+        [
+            2 + F(17, 10) * 3 * F(3, 4),
+            -1 + F(17, 10) * 3 * F(3, 4) / 3,
+            F(1 * 2 + 3 * -1, 1 + 3),
+            2 - F(17, 10) * 3 * (1 + 3),
+        ],
+    ),
     "04-angle": (F(90), [F(45), F(180), F(60)]),
     "04-depth": (
         F(2) + F(7, 2) - math.isqrt(3**2 + 4**2),

@@ -220,6 +220,7 @@ def test_drawn_crowds_are_no_matter_of_nearness_order_or_luck() -> None:
         right, values = next_event(*arrays(given)), arrays(given)
         for model in (wrong.the_nearest_pair, wrong.the_first_pair_found, wrong.only_neighbours):
             assert model(*values) != right
+    assert any(wrong.only_neighbours(*arrays(given)) for given in drawn(flights.crowds))
     assert all(next_event(*arrays(g))[0] == 0.0 for g in drawn(flights.crowds_with_a_hit_now))
     parting = [next_event(*arrays(g)) is None for g in drawn(flights.crowds_that_part)]
     assert parting == [False, True, True] * (len(parting) // 3)

@@ -100,3 +100,10 @@ def test_letters_that_a_course_system_takes_out_lead_to_the_same_line(
 ) -> None:
     """Moodle's PARAM_FILE takes out apostrophes and slashes; Canvas low lines round a number."""
     assert owners([called], [enrolled, Enrolled("t", "Ada Bryon")]) == [[Owner("s")]]
+
+
+@pytest.mark.parametrize("written", ["Sam Comma, Jr.", "Comma, Jr., Sam"])
+def test_name_with_two_commas_is_found_with_its_first_name_first(written: str) -> None:
+    """Canvas lists Sam Comma, Jr. as "Comma, Jr., Sam"; a folder has either."""
+    roster = [Enrolled("sam", "Comma, Jr., Sam"), Enrolled("ada", "Byron, Ada")]
+    assert owners([written], roster) == [[Owner("sam")]]

@@ -83,7 +83,7 @@ def test_check_of_wrong_model_prints_marks_messages_hint_and_seed(
 
 def test_check_of_unrecognised_answer_prints_no_hint(capsys: pytest.CaptureFixture[str]) -> None:
     """An answer that no wrong model gives gets messages and no hint."""
-    check_task("1.1", wrong, seed=1)
+    check_task("1.1", lambda m1, v1, m2, v2: (m1 + v2, 7 * m2 - v1), seed=1)
     assert "hint" not in capsys.readouterr().out
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lesson_code.course.grading.difference import of_form, of_numbers
+from lesson_code.course.grading.difference import of_form, of_given, of_numbers
 
 
 @pytest.mark.parametrize(
@@ -72,3 +72,33 @@ def test_form_of_an_answer_is_said_where_it_differs(got: Any, expected: Any, sai
 def test_numbers_of_an_answer_are_compared_as_a_whole(got: Any, expected: Any, said: str) -> None:
     """A sign, a factor or an order is named only if it holds of the whole answer."""
     assert of_numbers(got, expected) == said
+
+
+@pytest.mark.parametrize(
+    ("got", "expected", "said"),
+    [
+        ([[0.0, 1.0], 3.83], [[1.0, 0.0], 3.83], ""),
+        ([1.0, 0.0], [0.0, 1.0], ""),
+        ([0.0, 0.0, 2.0], [2.0, 0.0, 0.0], "That is the right answer in another order."),
+    ],
+)
+def test_normal_turned_by_a_right_angle_is_in_no_other_order(
+    got: Any, expected: Any, said: str
+) -> None:
+    """0 and 1 stand in so many answers that where they stand tells nothing of an order."""
+    assert of_numbers(got, expected) == said
+
+
+def test_values_that_came_in_are_named() -> None:
+    """Of what is returned as it came in the names are said, and of what may be another, nothing."""
+    given = {"m1": 2.0, "v1": 3.0, "m2": 2.0, "v2": -1.5, "normal": [1.0, 0.0]}
+    assert of_given([3.0, -1.5], [-1.5, 3.0], given) == "That is v1 and v2 as they came in."
+    assert of_given(3.0, 1.0, given) == "That is v1 as it came in."
+    for got in (2.0, [3.0, 2.0], [3.0, 3.0], [1.0, 0.0], [3.0, 5.0], [-1.5, 3.0], None, "v1"):
+        assert of_given(got, [-1.5, 3.0], given) == ""
+
+
+def test_part_whose_form_differs_is_said_to_be_which() -> None:
+    """Of two lists that are exchanged, the first is named as the one that is too short."""
+    said = "In the first: two values were asked for, and there are none."
+    assert of_form([[], [1.0, 2.0]], [[1.0, 2.0], []]) == said

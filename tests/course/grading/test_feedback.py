@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Any
 
+import numpy as np
 import pytest
 
 from lesson_code.course.grading.exercises import exercise_by_name, task_by_id
@@ -119,7 +121,7 @@ def test_hidden_inputs_are_in_no_message(write: Write) -> None:
     assert [v.criteria[0].message for v in hidden.verdicts] == [
         "It stopped with an error.",
         "It returned something that is no number, vector or tuple.",
-        "It returned something else than expected.",
+        "It returned several values where one number was asked for.",
     ]
 
 
@@ -156,3 +158,75 @@ def test_grader_stays_usable_after_a_file_that_cannot_be_graded(write: Write) ->
         with pytest.raises(ValueError, match="is empty"):
             grader.grade(write("empty.py", ""))
         assert grader.grade(right, exercise="01", seed=1).points == 1
+
+
+def test_answer_of_another_form_is_shown_as_it_came() -> None:
+    """A list that cannot be put in order is not said to be None, and None not to be a text."""
+    flat = judged(lambda vertices: [x for vertex in vertices for x in vertex], "6.1").lines[1]
+    assert "It returned (" in flat
+    assert "Three values were asked for, and there are six." in flat
+    nothing = judged(lambda *_: 0.0, "6.3").criteria[2].message
+    assert "It returned 0, which counts as 'overlap'; expected 'no overlap'. There is" in nothing
+
+
+def test_axis_that_is_no_number_is_shown() -> None:
+    """An edge from a vertex to itself gives 0/0, and does not hide another axis."""
+
+    def of_every_edge(vertices: Any) -> list[Any]:
+        edges = np.roll(vertices, -1, axis=0) - vertices
+        return [np.array([-y, x]) / np.hypot(x, y) for x, y in edges]
+
+    with np.errstate(invalid="ignore"):
+        said = judged(of_every_edge, "6.1").criteria[2].message
+    assert "(nan, nan)" in said
+    assert "Five values were asked for, and there are six." in said
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [("np", "import numpy as np"), ("math", "import math"), ("hypot", "from math import hypot")],
+)
+def test_import_that_is_missing_is_named(name: str, line: str) -> None:
+    """A name that an import usually gives is not one that was spelt in another way."""
+    scope: dict[str, Any] = {}
+    exec(f"def answer(*_): return {name}.sqrt(2.0)", scope)  # noqa: S102
+    assert f"Is `{line}` missing?" in judged(scope["answer"]).lines[1]
+    assert "missing" not in judged(lambda *_: m_1).lines[1]  # noqa: F821
+
+
+def test_bodies_that_are_left_alone_are_said_to_be() -> None:
+    """Equal masses make it the right answer in another order, and that is not what was done."""
+    verdict = judged(lambda *given: given[1::2])
+    assert "That is v1 and v2 as they came in." in verdict.criteria[0].message
+    assert verdict.diagnoses[0].name == "given"
+    assert "v1 and v2 come back as they came in." in verdict.diagnoses[0].hint
+
+
+@pytest.mark.parametrize(("task", "kept"), [("1.2", 1), ("8.4", 1)])
+def test_value_too_few_is_no_factor(task: str, kept: int) -> None:
+    """The 2 that says how many values there are is no factor of 2."""
+
+    def short(*arguments: Any) -> Any:
+        return (task_by_id(task).expected(*arguments) or ())[:kept] or None
+
+    assert "factor" not in str(judged(short, task).lines)
+
+
+def test_answer_that_is_always_none_is_not_taken_for_another() -> None:
+    """Where a return is missing, nothing was thought of which circles may meet."""
+    assert judged(lambda *_: None, "7.4").diagnoses == ()
+
+
+def test_hidden_message_says_of_what_kind_an_answer_is(write: Write) -> None:
+    """That there is no return, or one number for two, tells nothing of the inputs."""
+    path = write(
+        "answer.py",
+        "def elastic_1d(m1, v1, m2, v2): return v1\n"
+        "def inelastic_1d(m1, v1, m2, v2): v = 0.0, 0.0\n",
+    )
+    with Grader(hide_inputs=True) as grader:
+        first, second, _ = grader.grade(path, exercise="01", seed=1).verdicts
+    assert (
+        first.criteria[0].message == "It returned one number where several values were asked for."
+    )
+    assert second.criteria[0].message == "It returned None where several values were asked for."

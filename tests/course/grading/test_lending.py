@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from lesson_code.course.grading import lending
+from lesson_code.course.grading.check_task import check_task
 from lesson_code.course.grading.exercises import Exercise, exercises, task_by_id
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.in_process import call_here
@@ -23,7 +24,7 @@ from lesson_code.course.grading.submission import read_submission
 from lesson_code.course.grading.task import Task
 from lesson_code.course.grading.verdict import judge
 from lesson_code.course.isolation.inside.answers import Lent as StandIn
-from lesson_code.course.isolation.inside.answers import lendable
+from lesson_code.course.isolation.inside.answers import in_the_form_of, lendable
 
 from ..conftest import Write
 
@@ -317,3 +318,56 @@ def test_lendable_tells_arrays_vectors_and_tuples() -> None:
     assert lendable(value) == [
         {"array": [0.5, 1.0]}, 2.0, None, [[1, 2]], "left", {"array": [[1.0]]}
     ]  # fmt: skip
+
+
+POLYGONS = """\
+import numpy as np
+
+def sat_axes(vertices):
+    edges = [b - a for a, b in zip(vertices, np.roll(vertices, -1, axis=0))]
+    return [edge / np.hypot(*edge) for edge in edges if edge.any()]
+
+def project(vertices, axis):
+    shadow = np.dot(vertices, axis)
+    return min(shadow), max(shadow)
+
+def mtv(vertices_a, vertices_b):
+    ways = []
+    for axis in sat_axes(vertices_a) + sat_axes(vertices_b):
+        low_a, high_a = project(vertices_a, axis)
+        low_b, high_b = project(vertices_b, axis)
+        ways += [(high_a - low_b, list(axis)), (high_b - low_a, list(-axis))]
+    depth, normal = min(ways)
+    return (normal, depth) if depth > 0 else None
+"""
+
+
+def test_values_that_are_lent_have_the_form_of_the_students_own(
+    grader: Grader, write: Write
+) -> None:
+    """Lists of axes are added where arrays would be summed: the mistake in 6.1 is charged once."""
+    path = write("answer.py", POLYGONS)
+    verdicts = {v.task.id: v for v in grader.grade(path, exercise="06", seed=SEED).verdicts}
+    assert not verdicts["6.1"].is_full
+    assert verdicts["6.4"].is_full
+    assert [task.id for task in verdicts["6.4"].lent] == ["6.1"]
+
+
+def test_check_cell_lends_in_the_form_of_the_students_own(capsys: pytest.CaptureFixture) -> None:
+    """As the class's grader does, so that both give the same marks."""
+    scope: dict[str, Any] = {}
+    exec(POLYGONS, scope)  # noqa: S102
+    check_task("6.4", scope["mtv"], seed=SEED)
+    assert capsys.readouterr().out == "6.4 mtv: 4/4 points\n"
+
+
+def test_form_that_does_not_fit_leaves_a_value_as_it_is() -> None:
+    """A student's number, text or list of another kind tells nothing of the form of ours."""
+    value = (np.array([1.0, 2.0]), 3.0)
+    for own in (None, 2.0, "text", {}, 1j):
+        assert in_the_form_of(own, value) is value
+    normal, depth = in_the_form_of(([0, 1], 2), value)
+    assert (normal, depth) == ([1.0, 2.0], 3.0)
+    assert in_the_form_of(1j, np.array([1.0, 2.0])) == 1 + 2j
+    assert in_the_form_of([], np.array([1.0, 2.0])) == [1.0, 2.0]
+    assert in_the_form_of([1.0], None) is None

@@ -144,7 +144,7 @@ def test_judge_part_looks_at_that_part_alone() -> None:
     for answer in (None, 3.0, (), {}):
         verdict = judged(task, lambda _, answer=answer: answer)
         assert verdict.points == 0
-    assert "It returned None; expected" in judged(task, lambda _: 3.0).criteria[0].message
+    assert "It returned 3; expected (" in judged(task, lambda _: 3.0).criteria[0].message
 
 
 def test_judge_stops_a_criterion_after_a_crash() -> None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
 from lesson_code.cli import app
-from lesson_code.course.grading.exercises import exercise_by_name
+from lesson_code.course.grading.exercises import exercise_by_name, exercises
 from lesson_code.course.grading.submission import read_submission
 from lesson_code.course.isolation import RUNGS, InForce
-from lesson_code.course.measuring import hostile_set, nbgrader_run
+from lesson_code.course.measuring import hostile_set, nbgrader_run, throughput
 from lesson_code.course.measuring.hostile_set import HostileRuns, OnRung, chosen_rungs
 from lesson_code.course.measuring.throughput import measure_grading
 
@@ -104,6 +105,27 @@ def test_measure_grading_measures_a_rate_for_each_rung(
         rate.a_second for rate in measured.rates
     ]
     assert measured.as_table().row_count == len(measured.rates)
+
+
+def test_measure_grading_of_the_mix_grades_every_exercise(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All solutions in turn are one way of grading, and as many as there are exercises."""
+    graded: list[Path] = []
+    monkeypatch.setattr(
+        throughput, "_turn", lambda _pool, _rung, paths, _workers: partial(_noted, graded, paths)
+    )
+    best = next(rung.name for rung in RUNGS if not rung.missing())
+    measured = measure_grading(root, [best], exercise=throughput.MIX, workers=1, batches=1)
+    assert measured.as_dict()["exercise"] == "mix"
+    assert graded[: len(exercises())] == [each.solution(root) for each in exercises()]
+    assert [rate.name for rate in measured.rates] == [best]
+
+
+def _noted(graded: list[Path], paths: list[Path]) -> tuple[int, float, float]:
+    """Note what would be graded, and return that it took a second."""
+    graded += paths
+    return len(paths), 1.0, 1.0
 
 
 def test_nbgrader_notebook_has_our_points_and_inputs(root: Path) -> None:

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import base64
+from dataclasses import astuple
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from matplotlib.image import imread
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
-from lesson_code.course.site.notebook_page import BEGIN_ANSWER, END_ANSWER, NotebookPage
+from lesson_code.course.site.notebook_page import BEGIN_ANSWER, END_ANSWER, NotebookPage, smaller
 from lesson_code.view.browser.show import png_of
 from lesson_code.view.matplotlib import style
+from lesson_code.view.palette import PUBLISHED
+
+SHADE = 16
+"""Of 255 of a colour: what is hardly seen between two lines of a pixel's width."""
 
 PNG = png_of(style.figure(width=3, height=2)[0])
 ALT = 'Two "carts" & a wall.'
@@ -21,6 +29,11 @@ def picture(words: str) -> Any:
     """Return the output of a figure, as notebooks hold it."""
     data = {"image/png": base64.b64encode(PNG).decode(), "text/plain": words}
     return new_output("display_data", data=data, metadata={"image/png": {"alt": ALT}})
+
+
+def pixels_of(png: bytes) -> Any:
+    """Return the pixels of a PNG, from 0 to 255."""
+    return 255 * imread(BytesIO(png), format="png")[:, :, :3]
 
 
 def html(text: str, words: str = "") -> Any:
@@ -36,14 +49,30 @@ def page_of(folder: Path, *outputs: Any) -> list[Any]:
 
 
 def test_figure_becomes_an_image_with_its_text_and_size(tmp_path: Path) -> None:
-    """The file is the stored PNG; the text is escaped; the page keeps room for it."""
+    """The file is a smaller PNG; the text is escaped; the page keeps room for it."""
     [shown] = page_of(tmp_path, picture("Figure: carts"))
     assert (
         'alt="Two &quot;carts&quot; &amp; a wall." width="300" height="200"'
         in shown.data["text/html"]
     )
     assert 'src="../_static/figures/01_carts-1.png"' in shown.data["text/html"]
-    assert (tmp_path / "_static" / "figures" / "01_carts-1.png").read_bytes() == PNG
+    made = (tmp_path / "_static" / "figures" / "01_carts-1.png").read_bytes()
+    assert made == smaller(PNG)
+
+
+def test_smaller_figure_looks_the_same() -> None:
+    """Lines in all colours of the palette, and letters: few pixels are off by more than a shade."""
+    figure, axes = style.figure(width=6, height=4)
+    for k, color in enumerate(astuple(PUBLISHED)):
+        axes.plot([0, 1], [0, 1 + 0.1 * k], color=color, label=f"line {k}")
+    axes.legend()
+    png = png_of(figure)
+    made = smaller(png)
+    pixels = [pixels_of(data) for data in (png, made)]
+    off = np.abs(pixels[0] - pixels[1]).max(axis=2)
+    assert len(made) < len(png) / 2
+    assert (off > SHADE).mean() < 0.002
+    assert off.max() <= 3 * SHADE
 
 
 def test_text_of_a_figure_is_not_said_twice(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 
-from lesson_code.formulas import bounce, elastic_1d, reflect, scaled_reflection
+from lesson_code.formulas import elastic_1d
 from lesson_code.view.matplotlib import plots, style
 
 BEFORE = ["before", "after an elastic collision"]
@@ -102,33 +102,6 @@ def test_zero_vector_has_no_arrow_but_keeps_its_name(ax: Axes) -> None:
     plots.arrow(ax, (1, 2), (0.0, 0.0), "v", style.BLUE)
     assert arrows(ax) == []
     assert words(ax) == ["v"]
-
-
-# wall
-
-
-@pytest.mark.parametrize("angle", np.radians([0, 45, 90, 200]))
-def test_wall_runs_through_its_point_across_its_normal(ax: Axes, angle: float) -> None:
-    """The line is straight, centred on the point, and as long as asked for."""
-    normal = np.array([np.cos(angle), np.sin(angle)])
-    assert plots.wall(ax, (1, -2), normal, 3) is ax
-    a, b = ax.lines[0].get_xydata()
-    assert (a + b) / 2 == pytest.approx([1, -2])
-    assert np.hypot(*(b - a)) == pytest.approx(6)
-    assert np.dot(b - a, normal) == pytest.approx(0, abs=1e-12)
-
-
-@pytest.mark.parametrize("angle", np.radians([0, 45, 90, 200]))
-def test_wall_is_hatched_on_the_side_away_from_its_normal(ax: Axes, angle: float) -> None:
-    """The hatching shows where a ball cannot be; it starts on the wall and goes behind it."""
-    normal = np.array([np.cos(angle), np.sin(angle)])
-    plots.wall(ax, (0, 0), normal, 1)
-    marks = [line.get_xydata() for line in ax.lines[1:]]
-    assert len(marks) == 16
-    for foot, behind in marks:
-        assert np.dot(foot, normal) == pytest.approx(0, abs=1e-12)
-        assert np.hypot(*foot) <= 1
-        assert np.dot(behind, normal) < -0.01
 
 
 # before_and_after
@@ -294,92 +267,6 @@ def test_no_arrow_of_carts_runs_through_a_word(
     for patch in drawn:
         shaft = patch.get_window_extent()
         assert [t.get_text() for t, box in boxes.items() if box.overlaps(shaft)] == []
-
-
-# velocity_at_wall
-
-
-def at_wall(ax: Axes, incident: Any, normal: Any, restitution: float) -> Axes:
-    """Draw what chapter 03 draws: both rules at one wall."""
-    outgoing = {
-        "bounce": (bounce(incident, normal, restitution), style.BLUE, False),
-        "e R": (scaled_reflection(incident, normal, restitution), style.VERMILION, True),
-    }
-    return plots.velocity_at_wall(ax, incident, normal, outgoing)
-
-
-def test_incident_ends_at_the_wall_and_the_others_start_there(ax: Axes) -> None:
-    """I comes in to the origin; N and the velocities after leave it."""
-    assert at_wall(ax, (3, -4), (0, 1), 0.5) is ax
-    assert arrows(ax) == [
-        ((-3, 4), (3, -4)),
-        ((0, 0), (0, 2)),
-        ((0, 0), (3, 2)),
-        ((0, 0), (1.5, 2)),
-    ]
-
-
-def test_outgoing_velocities_are_named_with_their_colour_and_line(ax: Axes) -> None:
-    """The names stand in a legend: at the tips, those of equal velocities would overlap."""
-    at_wall(ax, (3, -4), (0, 1), 1)
-    handles = ax.get_legend().get_lines()
-    assert [line.get_label() for line in handles] == ["bounce", "e R"]
-    assert [line.get_color() for line in handles] == [style.BLUE, style.VERMILION]
-    assert [line.get_linestyle() for line in handles] == ["-", "--"]
-    assert words(ax) == ["I", "N"]
-
-
-def test_velocities_are_drawn_to_one_scale_with_their_unit(ax: Axes) -> None:
-    """Angles on paper are angles in the world, and the axes say m/s."""
-    at_wall(ax, (3, -4), (0, 1), 0.5)
-    assert ax.get_aspect() == 1
-    assert "m/s" in ax.get_xlabel()
-    assert "m/s" in ax.get_ylabel()
-
-
-@pytest.mark.parametrize("angle", range(0, 360, 30))
-def test_every_arrow_lies_within_the_limits_at_every_wall(ax: Axes, angle: int) -> None:
-    """Also at a ceiling, where all arrows point down."""
-    normal = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
-    incident = -3 * normal + 2 * np.array([-normal[1], normal[0]])
-    at_wall(ax, incident, normal, 1)
-    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
-    for tail, vector in arrows(ax):
-        for x, y in (tail, np.add(tail, vector)):
-            assert left <= x <= right
-            assert bottom <= y <= top
-
-
-def test_nothing_that_moves_is_drawn_too(ax: Axes) -> None:
-    """All velocities zero: a wall, its normal, and limits that are not empty."""
-    at_wall(ax, (0.0, 0.0), (0, 1), 1)
-    assert [vector for _, vector in arrows(ax)] == [(0, 0.4)]
-    assert ax.get_xlim()[0] < ax.get_xlim()[1]
-
-
-@pytest.mark.parametrize("tilt", [-40, -20, 0, 20, 40])
-@pytest.mark.parametrize("restitution", [0, 0.4, 1])
-def test_no_word_at_the_wall_is_cut_or_written_over_another(
-    assert_texts_are_clear: READABLE, tilt: float, restitution: float
-) -> None:
-    """At all corners of chapter 03's sliders, also where both rules agree (e = 1)."""
-    normal = np.array([np.sin(np.radians(tilt)), np.cos(np.radians(tilt))])
-    figure, ax = style.figure(width=5.4, height=4.4)
-    at_wall(ax, np.array([3.0, -3.0]), normal, restitution)
-    assert_texts_are_clear(figure)
-
-
-def test_mirror_of_chapter_03_can_be_read(assert_texts_are_clear: READABLE) -> None:
-    """The tilted wall with R and the tangent part."""
-    tilted, incident = np.array([np.sin(0.35), np.cos(0.35)]), np.array([2.0, -4.0])
-    mirrored = reflect(incident, tilted)
-    figure, ax = style.figure(width=5.4, height=4.4)
-    outgoing = {
-        "R": (mirrored, style.BLUE, False),
-        "tangent part": ((incident + mirrored) / 2, style.GREEN, True),
-    }
-    plots.velocity_at_wall(ax, incident, tilted, outgoing)
-    assert_texts_are_clear(figure)
 
 
 # path and curves

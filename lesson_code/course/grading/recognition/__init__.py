@@ -60,6 +60,12 @@ the same in all."""
 VAGUEST = ("ignored", "term", "factor_missing")
 """Kinds of slips that are not said where others, made in the same place, explain the same."""
 
+SAYS_MORE = {"sign": ("minus",), "other": ("order",)}
+"""By kind the kinds that say more of the same answer: all signs, not one; the order of all."""
+
+PLAINEST = "given"
+"""A kind that is said alone: nothing else need be thought of where nothing was done."""
+
 NEAR = 1e-6
 """Relative difference up to which two signatures may belong to answers that agree: far above the
 tolerance of answers, and so small that few others come through."""
@@ -246,6 +252,11 @@ def _said(found: list[WrongModel]) -> tuple[WrongModel, ...]:
     kinds: dict[str, dict[str, WrongModel]] = {}
     for model in found:
         kinds.setdefault(model.name, {})[model.hint] = model
+    if PLAINEST in kinds:
+        kinds = {PLAINEST: kinds[PLAINEST]}
+    for kind, others in SAYS_MORE.items():
+        if kinds.keys() & set(others):
+            kinds.pop(kind, None)
     for kind in VAGUEST:
         if len(kinds) > MOST_SAID:
             kinds.pop(kind, None)

@@ -83,6 +83,10 @@ def slips_around(right: Function, task: str, parameters: Sequence[str]) -> Itera
                 unchanged = _with_argument_returned(right, count, part, place)
                 yield model(task, "unchanged", unchanged, {"name": name})
 
+    for i, k in permutations(range(min(len(parameters), MOST_OF_ANY_KIND)), 2):
+        names = {"name": f"{parameters[i]} and {parameters[k]} come back"}
+        yield model(task, "given", lambda *given, i=i, k=k: (given[i], given[k]), names)
+
     yield from slips_by_parts(right, task, parameters)
 
 

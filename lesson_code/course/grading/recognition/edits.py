@@ -36,6 +36,9 @@ LEFT_OUT = {
 ROOTS = ("hypot", "norm", "dist", "abs")
 """Functions that take a root, which may be left out."""
 
+OF_A_COUNT = ("full", "ones", "range", "repeat", "round", "tile", "zeros")
+"""Functions to which a 2 says how many, and not how much."""
+
 IN_RADIANS = ("sin", "cos", "tan")
 TURNED = {
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.Eq: ast.NotEq,
@@ -58,7 +61,7 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         case ast.Constant(value=bool() | str() | None):
             pass
         case ast.Constant(value=value) if value in (2, 0.5):
-            if not (isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Pow)):
+            if not _is_no_factor(parent):
                 yield "factor", {}, ast.Constant(1)
                 yield "factor", {}, ast.Constant(2 * value)
         case ast.Constant(value=value) if value in (3, 6, 12, 24):
@@ -102,6 +105,18 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         yield "factor", {}, ast.BinOp(ast.Constant(2), ast.Mult(), node)
         yield "factor", {}, ast.BinOp(node, ast.Div(), ast.Constant(2))
         yield "sign", {}, ast.UnaryOp(ast.USub(), node)
+
+
+def _is_no_factor(parent: ast.AST) -> bool:
+    """Return whether a 2 below a node is a power, an end of a slice, or counts values."""
+    if isinstance(parent, ast.BinOp):
+        parts = (parent.left, parent.right)
+        return isinstance(parent.op, ast.Pow) or any(
+            isinstance(part, ast.Tuple | ast.List) for part in parts
+        )
+    return isinstance(parent, ast.Slice) or (
+        isinstance(parent, ast.Call) and called(parent) in OF_A_COUNT
+    )
 
 
 def _is_a_value(node: ast.expr, parent: ast.AST) -> bool:

@@ -49,6 +49,7 @@ HINTS = {
     "ignored": "{name} does not count. What should change with it?",
     "alike": "{first} and {second} count as equal. What should change where they differ?",
     "unchanged": "{name} comes back as it came in. What should have become of it?",
+    "given": "{name} as they came in. What should have become of them?",
     "index": "a component is taken for another. Which of x and y belongs there?",
     "order": "what is returned stands in another order. What was asked for first?",
     "gate": "a condition is turned round or not asked. When should something happen at all?",

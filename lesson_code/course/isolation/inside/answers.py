@@ -32,7 +32,7 @@ from functools import partial
 from typing import Any, BinaryIO
 
 from .reading import compiled, parsed, read
-from .vectors import is_vector, vector
+from .vectors import is_vector, shape_of, vector
 
 MOST_NUMBERS = 10_000
 """Numbers and letters in an answer at most; no task asks for more than a thousand."""
@@ -159,8 +159,16 @@ def _is_compiled(units: list[dict[str, Any]]) -> bool:
     )
 
 
-def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict[str, Any]:
-    """Call a student's function and return what came of it."""
+def call(
+    function: str,
+    arguments: list[Any],
+    namespace: dict[str, Any],
+    returned: dict[str, Any] | None = None,
+) -> dict[str, Any]:
+    """Call a student's function and return what came of it.
+
+    A value that is not None is kept in `returned` as it came, by the function's name.
+    """
     if not callable(namespace.get(function)):
         return {"kind": "missing", "text": f"there is no function named {function}"}
     try:
@@ -169,6 +177,8 @@ def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict
         return {"kind": "not written", "text": _described(error)}
     except STOPPED as error:
         return {"kind": "raised", "text": _described(error)}
+    if returned is not None and value is not None:
+        returned[function] = value
     try:
         return {"kind": "returned", "value": plain(value)}
     except NotPlainError as error:
@@ -177,14 +187,16 @@ def call(function: str, arguments: list[Any], namespace: dict[str, Any]) -> dict
         return {"kind": "raised", "text": _described(error)}
 
 
-def together(groups: list[list[Any]], namespace: dict[str, Any]) -> list[list[dict[str, Any]]]:
+def together(
+    groups: list[list[Any]], namespace: dict[str, Any], returned: dict[str, Any] | None = None
+) -> list[list[dict[str, Any]]]:
     """Make the calls of some groups; a group ends with one that neither returns nor raises."""
     answered: list[list[dict[str, Any]]] = []
     for group in groups:
         answers: list[dict[str, Any]] = []
         answered.append(answers)
         for function, arguments in group:
-            answers.append(call(function, arguments, namespace))
+            answers.append(call(function, arguments, namespace, returned))
             if answers[-1]["kind"] not in GOES_ON:
                 break
     return answered
@@ -219,8 +231,43 @@ def _lent(value: Any) -> Any:
     return tuple(map(_lent, value)) if isinstance(value, list) else value
 
 
+def in_the_form_of(own: Any, value: Any) -> Any:
+    """Return a right value in lists, tuples and arrays like those of the student's own function.
+
+    The code that calls it may add lists to each other, which arrays do in another way. Where the
+    two forms do not fit, the value stays as it is.
+
+    >>> in_the_form_of([vector([0.0, 1.0])], vector([[1.0, 2.0], [3.0, 4.0]]))
+    [array([1., 2.]), array([3., 4.])]
+    >>> in_the_form_of((0.0, 1.0), vector([1.0, 2.0])), in_the_form_of([0.0], None)
+    ((1.0, 2.0), None)
+    """
+    shape = _shape_of(value)
+    if is_vector(own) and shape:
+        return vector(value)
+    if isinstance(own, complex) and shape == (2,):
+        return complex(*value)
+    is_many = is_vector(value) or isinstance(value, list | tuple)
+    if type(own) not in (list, tuple) or not is_many:
+        return value
+    items = value.tolist() if is_vector(value) and len(shape) == 1 else value
+    likes = own if len(own) == len(items) else [*own[:1], None][:1] * len(items)
+    return type(own)(map(in_the_form_of, likes, items))
+
+
+def _shape_of(value: Any) -> tuple[int, ...]:
+    """Return how many values stand in each direction; () of what is no array and cannot be one."""
+    try:
+        return shape_of(value)
+    except ValueError:  # vectors beside numbers
+        return ()
+
+
 class Lent:
-    """Stands in for a function of the student's: its values come from the parent, each once."""
+    """Stands in for a function of the student's: its values come from the parent, each once.
+
+    They have the form of a value that the student's own function has returned, if there is one.
+    """
 
     def __init__(
         self,
@@ -228,8 +275,10 @@ class Lent:
         parameters: list[str],
         ask: Callable[[dict[str, Any]], dict[str, Any]],
         kept: dict[str, dict[str, Any]],
+        own: Any = None,
     ) -> None:
         self.__name__ = name
+        self._own = own
         self._parameters = parameters
         self._ask = ask
         self._kept = kept
@@ -246,7 +295,7 @@ class Lent:
         reply = self._kept[key]
         if "refused" in reply:
             raise ValueError(reply["refused"])
-        return _lent(reply["value"])
+        return in_the_form_of(self._own, _lent(reply["value"]))
 
 
 def call_with(
@@ -285,17 +334,24 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     sys.modules["answer"] = answer_module
     namespace = vars(answer_module)
     kept: dict[str, dict[str, Any]] = {}  # what was lent to each function that was called
+    returned: dict[str, Any] = {}
     while line := requests.readline():
         request = json.loads(line)
         if "load" in request:
             errors = list(load(request["load"], namespace))
             answer: dict[str, Any] = {"loaded": errors[:MOST_LOAD_ERRORS]}
         elif "together" in request:
-            answer = {"answers": together(request["together"], namespace)}
+            answer = {"answers": together(request["together"], namespace, returned)}
         else:
             ask = partial(_asked, requests, answers, request["number"])
             lent = {
-                name: Lent(name, parameters, ask, kept.setdefault(request["call"], {}))
+                name: Lent(
+                    name,
+                    parameters,
+                    ask,
+                    kept.setdefault(request["call"], {}),
+                    returned.get(name),
+                )
                 for name, parameters in request.get("lent", {}).items()
             }
             answer = call_with(lent, request["call"], request["arguments"], namespace)

@@ -18,7 +18,8 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Collection, Iterable, Iterator
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cache, lru_cache
 from typing import Any
 
 from . import files, limits
@@ -98,7 +99,7 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
         if "unreadable" not in unit:
             unit |= _kept_of(body, missing, is_cell=unit.pop("is_cell"))
             unit["codes"] = _codes(unit, body, compiler)
-    _names.cache_clear()
+    _named.cache_clear()
     return units
 
 
@@ -149,7 +150,7 @@ def _uses(body: Iterable[ast.stmt]) -> dict[str, set[str]]:
         if isinstance(statement, DEFINITIONS):
             given = [statement.name]
         elif isinstance(statement, ast.Assign | ast.AnnAssign):
-            given = [n.id for n in _nodes(statement, ast.Name) if isinstance(n.ctx, ast.Store)]
+            given = sorted(_named(statement).given)
         else:
             continue
         for name in given:
@@ -215,7 +216,7 @@ def _missing(statements: Iterable[ast.stmt]) -> set[str]:
     }
     for statement in statements:
         if isinstance(statement, ast.Assign | ast.AnnAssign) and missing:
-            bound = {n.id for n in _nodes(statement, ast.Name) if isinstance(n.ctx, ast.Store)}
+            bound = _named(statement).given
             if _names(statement) & missing:
                 missing |= bound
             else:
@@ -242,7 +243,7 @@ def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
         node = left.pop()
         if isinstance(node, kind):
             yield node
-        for name in node._fields:
+        for name in _with_nodes(type(node)):
             value = getattr(node, name, None)
             if isinstance(value, ast.AST):
                 left.append(value)
@@ -250,10 +251,46 @@ def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
                 left += [part for part in value if isinstance(part, ast.AST)]
 
 
+WITHOUT_NODES = ("ctx", "op", "ops", "id", "arg", "attr", "kind", "type_comment", "module", "level")
+"""Fields of a node in which no other stands, but the signs of operators and the like."""
+
+
+@cache
+def _with_nodes(kind: type[ast.AST]) -> tuple[str, ...]:
+    """Return the fields of a kind of node in which others may stand."""
+    if kind is ast.Constant:
+        return ()
+    return tuple(name for name in kind._fields if name not in WITHOUT_NODES)
+
+
+@dataclass(frozen=True)
+class _Named:
+    """The names in code: whose values it asks for, and which get one; and whether it awaits."""
+
+    asked: set[str]
+    given: set[str]
+    awaits: bool
+
+
+AWAITING = (ast.Await, ast.AsyncFor, ast.AsyncWith)
+
+
 @lru_cache(maxsize=2 * files.MOST_CELLS)  # a statement is asked several times; `read` forgets them
+def _named(tree: ast.AST) -> _Named:
+    """Return the names in some code."""
+    names: dict[type, set[str]] = {ast.Load: set(), ast.Store: set(), ast.Del: set()}
+    awaits = False
+    for node in _nodes(tree, (ast.Name, *AWAITING)):
+        if type(node) is ast.Name:
+            names[type(node.ctx)].add(node.id)
+        else:
+            awaits = True
+    return _Named(names[ast.Load], names[ast.Store], awaits)
+
+
 def _names(tree: ast.AST) -> set[str]:
     """Return the names whose values some code asks for."""
-    return {node.id for node in _nodes(tree, ast.Name) if type(node.ctx) is ast.Load}
+    return _named(tree).asked
 
 
 def _cell(source: str) -> tuple[str, list[ast.stmt]]:
@@ -310,7 +347,7 @@ def _never_ends(statement: ast.stmt) -> bool:
 
 def _waits(statement: ast.stmt) -> bool:
     """Return whether a statement awaits something, which only a notebook can do."""
-    return any(_nodes(statement, ast.Await | ast.AsyncFor | ast.AsyncWith))
+    return _named(statement).awaits
 
 
 def _asks_for_name(test: ast.expr) -> bool:

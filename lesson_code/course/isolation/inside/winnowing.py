@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import ast
 import hashlib
-from collections.abc import Iterator
 from functools import cache, lru_cache
 from typing import Any
 
@@ -34,7 +33,7 @@ def fingerprints(body: list[ast.stmt]) -> list[dict[str, Any]]:
     found = []
     for part in body:
         if isinstance(part, ast.FunctionDef):
-            nodes, names = list(_nodes(part)), _names_in(part)
+            nodes, names = _nodes_and_names(part)
             words = " ".join([*nodes, *(name for name, _ in names)])
             own = dict.fromkeys(name for name, is_own in names if is_own)
             found.append(
@@ -47,16 +46,6 @@ def fingerprints(body: list[ast.stmt]) -> list[dict[str, Any]]:
                 }
             )
     return found
-
-
-def _names_in(function: ast.FunctionDef) -> list[tuple[str, bool]]:
-    """Return the names in a function's body, and whether each gets its value there."""
-    return [
-        (node.id, isinstance(node.ctx, ast.Store))
-        for statement in function.body
-        for node in ast.walk(statement)
-        if isinstance(node, ast.Name)
-    ]
 
 
 def winnowed(nodes: list[str]) -> list[str]:
@@ -76,33 +65,38 @@ def _digest(text: str) -> str:
     return hashlib.blake2b(text.encode(errors="replace"), digest_size=6).hexdigest()
 
 
-def _nodes(tree: ast.AST) -> Iterator[str]:
-    """Yield a tree's nodes from the outside in: their kinds, what is asked of others, numbers."""
-    left = [tree]
+def _nodes_and_names(function: ast.FunctionDef) -> tuple[list[str], list[tuple[str, bool]]]:
+    """Return a function's nodes from the outside in, and the names among them.
+
+    A node is its kind, and what of it its author cannot name: an attribute, a number. Of a name it
+    is said whether it gets its value there.
+    """
+    nodes: list[str] = []
+    names: list[tuple[str, bool]] = []
+    left: list[Any] = [function]
     while left:
         node = left.pop()
-        kind = type(node).__name__
-        yield f"{kind}{_of_others(node)}"
-        for name in _fields(kind):
-            value = getattr(node, name, None)
-            if isinstance(value, ast.AST):
-                left.append(value)
-            elif isinstance(value, list):
-                left += [p for p in reversed(value) if isinstance(p, ast.AST) and _counts(p)]
+        kind = type(node)
+        if kind is ast.Name:
+            nodes.append("Name")
+            names.append((node.id, type(node.ctx) is ast.Store))
+        elif kind is ast.Constant:
+            nodes.append(f"Constant{node.value!r}")
+        else:
+            nodes.append(f"{kind.__name__}{node.attr if kind is ast.Attribute else ''}")
+            for name in _fields(kind):
+                value = getattr(node, name, None)
+                if isinstance(value, ast.AST):
+                    left.append(value)
+                elif isinstance(value, list):
+                    left += [p for p in reversed(value) if isinstance(p, ast.AST) and _counts(p)]
+    return nodes, names
 
 
 @cache
-def _fields(kind: str) -> tuple[str, ...]:
+def _fields(kind: type[ast.AST]) -> tuple[str, ...]:
     """Return the fields of a kind of node that say how its code computes, the last one first."""
-    fields: tuple[str, ...] = getattr(ast, kind)._fields
-    return tuple(name for name in reversed(fields) if name not in LEFT_OUT)
-
-
-def _of_others(tree: ast.AST) -> str:
-    """Return what of a node its author cannot name: an attribute, a number."""
-    if isinstance(tree, ast.Constant):
-        return repr(tree.value)
-    return tree.attr if isinstance(tree, ast.Attribute) else ""
+    return tuple(name for name in reversed(kind._fields) if name not in LEFT_OUT)
 
 
 def _counts(tree: ast.AST) -> bool:

@@ -11,14 +11,14 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, get_type_hints
 
 from lesson_code.engine.compiled.linker import link
 from lesson_code.engine.compiled.program import Program
 from lesson_code.engine.compiled.webassembly import WebProgram, table_program
 from lesson_code.engine.effects.choice import EFFECTS
 from lesson_code.engine.effects.collisions import where_bodies_meet
-from lesson_code.engine.effects.facts import Coefficients, Facts, SeenBody, look
+from lesson_code.engine.effects.facts import Seen, look
 from lesson_code.engine.effects.question import Effect, Finding
 
 
@@ -32,16 +32,8 @@ class FindingRow:
     second: float = 0.0
 
 
-class Tables(NamedTuple):
-    """The tables that `look` works on, and the answer of a rule."""
-
-    facts: Facts
-    bodies: list[SeenBody]
-    free_restitution: Coefficients
-    fixed_restitution: Coefficients
-    free_friction: Coefficients
-    fixed_friction: Coefficients
-    finding: FindingRow
+Tables: type = NamedTuple("Tables", [*get_type_hints(Seen).items(), ("finding", FindingRow)])  # type: ignore[misc]
+"""The tables that `look` works on, and the answer of a rule."""
 
 
 class _Numbered(ast.NodeTransformer):
