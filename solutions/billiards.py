@@ -197,7 +197,7 @@ def advance(position, velocity, elapsed):
     -------
     (position, velocity, hits, left_over)
         As for `step`, with the hits of all steps in one list, in order; then the rest of the
-        time in s, or 0 where the last step was not quite whole.
+        time in s, >= 0. A last step that rounding has made a hair too short counts as a step.
 
     Examples
     --------

@@ -29,7 +29,7 @@ from lesson_code.course.grading import check_task
 # %% [markdown]
 # ## Task 2.1 Measure a restitution (3 points)
 #
-# Four velocities were measured, before and after a collision: before it v1 > v2. Return the
+# Four velocities were measured, before and after a collision, with v1 > v2 before it. Return the
 # restitution they show.
 
 

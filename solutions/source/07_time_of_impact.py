@@ -73,7 +73,7 @@ check_task("7.1", sweep_circles)
 # pulls it down. Return the time at which it next hits the floor, or `None` if it never does.
 #
 # - A ball on the floor that moves up has just bounced. Its next hit is still to come. One that
-#   moves down hits now. None lies there at rest.
+#   moves down hits now. No ball lies on the floor at rest.
 # - On board a spaceship gravity may be as weak as 1e-15 m/s^2, or 0. Your time must be right to
 #   nine digits there too.
 

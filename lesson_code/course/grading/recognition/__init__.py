@@ -177,7 +177,8 @@ class Evidence:
         if found:
             said = _said(found)
             return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(found[0]),)
-        turned = direction_of(self._task, parameters(self._task), calls)
+        names = parameters(self._task)
+        turned = direction_of(self._task, names, calls) if names else None
         return () if turned is None else (turned,)
 
     def _explained_by(

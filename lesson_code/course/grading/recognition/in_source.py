@@ -57,7 +57,7 @@ HINTS = {
     "sine": "a sine and a cosine are exchanged. What should come at angle 0?",
     "cross": "a cross product is a dot product, or its order is turned. What does each measure?",
     "condition": "one of several conditions is left out. When does each of them decide?",
-    "once": "what should go on until nothing is left happens once. When is it done?",
+    "once": "a loop runs only once. When has it done all that it should?",
     "sequence": "two steps stand in the other order. Which one needs what the other has changed?",
     "parts": "the part along the normal {normal}, that across it {along}. What should each do?",
     "and_or": "an `and` and an `or` are exchanged. Must all hold, or is one enough?",
