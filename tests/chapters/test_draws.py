@@ -77,7 +77,7 @@ STALE_OVERLAPS = {
 
 
 def has_full_marks(task: Task, function: Any, seed: int) -> bool:
-    """Return whether a function answers all calls of a draw rightly; the first wrong one decides."""
+    """Return whether a function answers all calls of a draw rightly; one wrong call decides."""
     return all(
         TriedCall(criterion, arguments, expected, _called(task, function, arguments)).is_right
         for criterion in task.criteria
