@@ -48,7 +48,7 @@ def toppling_rate(width, height):
     """Task D.2: return the least angular velocity at which a standing domino topples.
 
     Its energy of rotation about a lower edge must lift its centre to the highest point of its
-    way. About that edge the moment of inertia is m (width^2 + height^2) / 3.
+    way, right above that edge. About it the moment of inertia is m (width^2 + height^2) / 3.
 
     Parameters
     ----------

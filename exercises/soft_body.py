@@ -89,7 +89,7 @@ def pressure_forces(positions, area, stiffness):
     Parameters
     ----------
     positions : ndarray, shape (N, 2)
-        m, counter-clockwise.
+        m, counter-clockwise, so the area now is > 0.
     area : float
         m^2, at rest.
     stiffness : float

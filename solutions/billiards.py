@@ -155,8 +155,8 @@ def step(position, velocity, dt=TIME_STEP):
     -------
     (position, velocity, hits)
         Two arrays of shape (2,), and a list of names, "bumper" or a wall's, in the order in
-        which they were resolved. A name is a hit only if the ball moved into that wall just
-        before it was resolved.
+        which they were resolved. A name is a hit only if the ball was moving into that wall when
+        its turn came.
 
     Examples
     --------
@@ -197,7 +197,7 @@ def advance(position, velocity, elapsed):
     -------
     (position, velocity, hits, left_over)
         As for `step`, with the hits of all steps in one list, in order; then the rest of the
-        time in s, >= 0.
+        time in s, >= 0. A last step that rounding has made a hair too short counts as a step.
 
     Examples
     --------

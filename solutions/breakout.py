@@ -59,7 +59,7 @@ def brick_impact(position, velocity, radius, box):
     Parameters
     ----------
     position, velocity : ndarray, shape (2,)
-        Of the ball's centre, m and m/s. The ball is outside of the brick.
+        Of the ball's centre, m and m/s. The ball is outside of the brick, and not in touch yet.
     radius : float
         m.
     box : ndarray, shape (4,)
@@ -106,7 +106,8 @@ def fly(position, velocity, radius, bricks, duration):
     """Task K.3: return a ball after a flight among bricks.
 
     The brick that is met first turns the ball (its velocity is reflected at the normal) and
-    breaks: it is gone. Then the flight goes on with the time that is left.
+    breaks: it is gone. Then the flight goes on with the time that is left. No two bricks are met at
+    the same time.
 
     Parameters
     ----------

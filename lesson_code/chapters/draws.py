@@ -7,10 +7,13 @@ far from the axes. Numbers have two decimals, so that a message can be checked b
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from random import Random
 from typing import TypeAlias
 
 Vector: TypeAlias = tuple[float, float]
+Speed: TypeAlias = Callable[[Random], float]
+"""Draws a speed, m/s."""
 
 
 def unequal_masses(stream: Random) -> tuple[float, float]:
@@ -36,6 +39,11 @@ def speed(stream: Random) -> float:
     return round(stream.uniform(1.0, 6.0), 2)
 
 
+def creep(stream: Random) -> float:
+    """Return a speed, m/s, that is low: a hit all the same."""
+    return round(stream.uniform(0.01, 0.09), 3)
+
+
 def restitution(stream: Random) -> float:
     """Return a restitution that is neither near 0 nor near 1."""
     return round(stream.uniform(0.3, 0.8), 2)
@@ -47,14 +55,14 @@ def oblique_normal(stream: Random) -> Vector:
     return math.cos(angle), math.sin(angle)
 
 
-def velocity_into(stream: Random, normal: Vector) -> Vector:
+def velocity_into(stream: Random, normal: Vector, how_fast: Speed = speed) -> Vector:
     """Return a velocity, m/s, towards the wall with `normal`, with a tangent part of its own."""
-    return _velocity(-speed(stream), _sliding(stream), normal)
+    return _velocity(-how_fast(stream), _sliding(stream), normal)
 
 
-def velocity_away(stream: Random, normal: Vector) -> Vector:
+def velocity_away(stream: Random, normal: Vector, how_fast: Speed = speed) -> Vector:
     """Return a velocity, m/s, away from the wall with `normal`, with a tangent part."""
-    return _velocity(speed(stream), _sliding(stream), normal)
+    return _velocity(how_fast(stream), _sliding(stream), normal)
 
 
 def _sliding(stream: Random) -> float:
@@ -92,16 +100,37 @@ def at_distance(start: Vector, distance: float, direction: Vector) -> Vector:
     )
 
 
-def approaching_pair(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+def approaching_pair(
+    stream: Random, normal: Vector, how_fast: Speed = speed
+) -> tuple[Vector, Vector]:
     """Return velocities of two bodies, m/s, both moving; they approach along `normal`, 1 to 2."""
     first = _velocity(speed(stream), _sliding(stream), normal)
-    return first, _sum(first, velocity_into(stream, normal))
+    return first, _sum(first, velocity_into(stream, normal, how_fast))
 
 
-def separating_pair(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+def creeping_pair(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+    """Return velocities of two bodies, m/s, both moving, that approach slowly."""
+    return approaching_pair(stream, normal, creep)
+
+
+def first_overtakes(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+    """Return velocities of two bodies, m/s, of which 1 catches up with 2 along `normal`."""
+    fast, slow = catching_up(stream)
+    return _velocity(fast, _sliding(stream), normal), _velocity(slow, _sliding(stream), normal)
+
+
+def second_overtakes(stream: Random, normal: Vector) -> tuple[Vector, Vector]:
+    """Return velocities of two bodies, m/s, of which 2 catches up with 1 against `normal`."""
+    fast, slow = catching_up(stream)
+    return _velocity(-slow, _sliding(stream), normal), _velocity(-fast, _sliding(stream), normal)
+
+
+def separating_pair(
+    stream: Random, normal: Vector, how_fast: Speed = speed
+) -> tuple[Vector, Vector]:
     """Return velocities of two bodies, m/s, both moving, that already part along `normal`."""
     first = _velocity(speed(stream), _sliding(stream), normal)
-    return first, _sum(first, velocity_away(stream, normal))
+    return first, _sum(first, velocity_away(stream, normal, how_fast))
 
 
 def _sum(a: Vector, b: Vector) -> Vector:

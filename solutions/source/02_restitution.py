@@ -29,7 +29,8 @@ from lesson_code.course.grading import check_task
 # %% [markdown]
 # ## Task 2.1 Measure a restitution (3 points)
 #
-# Four velocities were measured, before and after a collision. Return the restitution they show.
+# Four velocities were measured, before and after a collision, with v1 > v2 before it. Return the
+# restitution they show.
 
 
 # %% tags=["task"]

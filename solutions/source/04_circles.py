@@ -105,8 +105,8 @@ check_task("4.3", separate)
 # ## Task 4.4 Separate first (4 points)
 #
 # Two circles were found to overlap. Return the four vectors (p1', v1', p2', v2') after they were
-# moved apart and, if they approached, bounced. One of the masses may be `math.inf`. You may call
-# your functions of tasks 4.2 and 4.3.
+# moved apart and, if they approached, bounced. One of the masses may be `math.inf`; that circle is
+# at rest. You may call your functions of tasks 4.2 and 4.3.
 
 
 # %% tags=["task"]

@@ -143,7 +143,7 @@ check_task("6.4", mtv)
 #
 # The line is all points p with p . normal = offset. Return the part of the segment on the inner
 # side, p . normal <= offset, as the pair (start, end) in the same direction. Return `None` where
-# nothing is left.
+# nothing is left, not even a point.
 
 
 # %% tags=["task"]

@@ -73,7 +73,7 @@ check_task("7.1", sweep_circles)
 # pulls it down. Return the time at which it next hits the floor, or `None` if it never does.
 #
 # - A ball on the floor that moves up has just bounced. Its next hit is still to come. One that
-#   moves down hits now.
+#   moves down hits now. No ball lies on the floor at rest.
 # - On board a spaceship gravity may be as weak as 1e-15 m/s^2, or 0. Your time must be right to
 #   nine digits there too.
 
@@ -132,7 +132,8 @@ check_task("7.3", advance)
 #
 # Several circles move with constant velocities. `positions` and `velocities` have the shape (N,
 # 2), `radii` has N numbers. Return (t, i, j): which two circles meet first, and when. Circles are
-# numbered from 0, and i < j. Return `None` if no two of them ever meet.
+# numbered from 0, and i < j. Return `None` if no two of them ever meet. No two pairs meet first at
+# the same time.
 
 
 # %% tags=["task"]

@@ -99,8 +99,8 @@ check_task("8.3", fit_power)
 #
 # The rows of `table` are (substeps, iterations, error). A step of such a setting makes
 # substeps times iterations sweeps. Of the rows with exactly `sweeps` sweeps, return
-# (substeps, iterations) of the one with the least error. Return `None` if there is no such row, or
-# if all of them have failed.
+# (substeps, iterations) of the one with the least error (only one has it). Return `None` if there
+# is no such row, or if all of them have failed.
 
 
 # %% tags=["task"]
@@ -125,6 +125,7 @@ check_task("8.4", best_split)
 #
 # The rows of `table` are (milliseconds, error). Return the number of the row, from 0, that takes
 # the least time among those whose error is at most `allowed`; or `None` if no row is good enough.
+# No two times are equal.
 
 
 # %% tags=["task"]

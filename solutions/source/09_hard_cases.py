@@ -55,7 +55,7 @@ check_task("9.1", tower_forces)
 # A load of the mass `heavy` comes down on a box of the mass `light`, which stands on the floor.
 # Each sweep of sequential impulses leaves the part M/(M + m) of the load's approach. Return the
 # smallest whole number of sweeps after which no more than the part `left` is left, 0 < left < 1.
-# The load may be a billion times as heavy as the box.
+# The load may be a billion times as heavy as the box: a loop over the sweeps takes too long then.
 
 
 # %% tags=["task"]

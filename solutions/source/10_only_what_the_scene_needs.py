@@ -63,13 +63,15 @@ check_task("10.1", most_friction)
 # %% [markdown]
 # ## Task 10.2 The plan of a scene (5 points)
 #
-# Each row of `bodies` is a body: its inverse mass, its number of corners (0 for a disc), its e,
-# its mu, and its angular velocity at the start. Any two bodies may meet, but for two static ones.
-# `gravity` is a vector. Return a list with the names of the effects that the scene calls for, out
-# of "friction", "gravity", "restitution" and "rotation", in any order.
+# Each row of `bodies` is a body: its inverse mass, its number of corners (0 for a disc), its e, its
+# mu, and its angular velocity at the start. Any two bodies may meet, but for two static ones; there
+# are two or more, and not all are static. `gravity` is a vector. Return a list with the names of
+# the effects that the scene calls for, out of "friction", "gravity", "restitution" and "rotation",
+# in any order.
 #
 # - A pair's e is the smaller of its two; its mu is the geometric mean.
 # - A disc that nothing rubs is pushed through its centre only.
+# - What spins at the start calls for rotation, even a smooth disc or a static body.
 
 
 # %% tags=["task"]
@@ -155,10 +157,11 @@ check_task("10.4", box_of_flight)
 # %% [markdown]
 # ## Task 10.5 Who may sleep? (4 points)
 #
-# `still[n]` is 1 if body n has not moved for long enough. `touches[a, b]` is 1 if the bodies a and
-# b touch. Bodies that can be pushed and touch form an *island*, and so do all that lead from one
-# to the next; static bodies join nothing. An island sleeps if all of its bodies are still. Return
-# the numbers of the bodies that sleep, in any order. Static bodies are none of them.
+# `still[n]` is 1 if body n has not moved for long enough. `touches[a, b]` and `touches[b, a]` are 1
+# if the bodies a and b touch; none touches itself. Bodies that can be pushed and touch form an
+# *island*, and so do all that lead from one to the next; static bodies join nothing. An island
+# sleeps if all of its bodies are still. Return the numbers of the bodies that sleep, in any order.
+# Static bodies are none of them.
 
 
 # %% tags=["task"]

@@ -114,10 +114,13 @@ check_task("11.2", hit)
 # (positions, velocities) after a step of `dt`, in this order:
 #
 # 1. every disc moves by the velocity it has, and then gravity changes the velocity;
-# 2. each pair i < j that overlaps: if the two approach, they bounce with `restitution`, as smooth
-#    discs do; and they are moved apart along the normal, the lighter one farther, until they touch;
+# 2. each pair i < j, in the order (0, 1), (0, 2), ..., (1, 2), ..., that overlaps where the pairs
+#    before have left it: if the two approach, they bounce with `restitution`, as smooth discs do;
+#    and they are moved apart along the normal, the lighter one farther, until they touch;
 # 3. each disc that is beyond a wall is put back to touch it; if it moves outwards, that part of
 #    its velocity is turned round and multiplied by `restitution`.
+#
+# No two discs have the same centre.
 
 
 # %% tags=["task"]
@@ -154,7 +157,7 @@ check_task("11.3", step_discs)
 # A game wants to know when a ball *begins* to touch the goal, not that it still does. `before` and
 # `now` are the pairs of numbers (i, j), i < j, that touched in the last step and that touch in this
 # one. Return two lists of pairs: those that have begun to touch, and those that have parted. Any
-# order will do. Either table may be empty.
+# order will do. Either table may be empty: `np.array([])`.
 
 
 # %% tags=["task"]

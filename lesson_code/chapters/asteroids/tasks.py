@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from random import Random
 from typing import Any
 
@@ -50,21 +51,46 @@ def _shot(stream: Random, velocity: draws.Vector) -> Arguments:
 
 
 def pairs(stream: Random) -> Iterator[Arguments]:
-    """Draw two that overlap and approach, two that part, and two that do not touch."""
-    for scale, is_parting in ((1, False), (1, True), (3, False)):
-        normal, radii = draws.oblique_normal(stream), draws.unequal_radii(stream)
-        distance = scale * stream.uniform(0.5, 0.9) * sum(radii)
-        v = (draws.separating_pair if is_parting else draws.approaching_pair)(stream, normal)
+    """Draw two that overlap and approach, two that part, and two that do not touch.
+
+    Of those that approach one catches up, or both come slowly. In the last case the centres of two
+    that come towards each other coincide.
+    """
+    slowly = partial(draws.separating_pair, how_fast=draws.creep)
+    for scale, smaller_first, pair in (
+        (0.9, True, draws.first_overtakes),
+        (0.9, False, draws.second_overtakes),
+        (0.5, True, draws.creeping_pair),
+        (0.9, True, draws.separating_pair),
+        (0.7, True, slowly),
+        (1.1, False, draws.approaching_pair),
+        (0.0, True, draws.approaching_pair),
+    ):
+        normal, radii = draws.oblique_normal(stream), sorted(draws.unequal_radii(stream))
+        radii = radii if smaller_first else radii[::-1]
+        distance = scale * stream.uniform(0.95, 1.0) * sum(radii)
+        v = pair(stream, normal)
         there = draws.at_distance((0.0, 0.0), distance, normal)
         places = ((0.0, 0.0), there)
-        yield places, v, draws.unequal_masses(stream), radii, draws.restitution(stream)
+        yield places, v, draws.unequal_masses(stream), tuple(radii), draws.restitution(stream)
 
 
 def chains(stream: Random) -> Iterator[Arguments]:
-    """Draw three in a crooked row, each overlapping the next, the first one fast."""
+    """Draw three in a crooked row, each overlapping the next, the first one fast.
+
+    Then a fast one hits two others, of which the second comes towards it; and one is thrown back at
+    another by the next, when the turn of the two is over.
+    """
     bend = stream.uniform(0.4, 0.8)
     places = ((0.0, 0.0), (1.5, 0.2), (1.5 + 1.5 * math.cos(bend), 0.2 + 1.5 * math.sin(bend)))
     v = ((round(stream.uniform(3, 5), 2), 0.4), (0.0, 0.3), (-1.0, 0.0))
+    yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
+    aside = stream.uniform(0.7, 0.9)
+    places = ((0.0, 0.0), (1.5, aside), (1.5, -aside))
+    v = ((round(stream.uniform(3, 5), 2), 0.4), (0.3, 0.0), (-2.0, 0.5))
+    yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
+    places = ((0.0, 0.0), (-1.5, 0.3), (1.5, -0.2))
+    v = ((0.0, 0.2), (0.5, 0.0), (-round(stream.uniform(3, 5), 2), 0.0))
     yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
 
 

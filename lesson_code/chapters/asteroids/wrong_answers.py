@@ -215,3 +215,14 @@ def one_collision_each(
             v[b] += impulse / masses[b] * n
             done |= {a, b}
     return v
+
+
+@wrong_model(
+    "A.1", "The same velocity is taken from all. Is it the same in yours for light pieces?"
+)
+def equal_shares_of_the_momentum(
+    velocity: Vector, masses: Vector, speed: float, heading: float
+) -> Any:
+    """Each piece gives back an equal share of the surplus of momentum."""
+    apart = _apart(masses, speed, heading)
+    return velocity + apart - masses @ apart / (len(masses) * np.array(masses)[:, None])

@@ -16,10 +16,16 @@ REACH = TABLE.radius + TABLE.bumper_half_thickness
 """A ball whose centre is nearer to the bumper's middle line overlaps it, px."""
 
 
+HAIR = 0.05
+"""px: what counts as an overlap, or a gap, like any other."""
+
+
 def at_one_wall(stream: Random) -> Iterator[Arguments]:
-    """Draw a ball that overlaps each wall once, by less than its radius."""
+    """Draw a ball that overlaps each wall once, by less than its radius; by a hair; and by more."""
     for x, y in ((0.5, 0.0), (0.5, 1.0), (0.0, 0.7), (1.0, 0.3)):
         yield (_at_edge(stream, x, y),)
+    yield ((round(stream.uniform(50, 200), 1), TABLE.radius - HAIR),)
+    yield ((TABLE.width + round(stream.uniform(1, 5), 1), round(stream.uniform(50, 150), 1)),)
 
 
 def in_corners(stream: Random) -> Iterator[Arguments]:
@@ -29,9 +35,10 @@ def in_corners(stream: Random) -> Iterator[Arguments]:
 
 
 def on_free_table(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that touch no wall, one of them just not."""
+    """Draw balls that overlap no wall, one of them just not; one touches two."""
     yield ((round(stream.uniform(50, 200), 1), round(stream.uniform(50, 150), 1)),)
-    yield ((TABLE.radius + 0.5, TABLE.height - TABLE.radius - 0.5),)
+    yield ((TABLE.radius + HAIR, TABLE.height - TABLE.radius - HAIR),)
+    yield ((TABLE.width - TABLE.radius, TABLE.radius),)
 
 
 def _at_edge(stream: Random, x: float, y: float) -> draws.Vector:
@@ -48,9 +55,10 @@ def _inside(stream: Random, part: float, size: float) -> float:
 
 
 def beside_the_bumper(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that overlap one side of the bumper and the other."""
+    """Draw balls that overlap one side of the bumper and the other, well and by a hair."""
     for side in (1.0, -1.0):
         yield (_near_bumper(stream.uniform(0.2, 0.8), side, stream),)
+        yield (_beside_bumper(stream.uniform(0.2, 0.8), side * (REACH - HAIR)),)
 
 
 def at_the_ends(stream: Random) -> Iterator[Arguments]:
@@ -64,7 +72,8 @@ def at_the_ends(stream: Random) -> Iterator[Arguments]:
 
 
 def off_the_bumper(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that do not overlap: far behind, and beyond an end in line with it."""
+    """Draw balls that do not overlap: far behind, beyond an end in line with it, just off."""
+    yield (_beside_bumper(stream.uniform(0.2, 0.8), REACH + HAIR),)
     yield ((round(stream.uniform(60, 120), 1), round(stream.uniform(300, 340), 1)),)
     along_x, along_y = _along()
     x, y = TABLE.bumper_end
@@ -73,9 +82,13 @@ def off_the_bumper(stream: Random) -> Iterator[Arguments]:
 
 def _near_bumper(part: float, side: float, stream: Random) -> draws.Vector:
     """Return a place that overlaps the bumper's side, `part` of the way along it."""
+    return _beside_bumper(part, side * stream.uniform(0.7, 0.9) * REACH)
+
+
+def _beside_bumper(part: float, distance: float) -> draws.Vector:
+    """Return a place at a distance from the bumper's middle line, `part` of the way along it."""
     (x1, y1), (x2, y2) = TABLE.bumper_start, TABLE.bumper_end
     n_x, n_y = TABLE.bumper_normal
-    distance = side * stream.uniform(0.7, 0.9) * REACH
     x, y = x1 + part * (x2 - x1) + distance * n_x, y1 + part * (y2 - y1) + distance * n_y
     return round(x, 3), round(y, 3)
 
@@ -87,11 +100,11 @@ def _along() -> draws.Vector:
 
 
 def overlapping(stream: Random, *, leaving: bool) -> Iterator[Arguments]:
-    """Draw balls that overlap something tilted and move into it, or away from it."""
-    for _ in range(2):
+    """Draw balls that overlap something tilted and move into it, or away from it, slowly, too."""
+    for how_fast in (draws.speed, draws.creep):
         normal = draws.oblique_normal(stream)
-        v = (draws.velocity_away if leaving else draws.velocity_into)(stream, normal)
-        velocity = round(80 * v[0], 2), round(80 * v[1], 2)
+        v = (draws.velocity_away if leaving else draws.velocity_into)(stream, normal, how_fast)
+        velocity = round(10 * v[0], 4), round(10 * v[1], 4)
         yield (200.0, 100.0), velocity, normal, round(stream.uniform(1, 8), 2)
 
 
@@ -126,10 +139,10 @@ def corner_steps(stream: Random) -> Iterator[Arguments]:
 
 
 def bumper_steps(stream: Random) -> Iterator[Arguments]:
-    """Draw steps into both sides of the bumper."""
-    for side in (1.0, -1.0):
+    """Draw steps into both sides of the bumper, and one out of it."""
+    for side, into in ((1.0, 1.0), (-1.0, 1.0), (1.0, -0.1)):
         position = _near_bumper(stream.uniform(0.3, 0.7), side, stream)
-        speed = -side * stream.uniform(200, 300)
+        speed = -side * into * stream.uniform(200, 300)
         n_x, n_y = TABLE.bumper_normal
         velocity = round(speed * n_x + 40, 2), round(speed * n_y + 40, 2)
         yield position, velocity, TIME_STEP

@@ -282,7 +282,7 @@ def never_off_a_right_angle(position: Vector) -> Any:
 @wrong_model(
     "B.4", "Where should the ball be at the end of a step with a hit: at the wall, or off it?"
 )
-def flies_on_from_the_wall(position: Vector, velocity: Vector, dt: float = TIME_STEP) -> Any:
+def flies_on_from_the_wall(position: Vector, velocity: Vector, dt: float) -> Any:
     """After a hit the ball flies on for as long as it was in the wall."""
     position, hits = position + velocity * dt, []
 

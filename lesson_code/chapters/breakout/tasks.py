@@ -29,14 +29,17 @@ def beyond_the_ends(stream: Random) -> Iterator[Arguments]:
 
 
 def into_faces(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that meet each face of a brick at an angle."""
+    """Draw balls that meet each face of a brick at an angle, the last one slowly."""
     for across in ((0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)):
         yield _towards(stream, across, across)
+    box = _box(stream)
+    below = (box[0] + stream.uniform(0.2, 0.5), box[1] - RADIUS - 0.03)
+    yield below, (0.02, round(stream.uniform(0.05, 0.09), 3)), RADIUS, box
 
 
 def into_corners(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that meet two corners, off the diagonal."""
-    for x, y in ((-1, -1), (1, 1)):
+    """Draw balls that meet each corner, off the diagonal."""
+    for x, y in ((-1, -1), (1, 1), (-1, 1), (1, -1)):
         angle = math.radians(stream.uniform(30, 40))
         normal = (x * math.cos(angle), y * math.sin(angle))
         yield _towards(stream, (float(x), float(y)), normal)

@@ -128,3 +128,10 @@ def the_heavier_decides(m1: float, v1: float, m2: float, v2: float) -> tuple[flo
     """The lighter body goes on with the heavier one, as fast as that was."""
     v = v1 if m1 > m2 else v2 if m2 > m1 else (v1 + v2) / 2
     return v, v
+
+
+@wrong_model("1.3", "What unit has your answer: N s, or J?")
+def energy_for_impulse(m1: float, v1: float, m2: float, v2: float) -> float:
+    """The impulse is the energy that body 2 receives."""
+    after = v2 + 2 * m1 * (v1 - v2) / (m1 + m2)
+    return m2 * (after**2 - v2**2) / 2

@@ -38,15 +38,17 @@ def from_behind(stream: Random) -> Iterator[Arguments]:
 
 
 def coming_in(stream: Random) -> Iterator[Arguments]:
-    """Draw lossy bounces off tilted walls."""
-    for velocity, normal in at_tilted_walls(stream):
-        yield velocity, normal, draws.restitution(stream)
+    """Draw lossy bounces off tilted walls, the last one of a ball that comes slowly."""
+    for how_fast in (draws.speed, draws.speed, draws.creep):
+        normal = draws.oblique_normal(stream)
+        yield draws.velocity_into(stream, normal, how_fast), normal, draws.restitution(stream)
 
 
 def leaving(stream: Random) -> Iterator[Arguments]:
-    """Draw velocities that already lead away from the wall."""
-    for velocity, normal in from_behind(stream):
-        yield velocity, normal, draws.restitution(stream)
+    """Draw velocities that already lead away from the wall, fast and slowly."""
+    for how_fast in (draws.speed, draws.creep):
+        normal = draws.oblique_normal(stream)
+        yield draws.velocity_away(stream, normal, how_fast), normal, draws.restitution(stream)
 
 
 def lossy_level(stream: Random) -> Iterator[Arguments]:

@@ -173,3 +173,10 @@ def left_in_the_frame_of_the_wall(velocity: Vector, normal: Vector, restitution:
     """The parts along the wall and across it are the new velocity."""
     across, along = velocity @ normal, velocity[1] * normal[0] - velocity[0] * normal[1]
     return velocity if across >= 0 else np.array([-restitution * across, along])
+
+
+@wrong_model("3.1", "How fast is the ball after your mirror, and how fast was it before?")
+def a_direction_alone(incident: Vector, normal: Vector) -> Vector:
+    """The mirror image is a direction, so its length is 1."""
+    image = incident - 2 * np.dot(incident, normal) * normal
+    return image / np.hypot(*image)

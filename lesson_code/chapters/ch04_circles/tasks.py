@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from functools import partial
 from random import Random
 from typing import Any
 
@@ -20,6 +21,9 @@ DIAGONAL = (math.sqrt(0.5), -math.sqrt(0.5))
 
 CLOSE = 2.0**-10
 """m: a gap or an overlap of a thousandth, without rounding: the circles barely miss or meet."""
+
+NEARLY = 2.0**-20
+"""m: a millionth, without rounding; between centres so near there is a direction still."""
 
 
 # 4.1: who touches whom
@@ -46,10 +50,10 @@ def just_touching(stream: Random) -> Iterator[Arguments]:
 
 
 def on_the_same_centre(stream: Random) -> Iterator[Arguments]:
-    """Draw circles whose centres coincide."""
-    for _ in range(2):
-        p, (r1, r2) = draws.position(stream), draws.unequal_radii(stream)
-        yield p, r1, p, r2
+    """Draw circles whose centres coincide, and circles whose centres nearly do."""
+    for apart in (0.0, NEARLY):
+        (x, y), (r1, r2) = _eighths(stream), draws.unequal_radii(stream)
+        yield (x, y), r1, (x - 3 * apart, y + 4 * apart), r2
 
 
 def _circles(stream: Random, direction: draws.Vector, part: float) -> Arguments:
@@ -67,15 +71,19 @@ def _eighths(stream: Random) -> draws.Vector:
 
 
 def approaching(stream: Random) -> Iterator[Arguments]:
-    """Draw unequal circles that hit each other obliquely, both moving, with some loss."""
-    for _ in range(3):
-        yield _hit(stream, draws.approaching_pair, draws.restitution(stream))
+    """Draw unequal circles that hit each other obliquely, both moving, with some loss.
+
+    The first catches up with the second, the second with the first, and the last two meet slowly.
+    """
+    for pair in (draws.first_overtakes, draws.second_overtakes, draws.creeping_pair):
+        yield _hit(stream, pair, draws.restitution(stream))
 
 
 def separating(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that already move apart."""
-    for _ in range(2):
-        yield _hit(stream, draws.separating_pair, draws.restitution(stream))
+    """Draw circles that already move apart, fast and slowly."""
+    for how_fast in (draws.speed, draws.creep):
+        pair = partial(draws.separating_pair, how_fast=how_fast)
+        yield _hit(stream, pair, draws.restitution(stream))
 
 
 def without_loss(stream: Random) -> Iterator[Arguments]:
@@ -127,15 +135,16 @@ def _overlap(stream: Random, m1: float, m2: float) -> Arguments:
 
 
 def overlapping_and_approaching(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that overlap and move into each other."""
-    for _ in range(2):
-        yield _pair(stream, draws.unequal_masses(stream), draws.approaching_pair)
+    """Draw circles that overlap and move into each other; either catches up with the other."""
+    for pair in (draws.first_overtakes, draws.second_overtakes, draws.creeping_pair):
+        yield _pair(stream, draws.unequal_masses(stream), pair)
 
 
 def overlapping_but_separating(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that overlap and are already on their way apart."""
-    for _ in range(2):
-        yield _pair(stream, draws.unequal_masses(stream), draws.separating_pair)
+    """Draw circles that overlap and are already on their way apart, fast and slowly."""
+    for how_fast in (draws.speed, draws.creep):
+        pair = partial(draws.separating_pair, how_fast=how_fast)
+        yield _pair(stream, draws.unequal_masses(stream), pair)
 
 
 def against_a_fixed_one(stream: Random) -> Iterator[Arguments]:

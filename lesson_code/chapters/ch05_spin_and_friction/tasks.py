@@ -167,7 +167,7 @@ def gripping(stream: Random) -> Iterator[Arguments]:
     """Draw contacts that friction can hold, sliding either way."""
     for way in (1, -1):
         vt, k = draws.speed(stream), _yielding(stream)
-        yield way * vt, *_pressed(stream, stream.uniform(1.5, 3.0) * vt / k), k
+        yield way * vt, *_pressed(stream, stream.uniform(1.1, 1.4) * vt / k), k
 
 
 def slipping(stream: Random) -> Iterator[Arguments]:
@@ -214,26 +214,29 @@ def rough_walls(stream: Random) -> Iterator[Arguments]:
 
 
 def smooth_walls(stream: Random) -> Iterator[Arguments]:
-    """Draw hits at which the disc goes on sliding, with slip of either sign."""
-    for way in (1, -1):
-        yield _disc_at_wall(stream, way, slip=3.0, friction=stream.uniform(0.05, 0.2))
+    """Draw hits at which the disc goes on sliding, with slip of either sign, the last one slow."""
+    for way, how_fast in ((1, draws.speed), (-1, draws.speed), (1, draws.creep)):
+        friction = stream.uniform(0.05, 0.2)
+        yield _disc_at_wall(stream, way, slip=3.0, friction=friction, how_fast=how_fast)
 
 
 def leaving_discs(stream: Random) -> Iterator[Arguments]:
-    """Draw spinning discs that already leave the wall."""
-    for _ in range(2):
+    """Draw spinning discs that already leave the wall, fast and slowly."""
+    for how_fast in (draws.speed, draws.creep):
         normal = draws.oblique_normal(stream)
-        velocity, w = draws.velocity_away(stream, normal), draws.angular_velocity(stream)
+        velocity, w = draws.velocity_away(stream, normal, how_fast), draws.angular_velocity(stream)
         radius, friction = round(stream.uniform(0.2, 0.8), 2), round(stream.uniform(0.2, 0.8), 2)
         yield velocity, w, radius, normal, draws.restitution(stream), friction
 
 
-def _disc_at_wall(stream: Random, way: int, slip: float, friction: float) -> Arguments:
+def _disc_at_wall(
+    stream: Random, way: int, slip: float, friction: float, how_fast: draws.Speed = draws.speed
+) -> Arguments:
     """Return a disc that meets a wall; `slip` is its sliding there over its approach."""
     normal = draws.oblique_normal(stream)
-    approach, radius = draws.speed(stream), round(stream.uniform(0.2, 0.8), 2)
+    approach, radius = how_fast(stream), round(stream.uniform(0.2, 0.8), 2)
     v_t = way * approach * stream.uniform(0.3, 0.6)
-    w = round((v_t - way * slip * approach) / radius, 2)
+    w = round((v_t - way * slip * approach) / radius, 4)
     velocity = np.multiply(-approach, normal) + v_t * perpendicular(normal)
     return (
         tuple(velocity.tolist()),

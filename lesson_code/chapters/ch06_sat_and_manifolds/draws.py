@@ -16,10 +16,10 @@ from lesson_code.chapters.draws import Vector
 Polygon: TypeAlias = tuple[Vector, ...]
 Pair: TypeAlias = tuple[Polygon, Polygon]
 
-_BASE: Polygon = ((-2.0, -0.6), (2.0, -1.8), (2.4, 0.2), (-1.8, 0.8))
+_BASE: Polygon = ((-1.8, 0.8), (-2.0, -0.6), (2.0, -1.8), (2.4, 0.2))
 
 CORNER_INSIDE: Pair = (_BASE, ((0.3, 0.0), (2.2, 1.2), (-0.3, 2.0)))
-"""A corner of B is in A; the shortest way out is along a normal of A."""
+"""A corner of B is in A; the shortest way out is along the normal of the last edge of A."""
 
 PARTED: Pair = (_BASE, ((0.3, 0.7), (2.2, 1.9), (-0.3, 2.7)))
 """Apart, and only an edge of A has the gap before it."""
@@ -38,7 +38,7 @@ PAST_THE_MIDDLE: tuple[Pair, Pair] = (
     (((2.7, 1.0), (-2.4, 0.7), (-0.1, -0.3)), ((1.4, 1.1), (-1.6, 1.7), (1.7, -0.9))),
 )
 """So deep that the middle of B lies on the far side of A's: the way out leads back past it. The
-shortest way out is along a normal of A in the first pair, of B in the second."""
+shortest way out is along the normal of a first edge: A's in the first pair, B's in the second."""
 
 
 def swapped(pair: Pair) -> Pair:

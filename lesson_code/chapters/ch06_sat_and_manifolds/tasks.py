@@ -16,6 +16,9 @@ from lesson_code.course.grading.task import ANSWER_TOLERANCE, Arguments, Criteri
 from lesson_code.formulas import polygon_centroid
 from lesson_code.geometry import Circle, Polygon, collide, mtv, overlap, project, sat_axes
 
+FAR = 15.0
+"""m: farther than any pair that is drawn lies from the origin."""
+
 
 def triangles(stream: Random) -> Iterator[Arguments]:
     """Draw triangles."""
@@ -24,9 +27,12 @@ def triangles(stream: Random) -> Iterator[Arguments]:
 
 
 def more_edges(stream: Random) -> Iterator[Arguments]:
-    """Draw polygons with four, five and six edges."""
+    """Draw polygons with four, five and six edges, and one with a level and an upright edge."""
     for count in (4, 5, 6):
         yield (draws.convex_polygon(stream, count, draws.position(stream)),)
+    x, y = draws.position(stream)
+    wide, high = draws.unequal_radii(stream)
+    yield (((x, y), (x + wide, y), (x + 0.7 * wide, y + 0.4 * high), (x, y + high)),)
 
 
 def a_vertex_twice(stream: Random) -> Iterator[Arguments]:
@@ -61,17 +67,32 @@ def _turned_up(x: float, y: float) -> tuple[float, float]:
 
 
 def beyond_the_origin(stream: Random) -> Iterator[Arguments]:
-    """Draw polygons that lie on one side of the origin along the axis, and on the other."""
+    """Draw polygons that lie on one side of the origin along the axis, and on the other.
+
+    Their list begins with the vertex farthest along the axis, and with the nearest.
+    """
     for side in (1, -1):
         axis = draws.oblique_normal(stream)
         way = side * stream.uniform(3.0, 6.0)
-        yield draws.convex_polygon(stream, 5, (way * axis[0], way * axis[1])), axis
+        vertices = draws.convex_polygon(stream, 5, (way * axis[0], way * axis[1]))
+        yield _from_the_farthest(vertices, axis, side), axis
 
 
 def about_the_origin(stream: Random) -> Iterator[Arguments]:
-    """Draw polygons with the origin inside them."""
-    for count in (3, 4):
-        yield draws.convex_polygon(stream, count, size=2.0), draws.oblique_normal(stream)
+    """Draw polygons with the origin inside them; the list ends with either end of the shadow."""
+    for count, side in ((3, 1), (4, -1)):
+        vertices, axis = draws.convex_polygon(stream, count, size=2.0), draws.oblique_normal(stream)
+        first, *others = _from_the_farthest(vertices, axis, side)
+        yield (*others, first), axis
+
+
+def _from_the_farthest(
+    vertices: pairs.Polygon, axis: draws.Vector, side: int
+) -> tuple[draws.Vector, ...]:
+    """Return the vertices from the one that is farthest along an axis, or against it."""
+    ways = [side * (x * axis[0] + y * axis[1]) for x, y in vertices]
+    place = ways.index(max(ways))
+    return (*vertices[place:], *vertices[:place])
 
 
 def one_end_inside(stream: Random) -> Iterator[Arguments]:
@@ -120,9 +141,14 @@ def is_overlap(answer: Any) -> str:
 
 
 def at_a_corner(stream: Random) -> Iterator[Arguments]:
-    """Draw pairs that are parted the short way along a normal of A, and along one of B."""
-    yield pairs.placed(stream, pairs.CORNER_INSIDE)
-    yield pairs.placed(stream, pairs.swapped(pairs.CORNER_INSIDE))
+    """Draw pairs that are parted the short way along a normal of A, and along one of B.
+
+    The origin lies far behind A, and far beyond B: where B is seen from there tells nothing.
+    """
+    for pair, way in ((pairs.CORNER_INSIDE, FAR), (pairs.swapped(pairs.CORNER_INSIDE), -FAR)):
+        a, b = pairs.placed(stream, pair)
+        normal, _ = mtv(a, b)
+        yield tuple(tuple(_moved(p, -way * normal) for p in polygon) for polygon in (a, b))
 
 
 def one_inside_the_other(stream: Random) -> Iterator[Arguments]:
@@ -143,7 +169,7 @@ def polygons_apart_or_not(stream: Random) -> Iterator[Arguments]:
     yield pairs.placed(stream, pairs.PARTED)
     yield pairs.placed(stream, pairs.swapped(pairs.PARTED))
     x, y = float(stream.randint(-5, 5)), float(stream.randint(-5, 5))
-    for gap in (0.0, -0.125):  # whole numbers and eighths: these squares touch exactly
+    for gap in (0.0, -(2.0**-10)):  # no number is rounded: these squares touch exactly
         yield pairs.square(x, y), pairs.square(x + 2 + gap, y + 0.5)
 
 
@@ -192,13 +218,13 @@ def crossing(stream: Random) -> Iterator[Arguments]:
 
 
 def on_one_side(stream: Random) -> Iterator[Arguments]:
-    """Draw segments that lie all inside, and all outside."""
+    """Draw segments that lie all inside, and all outside, with one end close to the line."""
     for side in (-1, 1):
-        normal, offset = draws.oblique_normal(stream), round(stream.uniform(-3, 3), 2)
-        start, end = (
-            _beside_line(normal, offset + side * stream.uniform(0.5, 2), way) for way in (-1.0, 2.0)
-        )
-        yield start, end, normal, offset
+        for near, far in (((0.02, 0.1), (0.5, 2.0)), ((0.5, 2.0), (0.02, 0.1))):
+            normal, offset = draws.oblique_normal(stream), round(stream.uniform(-3, 3), 2)
+            start = _beside_line(normal, offset + side * stream.uniform(*near), -1.0)
+            end = _beside_line(normal, offset + side * stream.uniform(*far), 2.0)
+            yield start, end, normal, offset
 
 
 def _segment_across(stream: Random) -> tuple[draws.Vector, draws.Vector, draws.Vector, float]:
@@ -219,54 +245,66 @@ def _beside_line(normal: draws.Vector, along_normal: float, along_line: float) -
 
 
 def beside_an_edge(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that overlap a long edge, away from its middle."""
-    for _ in range(2):
-        vertices, start, end, outward = _longest_edge(stream)
+    """Draw circles that overlap a long edge, away from its middle; the last one, and the first."""
+    for place in (-1, 0):
+        vertices, start, end, outward = _longest_edge(stream, place)
         foot = _between(start, end, stream.choice((0.3, 0.7)))
         yield draws.at_distance(foot, 0.2, outward), round(stream.uniform(0.3, 0.4), 2), vertices
 
 
 def beside_a_vertex(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that overlap a vertex, which is at the origin the second time."""
+    """Draw circles that overlap a vertex, over the end of an edge and before the next one.
+
+    The vertex is at the origin the second time.
+    """
     for at_origin in (False, True):
-        vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
-        before, corner, after = (np.array(vertex) for vertex in vertices[:3])
-        way = _unit(_unit(corner - before) + _unit(corner - after))
+        vertices, way = _beyond_a_vertex(stream, 0.75 if at_origin else 0.25)
         shift = vertices[1] if at_origin else (0.0, 0.0)
         centre = _moved(draws.at_distance(vertices[1], 0.25, way), shift)
         yield centre, 0.4, tuple(_moved(vertex, shift) for vertex in vertices)
 
 
-def _unit(vector: Any) -> Any:
-    """Return a vector's direction."""
-    return vector / np.hypot(*vector)
+def _beyond_a_vertex(stream: Random, part: float) -> tuple[pairs.Polygon, draws.Vector]:
+    """Return a polygon and a way out from vertex 1: `part` of the turn between its edges."""
+    vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
+    edges = np.diff(vertices[:3], axis=0)
+    first, second = (math.atan2(-x, y) for x, y in edges)
+    way = first + part * ((second - first) % (2 * math.pi))
+    return vertices, (math.cos(way), math.sin(way))
 
 
 def with_the_centre_inside(stream: Random) -> Iterator[Arguments]:
     """Draw circles whose centre is inside: smaller and larger than its distance to the edge."""
-    for radius in (0.1, 0.5):
-        vertices, start, end, outward = _longest_edge(stream)
+    for radius, place in ((0.1, -1), (0.5, 0)):
+        vertices, start, end, outward = _longest_edge(stream, place)
         foot = _between(start, end, stream.choice((0.4, 0.6)))
         yield draws.at_distance(foot, -0.2, outward), radius, vertices
 
 
 def circle_apart_or_not(stream: Random) -> Iterator[Arguments]:
-    """Draw circles off an edge and just in it, and one past the end of an edge's line."""
-    vertices, start, end, outward = _longest_edge(stream)
+    """Draw circles off an edge and just in it, past the end of an edge's line, off a vertex."""
+    vertices, start, end, outward = _longest_edge(stream, 0)
     foot = _between(start, end, 0.5)
     for radius in (0.28, 0.32):
         yield draws.at_distance(foot, 0.3, outward), radius, vertices
     yield draws.at_distance(_between(start, end, 1.5), 0.1, outward), 0.3, vertices
+    vertices, way = _beyond_a_vertex(stream, 0.5)
+    yield draws.at_distance(vertices[1], 0.33, way), 0.3, vertices
 
 
 def _longest_edge(
-    stream: Random,
+    stream: Random, place: int
 ) -> tuple[pairs.Polygon, draws.Vector, draws.Vector, draws.Vector]:
-    """Return a long polygon, both ends of its longest edge, and that edge's outward normal."""
+    """Return a long polygon, both ends of its longest edge, and that edge's outward normal.
+
+    The edge stands at a place in the list: 0 is the first, -1 the last.
+    """
     vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
-    edges = zip(vertices, (*vertices[1:], vertices[0]), strict=True)
-    start, end = max(edges, key=lambda edge: math.dist(*edge))
-    length = math.dist(start, end)
+    lengths = [math.dist(a, b) for a, b in zip(vertices, vertices[1:] + vertices[:1], strict=True)]
+    first = (lengths.index(max(lengths)) - place) % len(vertices)
+    vertices = vertices[first:] + vertices[:first]
+    start, end = vertices[place], vertices[(place + 1) % len(vertices)]
+    length = max(lengths)
     return vertices, start, end, ((end[1] - start[1]) / length, (start[0] - end[0]) / length)
 
 

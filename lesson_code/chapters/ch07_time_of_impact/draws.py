@@ -7,7 +7,7 @@ Positions have two decimals; where a thousandth of a metre decides, four.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from random import Random
 from typing import TypeAlias
 
@@ -21,6 +21,9 @@ Circle: TypeAlias = tuple[complex, complex, float]
 SAMPLES = 10
 """Samples in a step; between two of them a fast graze begins and ends."""
 
+ORDERS = (2, 5, 0, 6, 4, 1, 7, 3), (0, 2, 6, 5, 1, 3, 4, 7), (0, 6, 1, 5, 7, 4, 2, 3)
+"""Of a crowd: 0 and 1 are the slow pair, 2 and 3 the fast one, 4 and 5 the followers of these."""
+
 FAR = 60.0
 """m between two groups of a crowd: at their speeds they cannot meet before the first pair does."""
 
@@ -29,9 +32,9 @@ FAR = 60.0
 
 
 def hits(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that meet obliquely within the step, both moving."""
-    for _ in range(3):
-        *circles, t = _hit(stream)
+    """Draw circles that meet obliquely within the step, both moving; either catches up, or both."""
+    for pair in (draws.first_overtakes, draws.second_overtakes, draws.approaching_pair):
+        *circles, t = _hit(stream, pair)
         yield *circles, round(t * stream.uniform(1.3, 2.5), 2)
 
 
@@ -64,7 +67,7 @@ def misses(stream: Random) -> Iterator[Arguments]:
     yield *meeting, 3 * t
     p1, v1, r1, p2, v2, r2, t = _hit(stream)
     yield p1, (-v1[0], -v1[1]), r1, p2, (-v2[0], -v2[1]), r2, 3 * t
-    yield p1, v1, r1, p2, v1, r2, 3 * t
+    yield p1, v1, r1, p2, v1, r2, math.inf
 
 
 def in_touch(stream: Random) -> Iterator[Arguments]:
@@ -78,10 +81,12 @@ def in_touch(stream: Random) -> Iterator[Arguments]:
         yield p1, (way * 1.5, 0.5), r1, p2, (way * -0.75, 0.25), r2, 1.0
 
 
-def _hit(stream: Random) -> tuple[Vector, Vector, float, Vector, Vector, float, float]:
+def _hit(
+    stream: Random, pair: Callable[[Random, Vector], tuple[Vector, Vector]] = draws.approaching_pair
+) -> tuple[Vector, Vector, float, Vector, Vector, float, float]:
     """Return two circles that meet obliquely, and when."""
     n, (r1, r2) = draws.oblique_normal(stream), draws.unequal_radii(stream)
-    v1, v2 = draws.approaching_pair(stream, n)
+    v1, v2 = pair(stream, n)
     t, p1 = round(stream.uniform(0.4, 0.9), 2), draws.position(stream)
     back = complex(*v2) - complex(*v1)
     p2 = complex(*p1) + (r1 + r2) * complex(*n) - back * t
@@ -111,13 +116,14 @@ def _touching(stream: Random) -> tuple[Vector, float, Vector, float]:
 def crowds(stream: Random) -> Iterator[Arguments]:
     """Draw crowds in which a far, fast pair meets before a near, slow one.
 
-    A third pair, next to each other in the list, meets later still in the first crowd, and met in
-    the past in the second.
+    A third pair meets later still, or met in the past. The fast pair has followers, who are nearer
+    to its circles than these to each other. Its places are first and last, any, and the last two.
     """
-    slow, fast = _pair(stream, 0.5, 0.4), _pair(stream, 4.0, 6.0)
-    for other in (_pair(stream, 3.0, 1.0), _pair(stream, 2.0, -3.0)):
-        groups = _scattered(stream, (slow, fast, other))
-        yield _crowd([groups[n] for n in (0, 4, 5, 2, 1, 3)])
+    later, earlier = (3.0, 1.0), (2.0, -3.0)
+    for other, order in zip((later, earlier, later), ORDERS, strict=True):
+        slow, fast = _pair(stream, 0.5, 0.4), _with_followers(_pair(stream, 4.0, 6.0))
+        groups = _scattered(stream, (slow, fast, _pair(stream, *other)))
+        yield _crowd([groups[n] for n in order])
 
 
 def crowds_with_a_hit_now(stream: Random) -> Iterator[Arguments]:
@@ -145,6 +151,14 @@ def _pair(stream: Random, gap: float, approach: float) -> list[Circle]:
     apart, speed = gap * stream.uniform(0.9, 1.1), approach * stream.uniform(0.9, 1.1)
     p2, v2 = (r1 + r2 + apart) * n, v - (speed + 0.1j) * n
     return [(0j, v, r1), (p2, v2, r2)]
+
+
+def _with_followers(pair: list[Circle]) -> list[Circle]:
+    """Return two circles and, at their backs, one for each that flies in step with it."""
+    (p1, v1, r1), (p2, v2, r2) = pair
+    n = (p2 - p1) / abs(p2 - p1)
+    behind = [(p1 - (r1 + 2) * n, v1, 1.0), (p2 + (r2 + 2) * n, v2, 1.0)]
+    return [*pair, *behind]
 
 
 def _scattered(stream: Random, pairs: tuple[list[Circle], ...]) -> list[Circle]:

@@ -34,16 +34,17 @@ def thrown_up_or_dropped(stream: Random) -> Iterator[Arguments]:
 
 
 def at_the_floor(stream: Random) -> Iterator[Arguments]:
-    """Draw balls on the floor: two have just bounced, one is about to."""
-    for way in (1, -1, 1):
-        yield 0.0, way * draws.speed(stream), _gravity(stream)
+    """Draw balls on the floor: two have just bounced, one of them slowly, and one is about to."""
+    for way, how_fast in ((1, draws.speed), (-1, draws.speed), (1, draws.creep)):
+        yield 0.0, way * how_fast(stream), _gravity(stream)
 
 
 def nearly_weightless(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that drift down without gravity or nearly so, and one that is never back."""
+    """Draw balls that drift down without gravity or nearly so, and up: one is never back."""
     for gravity in (1e-15 * _gravity(stream), 0.0):
         yield _height(stream), -round(stream.uniform(0.2, 0.8), 2), gravity
-    yield _height(stream), draws.speed(stream), 0.0
+        yield _height(stream), draws.speed(stream), gravity
+    yield _height(stream), 0.0, 1e-15 * _gravity(stream)
 
 
 def _height(stream: Random) -> float:
@@ -116,9 +117,12 @@ def hundreds(_stream: Random) -> Iterator[Arguments]:
 
 
 def any_ratio(stream: Random) -> Iterator[Arguments]:
-    """Draw mass ratios for which the count is not made of digits of pi, and one large one."""
-    for _ in range(3):
-        yield (_ratio(stream, most=10, off_pi=True),)
+    """Draw mass ratios for which the count is not made of digits of pi, and one large one.
+
+    The outer block is the heavier one in three cases, and the lighter one in the next.
+    """
+    for most in (10, 10, 10, 0.25):
+        yield (_ratio(stream, most, off_pi=True),)
     yield (_ratio(stream, most=900, off_pi=False),)
 
 

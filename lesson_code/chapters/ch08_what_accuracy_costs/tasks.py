@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from random import Random
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.evidence.orders import fit_order
+
+Table: TypeAlias = tuple[tuple[float, ...], ...]
 
 SPLITS = {
     24.0: ((1, 24), (2, 12), (4, 6), (6, 4), (12, 2), (24, 1)),
@@ -125,15 +127,20 @@ def _steps(stream: Random, count: int) -> tuple[float, ...]:
 
 
 def optimum_inside(stream: Random) -> Iterator[Arguments]:
-    """Draw tables in which the best split is neither the first nor the last."""
-    for sweeps in SPLITS:
-        yield _splits(stream, sweeps, best=stream.choice((2, 3))), sweeps
+    """Draw tables in which the best split has neither most sub-steps nor most iterations.
+
+    It is the first row, and the last one.
+    """
+    for sweeps, end in zip(SPLITS, (0, -1), strict=True):
+        best = stream.choice((2, 3))
+        table = _splits(stream, sweeps, best)
+        yield _with_at(end, table, SPLITS[sweeps][best]), sweeps
 
 
 def optimum_at_an_end(stream: Random) -> Iterator[Arguments]:
-    """Draw tables in which the best split is one of the two ends."""
+    """Draw tables in which the best split is one of the two ends; row 0 is better, at more work."""
     for sweeps, best in zip(SPLITS, stream.sample((0, 5), 2), strict=True):
-        yield _splits(stream, sweeps, best), sweeps
+        yield _with_at(0, _splits(stream, sweeps, best), (6.0, sweeps / 2)), sweeps
 
 
 def all_fell(stream: Random) -> Iterator[Arguments]:
@@ -148,7 +155,14 @@ def all_fell(stream: Random) -> Iterator[Arguments]:
     yield _splits(stream, 24.0, best=3), 24.0
 
 
-def _splits(stream: Random, sweeps: float, best: int) -> tuple[tuple[float, float, float], ...]:
+def _with_at(end: int, table: Table, split: tuple[float, float]) -> Table:
+    """Return a table with the row of a split put first, for 0, or last, for -1."""
+    others = tuple(row for row in table if row[:2] != split)
+    row = tuple(row for row in table if row[:2] == split)
+    return row + others if end == 0 else others + row
+
+
+def _splits(stream: Random, sweeps: float, best: int) -> Table:
     """Return rows of sub-steps, iterations and error, m; those beside have more or fewer sweeps.
 
     Of equal work, one has fallen: its error is infinite.
@@ -175,11 +189,19 @@ def _splits(stream: Random, sweeps: float, best: int) -> tuple[tuple[float, floa
 
 
 def one_is_cheapest(stream: Random) -> Iterator[Arguments]:
-    """Draw tables in which some are good enough, and one of these is the fastest."""
-    for place in (2, 4):
+    """Draw tables in which some are good enough, and one of these is the fastest.
+
+    In two of them it is the first row, and the last one.
+    """
+    for place, end in ((2, None), (4, None), (2, 0), (4, -1)):
         table = _costs(stream)
         by_error = sorted(table, key=lambda row: row[1])
-        yield table, round(by_error[place][1] * 1.1, 9)
+        allowed = round(by_error[place][1] * 1.1, 9)
+        if end is not None:
+            fastest = (min(row for row in table if row[1] <= allowed),)
+            others = tuple(row for row in table if row not in fastest)
+            table = fastest + others if end == 0 else others + fastest
+        yield table, allowed
 
 
 def just_allowed(stream: Random) -> Iterator[Arguments]:

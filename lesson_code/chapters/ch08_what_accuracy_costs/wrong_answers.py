@@ -285,3 +285,18 @@ def the_nearest_work(table: Vector, sweeps: float) -> Any:
     near = min((abs(row[0] * row[1] - sweeps) for row in good), default=None)
     equal = [row for row in good if abs(row[0] * row[1] - sweeps) == near]
     return tuple(min(equal, key=lambda row: row[2])[:2]) if equal else None
+
+
+@wrong_model("8.1", "Half of the errors are larger than yours. Is any of them the largest?")
+def the_middle_one(places: Vector, right: Vector) -> float:
+    """The error is the one in the middle of all."""
+    return float(np.median(np.hypot(*(places - right).T)))
+
+
+@wrong_model(
+    "8.3", "The fit has found a line. Is its height what you get from a mean of quotients?"
+)
+def mean_of_the_factors(steps: Vector, errors: Vector) -> Any:
+    """The slope is fitted, and C is the mean of error / dt^p."""
+    slope, _ = np.polyfit(np.log(steps), np.log(errors), 1)
+    return slope, np.mean(errors / steps**slope)

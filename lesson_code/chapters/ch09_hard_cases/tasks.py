@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from lesson_code.chapters import draws
+from lesson_code.chapters import draws, rows_of_balls
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.course.isolation.inside.vectors import vector
@@ -70,11 +70,18 @@ def without_a_lever(stream: Random) -> Iterator[Arguments]:
 
 
 def lifted_or_pressed(stream: Random) -> Iterator[Arguments]:
-    """Draw tips that friction lifts, and tips that it presses down, all of them still sliding."""
+    """Draw tips that friction lifts, and tips that it presses down, all of them still sliding.
+
+    The last ones come slowly.
+    """
     for way in (1, -1, 1, -1):
         knn, knt = _stiffness(stream), way * round(stream.uniform(0.4, 0.8), 2)
         for slides in (1, -1):
             yield -draws.speed(stream), slides * draws.speed(stream), knn, knt, _mu(stream)
+    for way in (1, -1):  # pressed down so hard that they all but jam
+        knn, knt = _stiffness(stream), way * round(stream.uniform(1.2, 1.5), 2)
+        mu = round(0.8 * knn / abs(knt), 2)
+        yield -draws.creep(stream), way * draws.creep(stream), knn, knt, mu
 
 
 def jammed(stream: Random) -> Iterator[Arguments]:
@@ -87,11 +94,13 @@ def jammed(stream: Random) -> Iterator[Arguments]:
 
 
 def parting(stream: Random) -> Iterator[Arguments]:
-    """Draw tips that leave the floor, and one that does not."""
+    """Draw tips that leave the floor, one that does not, and one that would jam if it came."""
     yield -draws.speed(stream), draws.speed(stream), _stiffness(stream), 0.5, _mu(stream)
-    for way in (1, -1):
+    for way, how_fast in ((1, draws.speed), (-1, draws.creep)):
         knt = way * round(stream.uniform(0.4, 0.8), 2)
-        yield draws.speed(stream), draws.speed(stream), _stiffness(stream), knt, _mu(stream)
+        yield how_fast(stream), draws.speed(stream), _stiffness(stream), knt, _mu(stream)
+    _, *jams = next(jammed(stream))
+    yield draws.speed(stream), *jams
 
 
 def _stiffness(stream: Random) -> float:
@@ -156,26 +165,21 @@ def from_the_other_side(stream: Random) -> Iterator[Arguments]:
 
 
 def unequal_balls(stream: Random) -> Iterator[Arguments]:
-    """Draw rows of balls of different masses, in which the order of the strikes counts."""
-    found = 0
-    while found < 3:
-        masses = tuple(round(stream.uniform(0.5, 4.0), 2) for _ in range(4))
-        speeds = sorted((round(stream.uniform(-4.0, 4.0), 2) for _ in range(4)), reverse=True)
-        if _order_counts(masses, tuple(speeds)):
-            found += 1
-            yield masses, tuple(speeds)
+    """Draw rows of balls of different masses, in which the order of the strikes counts.
+
+    Each shows one other order, and in the last one two balls approach slowly.
+    """
+    for other in rows_of_balls.ORDERS:
+        if other is not rows_of_balls.fastest:
+            yield rows_of_balls.row_in_which_order_counts(stream, 1.0, rows_of_balls.fastest, other)
+    v = draws.speed(stream)
+    yield draws.unequal_masses(stream), (v + draws.creep(stream), v)
 
 
 def parting_balls(stream: Random) -> Iterator[Arguments]:
     """Draw a row in which nothing approaches."""
     v = draws.speed(stream)
     yield (1.0, 2.0, 3.0), (-v, 0.0, v)
-
-
-def _order_counts(masses: Any, velocities: Any) -> bool:
-    """Return whether another order of the strikes gives a clearly different result."""
-    one, other = _one_by_one(masses, velocities), _one_by_one(masses, velocities, leftmost=True)
-    return bool(np.max(np.abs(one - other)) > 0.1)
 
 
 # What is expected
@@ -210,25 +214,20 @@ def _energy_ratio(
     return float((mass * (after @ after) + inertia * w_after**2) / before)
 
 
-def _one_by_one(masses: Any, velocities: Any, *, leftmost: bool = False) -> Any:
+def _one_by_one(masses: Any, velocities: Any) -> Any:
     """Return the velocities when elastic balls in a row have struck each other one by one."""
     m, v = np.asarray(masses, dtype=float), np.array(velocities, dtype=float)
     while True:
         approach = v[:-1] - v[1:]
         if approach.max() <= QUIET:
             return v
-        k = int(np.argmax(approach > QUIET)) if leftmost else int(np.argmax(approach))
+        k = int(np.argmax(approach))
         centre = (m[k] * v[k] + m[k + 1] * v[k + 1]) / (m[k] + m[k + 1])
         v[k : k + 2] = 2 * centre - v[k : k + 2]
 
 
 QUIET = 1e-9
 """m/s: slower is no approach."""
-
-
-def _expected_one_by_one(masses: Any, velocities: Any) -> Any:
-    """Return what task 9.5 asks for."""
-    return _one_by_one(masses, velocities)
 
 
 # Why
@@ -329,7 +328,7 @@ TASKS = (
         function="one_by_one",
         section=5,
         objective="A row of elastic balls that strike one after the other.",
-        expected=_expected_one_by_one,
+        expected=_one_by_one,
         criteria=(
             Criterion("equal balls from the left", equal_balls),
             Criterion("from the right, and from both sides", from_the_other_side),

@@ -263,3 +263,13 @@ def rightmost_first(masses: Vector, velocities: Vector) -> Any:
         centre = (masses[k] * v[k] + masses[k + 1] * v[k + 1]) / (masses[k] + masses[k + 1])
         v[k : k + 2] = 2 * centre - v[k : k + 2]
     return v
+
+
+@wrong_model("9.4", "Push a body through its centre. Does your blow turn it?")
+def dot_for_torque(
+    mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector
+) -> float:
+    """The torque is the dot product of arm and blow."""
+    v, spin = velocity + impulse / mass, w + arm @ impulse / inertia
+    before = mass * (velocity @ velocity) + inertia * w**2
+    return float((mass * (v @ v) + inertia * spin**2) / before)

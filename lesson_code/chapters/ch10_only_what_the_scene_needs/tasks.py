@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import combinations, pairwise
 from random import Random
 from typing import Any, TypeAlias
 
@@ -20,9 +20,9 @@ Numbers: TypeAlias = tuple[float, ...]
 
 
 def free_bodies(stream: Random) -> Iterator[Arguments]:
-    """Draw rough bodies all of which can be pushed."""
-    for _ in range(2):
-        yield _inverse_masses(stream, 4), _coefficients(stream, 4)
+    """Draw rough bodies all of which can be pushed, from the smoothest on and from the roughest."""
+    for way in (1, -1):
+        yield _inverse_masses(stream, 4), _coefficients(stream, 4)[::way]
 
 
 def rough_floors(stream: Random) -> Iterator[Arguments]:
@@ -37,11 +37,13 @@ def rough_floors(stream: Random) -> Iterator[Arguments]:
 
 
 def smooth_partners(stream: Random) -> Iterator[Arguments]:
-    """Draw scenes in which a rough body has only smooth partners, and one in which it has not."""
+    """Draw scenes in which a rough body has only smooth partners or none, and one with others."""
     low, high = sorted(_coefficients(stream, 2))
     yield _inverse_masses(stream, 3), (0.0, high, 0.0)
     yield (0.0, 0.0, *_inverse_masses(stream, 2)), (low, high, 0.0, 0.0)
     yield (0.0, *_inverse_masses(stream, 2)), (low, 0.0, high)
+    yield (0.0, 0.0), (low, high)
+    yield _inverse_masses(stream, 1), (high,)
 
 
 def _inverse_masses(stream: Random, count: int) -> Numbers:
@@ -61,24 +63,40 @@ BALL, BOX = 0.0, 4.0
 
 
 def rough_or_smooth(stream: Random) -> Iterator[Arguments]:
-    """Draw pairs of which both, one or none is rough, and two rough bodies that are static."""
+    """Draw pairs of which both, one or none is rough, and two rough bodies that are static.
+
+    Of four bodies one pair is rough, at either end of the list.
+    """
     m, n, mu, nu = *_inverse_masses(stream, 2), *_coefficients(stream, 2)
     for first, second in ((mu, nu), (mu, 0.0), (0.0, 0.0)):
         yield ((m, BALL, 0.0, first, 0.0), (n, BOX, 0.0, second, 0.0)), (0.0, -9.81)
     floors = ((0.0, BOX, 0.0, mu, 0.0), (0.0, BOX, 0.0, nu, 0.0))
     yield (*floors, (m, BALL, 0.0, 0.0, 0.0)), (0.0, -9.81)
+    rough, smooth = (m, BALL, 0.0, mu, 0.0), (n, BALL, 0.0, 0.0, 0.0)
+    yield from ((bodies, (0.0, -9.81)) for bodies in _one_pair(floors[0], rough, smooth))
+
+
+def _one_pair(floor: Numbers, body: Numbers, other: Numbers) -> Iterator[tuple[Numbers, ...]]:
+    """Yield bodies of which only floor and body make a pair that counts: the last and the first."""
+    yield other, other, body, floor
+    yield other, other, floor, body
+    yield body, floor, other, other
 
 
 def bouncing_or_not(stream: Random) -> Iterator[Arguments]:
-    """Draw pairs of which both, one or none bounces."""
+    """Draw pairs of which both, one or none bounces; and more bodies, of which one pair does."""
     m, n, low, high = *_inverse_masses(stream, 2), *_coefficients(stream, 2)
+    floor, ball, dead = ((inv, BALL, e, 0.0, 0.0) for inv, e in ((0.0, low), (m, high), (n, 0.0)))
+    yield from ((bodies, (0.0, 0.0)) for bodies in _one_pair(floor, ball, dead))
+    yield (dead, ball), (0.0, 0.0)
+    yield (floor, dead, (0.0, BOX, high, 0.0, 0.0)), (0.0, 0.0)
     for first, second in ((low, high), (high, 0.0), (0.0, 0.0)):
         yield ((m, BALL, first, 0.0, 0.0), (n, BALL, second, 0.0, 0.0)), (0.0, 0.0)
     yield ((0.0, BOX, high, 0.0, 0.0), (n, BALL, low, 0.0, 0.0)), (0.0, 0.0)
 
 
 def turning_or_not(stream: Random) -> Iterator[Arguments]:
-    """Draw discs and boxes that turn, that can be turned, and that cannot."""
+    """Draw discs and boxes that turn, that can be turned, and that cannot, at any place."""
     m, n, mu, nu = *_inverse_masses(stream, 2), *_coefficients(stream, 2)
     w = stream.choice((-1, 1)) * draws.speed(stream)
     ball, floor = (m, BALL, 0.5, 0.0, 0.0), (0.0, BOX, 0.5, mu, 0.0)
@@ -88,6 +106,11 @@ def turning_or_not(stream: Random) -> Iterator[Arguments]:
     yield (floor, (m, BALL, 0.5, nu, 0.0)), (0.0, 0.0)
     yield (ball, (n, BOX, 0.5, 0.0, 0.0)), (0.0, 0.0)
     yield (floor, (0.0, BALL, 0.5, nu, 0.0), ball), (0.0, 0.0)
+    others = floor, ball, ball
+    for found in ((n, BOX, 0.5, 0.0, 0.0), (n, BALL, 0.5, 0.0, w), (0.0, BOX, 0.5, mu, w)):
+        yield (found, *others), (0.0, 0.0)
+        yield (*others, found), (0.0, 0.0)
+    yield others, (0.0, 0.0)
 
 
 def whole_plans(stream: Random) -> Iterator[Arguments]:
@@ -174,7 +197,7 @@ def _radius(stream: Random) -> float:
     return round(stream.uniform(0.2, 0.8), 2)
 
 
-# 10.5: what may sleep. Body 0 is the floor.
+# 10.5: what may sleep
 
 
 def one_pile(stream: Random) -> Iterator[Arguments]:
@@ -186,22 +209,43 @@ def one_pile(stream: Random) -> Iterator[Arguments]:
 
 
 def piles_on_one_floor(stream: Random) -> Iterator[Arguments]:
-    """Draw two piles that share nothing but the floor; one has a body that moves, or none has."""
+    """Draw two piles that share nothing but the floor; one has a body that moves, or none has.
+
+    The floor is the last body in the first one.
+    """
     joined = [(0, 1), (1, 2), (0, 3), (3, 4), (4, 5)]
-    for moving in ((stream.randint(1, 2),), (stream.randint(3, 5),), ()):
-        yield _world(stream, 6, joined, moving=moving)
+    yield _reversed(_world(stream, 6, joined, moving=(stream.randint(1, 2),)))
+    yield _world(stream, 6, joined, moving=(stream.randint(3, 5),))
+    yield _world(stream, 6, joined, moving=())
 
 
 def long_chains(stream: Random) -> Iterator[Arguments]:
-    """Draw chains of bodies in a shuffled order, the one at the end of which moves; and a pair."""
+    """Draw chains of bodies in a shuffled order, the one at the end of which moves; and a pair.
+
+    In two of them the numbers go up, and down again to the one that moves, or the other way round:
+    whoever goes through the bodies once does not come to the end.
+    """
     for moves in (True, False):
         order = [*range(1, 8)]
         stream.shuffle(order)
-        chain = order[:5]
-        joined = [(0, n) for n in order]
-        joined += [(min(a, b), max(a, b)) for a, b in pairwise(chain)]
-        joined += [(min(order[5:]), max(order[5:]))]
-        yield _world(stream, 8, joined, moving=(chain[-1] if moves else order[6],))
+        yield _chain_and_pair(stream, order[:5], order[5:], moves)
+    for way in (1, -1):
+        lowest, *chain = sorted(stream.sample(range(1, 8), 5))[::way]
+        pair = [n for n in range(1, 8) if n not in (lowest, *chain)]
+        yield _chain_and_pair(stream, [*chain, lowest], pair, moves=True)
+
+
+def _chain_and_pair(stream: Random, chain: list[int], pair: list[int], moves: bool) -> Arguments:
+    """Return a chain and a pair on a floor; the end of one of the two moves."""
+    joined = [(0, n) for n in (*chain, *pair)]
+    joined += [(min(a, b), max(a, b)) for a, b in (*pairwise(chain), pair)]
+    return _world(stream, 8, joined, moving=(chain[-1] if moves else pair[-1],))
+
+
+def _reversed(world: Arguments) -> Arguments:
+    """Return a world whose bodies are numbered the other way round."""
+    inverse_masses, still, touches = world
+    return inverse_masses[::-1], still[::-1], tuple(row[::-1] for row in touches[::-1])
 
 
 def _world(
@@ -327,8 +371,8 @@ def islands_in_words(arguments: Arguments, _answer: Any) -> str:
     """Say who moves and who touches whom, the floor left out."""
     inverse_masses, still, touches = arguments
     moving = [str(n) for n, is_still in enumerate(still) if not is_still] or ["none"]
-    count = len(inverse_masses)
-    pairs = [f"{a}-{b}" for a in range(1, count) for b in range(a + 1, count) if touches[a][b] > 0]
+    free = [n for n, inverse_mass in enumerate(inverse_masses) if inverse_mass > 0]
+    pairs = [f"{a}-{b}" for a, b in combinations(free, 2) if touches[a][b] > 0]
     return f"Moving: {', '.join(moving)}. Touching, the floor left out: {', '.join(pairs)}."
 
 

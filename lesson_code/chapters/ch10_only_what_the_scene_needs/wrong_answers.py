@@ -296,3 +296,10 @@ def each_body_by_itself() -> None:
 def all_the_speeds(masses: Vector, velocities: Vector, dt: float) -> float:
     """At worst one disc gets the speeds of all, added up."""
     return float(np.sum(np.hypot(velocities[:, 0], velocities[:, 1])) * dt)
+
+
+@wrong_model("10.3", "If one disc has all the energy, which mass does that energy move?")
+def by_all_the_masses(masses: Vector, velocities: Vector, dt: float) -> float:
+    """All the energy moves all the masses, at one speed."""
+    twice_energy = np.sum(masses * np.sum(velocities**2, axis=1))
+    return math.sqrt(twice_energy / np.sum(masses)) * dt

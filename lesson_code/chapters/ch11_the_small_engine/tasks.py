@@ -14,6 +14,7 @@ from lesson_code.chapters.draws import Vector
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.course.isolation.inside.vectors import vector
+from lesson_code.formulas.arithmetic import perpendicular
 
 Box: TypeAlias = tuple[float, float, float, float]
 Row = TypeVar("Row")
@@ -22,12 +23,15 @@ Row = TypeVar("Row")
 
 
 def apart_in_one_direction(stream: Random) -> Iterator[Arguments]:
-    """Draw a box with one that it overlaps, one beside it, and one above it."""
-    for is_turned in (True, False):
+    """Draw a box with one that it overlaps, one beside it, and one above it.
+
+    From left to right, the one above stands before the box, or between it and the one it overlaps.
+    """
+    for is_turned, left in ((True, -1.0), (False, 0.1)):
         box = _box(stream, 2.0, 3.0)
         near = _moved(box, stream.uniform(0.5, 1.5), stream.uniform(0.5, 1.5))
         beside = _moved(box, stream.uniform(3.5, 4.0), stream.uniform(-1.0, -0.5))
-        above = _moved(box, stream.uniform(-1.0, -0.5), stream.uniform(5.0, 6.0))
+        above = _moved(box, left + stream.uniform(0.0, 0.3), stream.uniform(5.0, 6.0))
         yield (_mixed(stream, [box, near, beside, above], is_turned),)
 
 
@@ -57,7 +61,10 @@ def many_and_touching_boxes(stream: Random) -> Iterator[Arguments]:
 
 
 def boxes_that_touch(stream: Random) -> Iterator[Arguments]:
-    """Draw boxes that share a side or a corner alone, and one that does not quite reach."""
+    """Draw boxes that share a side or a corner alone, and one that does not quite reach.
+
+    They come in an order and its reverse, so that each pair is looked at from either box.
+    """
     left, low = stream.randint(-4, 4) / 2, stream.randint(-4, 4) / 2
     wide, high = stream.randint(2, 6) / 2, stream.randint(2, 6) / 2
     box = left, left + wide, low, low + high
@@ -65,7 +72,9 @@ def boxes_that_touch(stream: Random) -> Iterator[Arguments]:
     above = left + 0.25, left + wide - 0.25, low + high, low + high + 2.5
     corner = left - 2.0, left, low - 1.5, low
     near = left - 3.0, left - 0.125, low + 0.5, low + high
-    yield (_shuffled(stream, [box, beside, above, corner, near]),)
+    boxes = (box, beside, *_shuffled(stream, [above, corner, near]))
+    yield (boxes,)
+    yield (boxes[::-1],)
 
 
 def _mixed(stream: Random, boxes: list[Box], is_turned: bool) -> tuple[Box, ...]:
@@ -125,18 +134,35 @@ def beside_the_centres(stream: Random) -> Iterator[Arguments]:
 
 
 def rough_bodies(stream: Random) -> Iterator[Arguments]:
-    """Draw rough bodies: some slide through the impact, and some grip."""
-    for low, high in ((0.05, 0.1), (0.1, 0.2), (5.0, 9.0), (5.0, 9.0)):
-        n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
-        mu = round(stream.uniform(low, high), 2)
-        yield *_bodies(stream, n, arms, -draws.speed(stream)), n, draws.restitution(stream), mu
+    """Draw rough bodies: some slide through the impact, one way and the other, and some grip."""
+    for low, high, way in ((0.05, 0.1, 1), (0.1, 0.2, -1), (5.0, 9.0, 0), (5.0, 9.0, 0)):
+        while True:
+            n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
+            mu = round(stream.uniform(low, high), 2)
+            bodies = _bodies(stream, n, arms, -draws.speed(stream))
+            drawn = *bodies, n, draws.restitution(stream), mu
+            if not way or way * _sliding_after(drawn) > CLEAR:
+                break
+        yield drawn
+
+
+CLEAR = 0.1
+"""m/s: what slides on slides faster."""
+
+
+def _sliding_after(given: Arguments) -> float:
+    """Return how fast two bodies slide at their contact after a hit, m/s."""
+    _, arm_a, _, arm_b, n, _, _ = given
+    v_a, w_a, v_b, w_b = _hit(*given)
+    change = v_b - v_a + w_b * perpendicular(arm_b) - w_a * perpendicular(arm_a)
+    return float(change @ perpendicular(n))
 
 
 def parting_bodies(stream: Random) -> Iterator[Arguments]:
-    """Draw bodies that part at the contact already, and some that do not."""
-    for way in (1, 1, -1):
+    """Draw bodies that part at the contact already, fast and slowly, and some that come slowly."""
+    for way, how_fast in ((1, draws.speed), (1, draws.creep), (-1, draws.creep)):
         n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
-        bodies = _bodies(stream, n, arms, way * draws.speed(stream))
+        bodies = _bodies(stream, n, arms, way * how_fast(stream))
         yield *bodies, n, draws.restitution(stream), round(stream.uniform(0.1, 0.5), 2)
 
 
@@ -148,7 +174,7 @@ def _bodies(stream: Random, n: Vector, arms: tuple[Vector, Vector], vn: float) -
     first = (draws.speed(stream), -draws.speed(stream))
     vt = stream.choice((-1, 1)) * draws.speed(stream)
     second = tuple(
-        round(value, 2)
+        round(value, 4)
         for value in (
             first[0] - spins[0] * arms[0][1] + spins[1] * arms[1][1] + vn * n[0] - vt * n[1],
             first[1] + spins[0] * arms[0][0] - spins[1] * arms[1][0] + vn * n[1] + vt * n[0],
@@ -199,7 +225,11 @@ def discs_that_meet(stream: Random) -> Iterator[Arguments]:
 
 
 def all_at_once(stream: Random) -> Iterator[Arguments]:
-    """Draw discs that meet, one at a wall, and one alone, with gravity."""
+    """Draw discs that meet, one at a wall, and one alone, with gravity; and a row of discs.
+
+    In the row each overlaps the next, but for the last two: these do once others are moved apart.
+    Beside it a disc is hit out of the room.
+    """
     way = draws.speed(stream)
     states = [
         ((0.5, 5.0), (-way, 0.5)),
@@ -208,6 +238,15 @@ def all_at_once(stream: Random) -> Iterator[Arguments]:
         ((9.5, 2.0), (0.4, way)),
     ]
     yield _world(stream, states, (0.0, -9.81))
+    states = [
+        ((3.0, 4.0), (way, 0.5)),
+        ((4.2, 4.3), (0.2, 0.3)),
+        ((5.0, 4.8), (-0.5, 0.1)),
+        ((6.4, 5.6), (-0.5, 0.1)),
+        ((10.2, 3.0), (way, 0.3)),
+        ((11.4, 3.2), (-0.5, 0.1)),
+    ]
+    yield _world(stream, states, (0.0, 0.0))
 
 
 def _velocity(stream: Random) -> Vector:

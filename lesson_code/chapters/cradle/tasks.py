@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-from lesson_code.chapters import draws
+from lesson_code.chapters import draws, rows_of_balls
 from lesson_code.chapters.cradle import rules as cradle_rules
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 
@@ -28,10 +28,25 @@ def equal_rows(stream: Random) -> Iterator[Arguments]:
 
 
 def unequal_rows(stream: Random) -> Iterator[Arguments]:
-    """Draw rows of unequal masses with some restitution, the first of which comes in."""
-    for _ in range(2):
-        masses = tuple(round(stream.uniform(1.0, 4.0), 2) for _ in range(4))
-        yield masses, (draws.speed(stream), 0.0, 0.0, 0.0), round(stream.uniform(0.7, 0.95), 2)
+    """Draw rows of unequal masses with some restitution, in the first of which one ball comes in.
+
+    In the others all balls move, and each shows one other order of the collisions; in the last one
+    two approach slowly.
+    """
+    masses = tuple(round(stream.uniform(1.0, 4.0), 2) for _ in range(4))
+    yield masses, (draws.speed(stream), 0.0, 0.0, 0.0), _restitution(stream)
+    for other in rows_of_balls.ORDERS:
+        if other is not rows_of_balls.leftmost:
+            e = _restitution(stream)
+            leftmost = rows_of_balls.leftmost
+            yield *rows_of_balls.row_in_which_order_counts(stream, e, leftmost, other), e
+    v = draws.speed(stream)
+    yield draws.unequal_masses(stream), (v + draws.creep(stream), v), _restitution(stream)
+
+
+def _restitution(stream: Random) -> float:
+    """Return a restitution with which few collisions are the end."""
+    return round(stream.uniform(0.7, 0.95), 2)
 
 
 def parting_rows(stream: Random) -> Iterator[Arguments]:

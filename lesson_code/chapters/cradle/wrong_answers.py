@@ -181,3 +181,10 @@ def angle_first(angle: float, rate: float, length: float, dt: float) -> Any:
     """First the ball moves, then gravity pulls at the place where it has come to."""
     angle = angle + rate * dt
     return angle, rate - GRAVITY / length * math.sin(angle) * dt
+
+
+@wrong_model("C.2", "With which rate does the task move the ball: the new one, or a mean?")
+def mean_of_both_rates(angle: float, rate: float, length: float, dt: float) -> Any:
+    """The ball moves by the mean of the old and the new rate."""
+    after = rate - GRAVITY / length * math.sin(angle) * dt
+    return angle + (rate + after) / 2 * dt, after

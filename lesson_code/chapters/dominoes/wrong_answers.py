@@ -7,8 +7,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lesson_code.chapters.dominoes.right_answers import as_a_list_of_pairs
 from lesson_code.chapters.dominoes.rules import GRAVITY
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -181,3 +182,31 @@ def mean_of_the_mean(
         rates[angles > math.pi / 2] = 0.0
         angles = np.minimum(angles, math.pi / 2)
     return angles, rates
+
+
+@wrong_model("D.3", "A domino lies on the floor. What is its rate then?")
+@edited(as_a_list_of_pairs, {"[math.pi / 2, 0]": "[math.pi / 2, r]"})
+def keeps_its_rate_on_the_floor() -> None:
+    """What lies has its angle, and the rate that it had."""
+
+
+@wrong_model("D.3", "One domino stands free. Can two that come after it lean against each other?")
+@edited(
+    as_a_list_of_pairs,
+    {
+        "if height * math.sin(min(one[0], math.pi / 2)) > spacing and": (
+            "if height * math.sin(min(one[0], math.pi / 2)) <= spacing:\n"
+            "                break\n"
+            "            if"
+        )
+    },
+)
+def ends_at_the_first_that_stands_free() -> None:
+    """The push has come as far as the first domino that does not touch the next one."""
+
+
+@wrong_model("D.2", "How far from the edge is the centre: half the height, or half the diagonal?")
+def moved_by_half_the_height(width: float, height: float) -> float:
+    """The axis lies half the height below the centre: I = m (w^2 + h^2) / 12 + m (h / 2)^2."""
+    inertia = (width**2 + height**2) / 12 + height**2 / 4
+    return math.sqrt(GRAVITY * (math.hypot(width, height) - height) / inertia)

@@ -275,3 +275,12 @@ def mass_by_mass() -> None:
 @edited(force_by_force, {"np.maximum(v[below, 1], 0.0)": "np.abs(v[below, 1])"})
 def floor_throws_back() -> None:
     """The floor throws a mass back as fast as it came."""
+
+
+@wrong_model("S.3", "Squeeze the ring to nothing. How large does your pressure become?")
+def pressure_by_the_loss_of_area(positions: Vector, area: float, stiffness: float) -> Any:
+    """The pressure is stiffness times the part of the area that is lost."""
+    along = _next(positions) - positions
+    pressure = stiffness * (1 - ring_area(positions) / area)
+    push = pressure * np.column_stack([along[:, 1], -along[:, 0]])
+    return (push + np.roll(push, 1, axis=0)) / 2

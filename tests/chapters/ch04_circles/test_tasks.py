@@ -161,24 +161,37 @@ def test_drawn_touching_circles_touch_exactly() -> None:
 
 
 def test_drawn_circles_on_one_centre_are_on_one_centre() -> None:
-    """The centres are equal to the last bit."""
-    assert all(p1 == p2 for p1, _, p2, _ in drawn(circles.on_the_same_centre))
+    """The centres are equal to the last bit in one case; in the next a direction is left."""
+    pairs = drawn(circles.on_the_same_centre)
+    apart = [math.dist(p1, p2) for p1, _, p2, _ in pairs]
+    assert apart == [0.0, 5 * circles.NEARLY] * len(STREAMS)
+
+
+SLOWEST = 0.01
+"""m/s: that of draws.creep."""
 
 
 @pytest.mark.parametrize(
     ("cases", "sign"),
     [(circles.approaching, -1), (circles.separating, 1), (circles.without_loss, -1)],
 )
-def test_drawn_hits_approach_or_separate_at_1_metre_a_second_or_more(
+def test_drawn_hits_approach_or_separate_and_both_circles_move(
     cases: Callable[[Random], Iterable[Arguments]], sign: int
 ) -> None:
-    """Both circles move, one is heavier, and both have a part of their own across the normal."""
+    """Both circles move, also across the normal, and one is heavier."""
     for v1, m1, v2, m2, n, _ in drawn(cases):
-        assert sign * np.dot(np.subtract(v2, v1), n) > 1 - ROUNDING
-        assert abs(np.dot(np.subtract(v2, v1), (-n[1], n[0]))) > 1 - ROUNDING
+        assert sign * np.dot(np.subtract(v2, v1), n) > SLOWEST - ROUNDING
         assert math.hypot(*n) == pytest.approx(1, abs=ROUNDING)
-        assert math.hypot(*v1) > 1
+        assert min(abs(np.dot(v, (-n[1], n[0]))) for v in (v1, v2)) > 0
         assert max(m1, m2) > 1.4 * min(m1, m2)
+
+
+def test_drawn_hits_are_head_on_or_not() -> None:
+    """1 catches up with 2, then 2 with 1, and then they hardly approach."""
+    pairs = [(np.dot(v1, n), np.dot(v2, n)) for v1, _, v2, _, n, _ in drawn(circles.approaching)]
+    assert all(0 < after < before for before, after in pairs[::3])
+    assert all(after < before < 0 for before, after in pairs[1::3])
+    assert all(before - after < 0.1 for before, after in pairs[2::3])
 
 
 def test_drawn_restitutions_without_loss_are_the_limits() -> None:
@@ -210,7 +223,7 @@ def test_drawn_pairs_approach_or_separate_and_what_is_fixed_is_at_rest(
 ) -> None:
     """A fixed circle that moved would have no momentum to speak of."""
     for _, v1, m1, _, v2, m2, n, depth, restitution in drawn(cases):
-        assert sign * np.dot(np.subtract(v2, v1), n) > 1 - ROUNDING
+        assert sign * np.dot(np.subtract(v2, v1), n) > SLOWEST - ROUNDING
         assert not (math.isinf(m1) and any(v1))
         assert not (math.isinf(m2) and any(v2))
         assert depth >= 0.1

@@ -13,6 +13,7 @@ import pytest
 
 from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
+from lesson_code.course.grading.recognition.candidates import WHERE_WRONG
 from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
 from lesson_code.course.grading.verdict import Verdict, judge
 from lesson_code.course.isolation.call_outcome import CallOutcome
@@ -201,11 +202,13 @@ def test_judge_answer_recognised_in_a_part_gets_the_hint_for_that_part() -> None
     assert half.lines[-1] == "  hint: in a: Count again?"
 
 
-def test_judge_answer_that_is_right_where_a_wrong_model_is_wrong_gets_no_hint() -> None:
-    """A model is ruled out by every right answer that it does not give."""
+def test_judge_answer_that_is_right_where_a_wrong_model_is_wrong_is_told_so() -> None:
+    """A right answer that a model does not give rules it out, but for some cases."""
     model = WrongModel("9.1", thrice, "Count again?")
     task = made_up(Criterion("a", small), Criterion("b", vectors), wrong_models=(model,))
-    assert judged(task, lambda x: 3 * x if np.ndim(x) == 0 else 2 * x).recognised is None
+    found = judged(task, lambda x: 3 * x if np.ndim(x) == 0 else 2 * x).recognised
+    assert found is not None
+    assert found.hint == f"{WHERE_WRONG}Count again?"
 
 
 def test_judge_right_answer_gets_no_hint_from_a_model_that_is_right() -> None:

@@ -224,7 +224,7 @@ def separate(p1, m1, p2, m2, normal, depth):
         "4.4",
         "the normal is turned round to push circle 1 back and is not turned back again, so "
         "circle 2 is pushed the same way and the approach test has the wrong sign",
-        (),
+        ("turned_and_not_turned_back",),
         """
 import math
 
@@ -345,7 +345,7 @@ def overlap(interval_a, interval_b):
         "6.4",
         "the shifts have signs, and the smallest is looked for without abs, so the most "
         "negative shift wins instead of the shortest",
-        (),
+        ("most_negative_shift",),
         """
 import numpy as np
 
@@ -1200,7 +1200,7 @@ def paddle_bounce(offset, speed):
         "K.3",
         "a broken brick is deleted from the list, and the places noted for later bricks are "
         "those in the list that has become shorter",
-        (),
+        ("places_among_those_left",),
         """
 import math
 
@@ -1477,7 +1477,7 @@ def pressure_forces(positions, area, stiffness):
         "S.4",
         "velocities and positions are changed mass by mass inside the loop, and the forces are "
         "computed anew for each mass, from a ring of which a part has moved already",
-        (),
+        ("mass_by_mass",),
         """
 import numpy as np
 

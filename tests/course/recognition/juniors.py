@@ -67,7 +67,7 @@ def restitution_1d(v1, v2, v1_after, v2_after):
         "2.2",
         "sign slip in the second line: the relative velocity after is added as v2 - v1 and not as "
         "v1 - v2",
-        (),
+        ("sign",),
         """
 def collide_1d(m1, v1, m2, v2, restitution):
     e = restitution

@@ -13,7 +13,7 @@ SEVENTH = (
         "1.1",
         "Solves momentum and energy as a quadratic for v1' and takes the root with plus, which "
         "is the state before the collision",
-        ("other", "sign"),
+        ("other", "sign", "given"),
         """
 import math
 
@@ -1157,7 +1157,7 @@ def brick_impact(position, velocity, radius, box):
         "K.3",
         "Takes the broken brick out of the list and then notes places in the shortened list, "
         "not those in `bricks`",
-        (),
+        ("places_among_those_left",),
         """
 import math
 

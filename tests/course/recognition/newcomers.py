@@ -1539,10 +1539,7 @@ def sweeps_needed(light, heavy, left):
     Wrong(
         "9.4",
         "the impulse's own energy is added, without the mixed terms",
-        (
-            "ignored",
-            "term",
-        ),
+        ("ignored", "term", "energies_add_up"),
         """
 def energy_ratio(mass, inertia, velocity, w, arm, impulse):
     before = mass * (velocity @ velocity) / 2 + inertia * w**2 / 2

@@ -412,7 +412,7 @@ def overlap(interval_a, interval_b):
     Wrong(
         "6.4",
         "A's first vertex to B's first vertex tells on which side B lies",
-        ("case",),
+        ("case", "from_b_to_a"),
         """
 import numpy as np
 
@@ -578,7 +578,7 @@ def advance(p, v, room, restitution, dt):
     Wrong(
         "7.4",
         "each circle's first hit is with its nearest neighbour, so only the nearest one is asked",
-        (),
+        ("the_nearest_pair",),
         """
 import math
 
@@ -1299,7 +1299,7 @@ def toppling_rate(width, height):
         "D.3",
         "the chain ends at the first domino that does not touch the next one (break), "
         "so pairs further on that do touch get no push",
-        ("break_off",),
+        ("break_off", "ends_at_the_first_that_stands_free"),
         """
 import math
 

@@ -43,7 +43,7 @@ def inelastic_1d(m1, v1, m2, v2):
         "1.3",
         "Treats momentum as a magnitude and takes the change of mass times speed, so that a "
         "reversal of direction counts as a difference and not as a sum.",
-        (),
+        ("absolute",),
         """
 def elastic_impulse_1d(m1, v1, m2, v2):
     v2_new = (2 * m1 * v1 + (m2 - m1) * v2) / (m1 + m2)
@@ -165,7 +165,7 @@ def resolve_wall(position, velocity, normal, depth, restitution):
         "3.3",
         "Thinks the ball must go back by the depth along the way it came, opposite to its "
         "velocity, instead of along the normal.",
-        (),
+        ("back_along_the_path",),
         """
 import numpy as np
 
@@ -244,7 +244,7 @@ def separate(p1, m1, p2, m2, normal, depth):
         "4.4",
         "Slip: computes the impulse again for the second circle after the velocity of the first "
         "was changed, so the second circle gets a wrong push.",
-        (),
+        ("updated",),
         """
 import math
 
@@ -711,7 +711,7 @@ def fastest_way(masses, velocities, dt):
         "10.4",
         "Slip: looks at the turning point if it is in the future, but forgets to check that it "
         "still lies within the duration.",
-        (),
+        ("condition",),
         """
 import numpy as np
 
@@ -756,7 +756,7 @@ def bodies_asleep(inverse_masses, still, touches):
         "11.1",
         "Slip: sorts the boxes by their left sides for the sweep and returns the places in the "
         "sorted list instead of the original numbers.",
-        (),
+        ("places_after_sorting",),
         """
 import numpy as np
 
@@ -974,7 +974,7 @@ def bumper_contact(position):
         "B.5",
         "Slip: rounds the number of steps to the nearest whole number, so a rest of more than "
         "half a step becomes a step too many.",
-        (),
+        ("whole",),
         """
 import numpy as np
 

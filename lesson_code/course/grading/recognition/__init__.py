@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import warnings
 import zlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -48,6 +49,13 @@ MOST_SAID = 2
 
 LIKELIER_FIRST = (listed, inherited, slips, rarer_slips, pairs)
 """Where mistakes are looked for, in this order."""
+
+OF_CASES = (
+    "gate", "condition", "and_or", "strict", "threshold", "unchanged", "minus", "sign", "order",
+    "absolute", "one_sided", "clamp", "minmax", "whole", "only_one", "break_off", "stale",
+)  # fmt: skip
+"""Kinds of slips that may be made in some cases only: not those in a formula, since a formula is
+the same in all."""
 
 VAGUEST = ("ignored", "term", "factor_missing")
 """Kinds of slips that are not said where others, made in the same place, explain the same."""
@@ -101,11 +109,13 @@ def diagnoses(task: Task, calls: Sequence[TriedCall], seed: int) -> tuple[Diagno
     evidence = Evidence(task, calls, seed)
     if not evidence.failed:
         return ()
-    first = evidence.best(evidence.failed)
-    if first is None:
-        return ()
-    rest = [name for name in evidence.failed if name not in first.criteria]
-    second = evidence.best(rest) if rest else None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of slips, which do what nobody would
+        first = evidence.best(evidence.failed)
+        if first is None:
+            return ()
+        rest = [name for name in evidence.failed if name not in first.criteria]
+        second = evidence.best(rest) if rest else None
     return (first,) if second is None else (first, second)
 
 
@@ -161,12 +171,14 @@ class Evidence:
             models[index]
             for models in (listed(self._task), slips(self._task), rarer_slips(self._task))
             for index in self._near(models, criteria[0])
+            if models is listed(self._task) or models[index].name in OF_CASES
             if self._gives_all(models[index], wrong)
         ]
         if found:
             said = _said(found)
             return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(found[0]),)
-        turned = direction_of(self._task, parameters(self._task), calls)
+        names = parameters(self._task)
+        turned = direction_of(self._task, names, calls) if names else None
         return () if turned is None else (turned,)
 
     def _explained_by(

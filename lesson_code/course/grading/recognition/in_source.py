@@ -57,7 +57,7 @@ HINTS = {
     "sine": "a sine and a cosine are exchanged. What should come at angle 0?",
     "cross": "a cross product is a dot product, or its order is turned. What does each measure?",
     "condition": "one of several conditions is left out. When does each of them decide?",
-    "once": "what should go on until nothing is left happens once. When is it done?",
+    "once": "a loop runs only once. When has it done all that it should?",
     "sequence": "two steps stand in the other order. Which one needs what the other has changed?",
     "parts": "the part along the normal {normal}, that across it {along}. What should each do?",
     "and_or": "an `and` and an `or` are exchanged. Must all hold, or is one enough?",
@@ -141,8 +141,11 @@ class RightAnswer:
 
     def compiled(self) -> CodeType:
         """Return the code of the answer as it is rewritten now."""
-        tree = ast.fix_missing_locations(ast.Module([self.definition], type_ignores=[]))
-        return compile(tree, "<slip>", "exec")
+        tree = ast.Module([self.definition], type_ignores=[])
+        try:
+            return compile(tree, "<slip>", "exec")
+        except TypeError:  # a new node has no line yet
+            return compile(ast.fix_missing_locations(tree), "<slip>", "exec")
 
     def function(self, code: CodeType, **others: Function) -> Function:
         """Return the function that some code defines, with others in the place of some it calls."""
@@ -249,6 +252,7 @@ def _edited(
             shape = _shape(node)
             for number, (kind, names, other) in enumerate(edits_of(node, parent)):
                 if kind in kinds:
+                    ast.fix_missing_locations(other)  # a line; all others have theirs
                     shown = _shown(names, answer)
                     place = kind, shown, partial(put, other), partial(put, node)
                     alike.setdefault(f"{kind} {number} {shape}", []).append(place)
