@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Annotated
 
@@ -44,11 +45,27 @@ def menu(context: typer.Context) -> None:
 
     entries = [Entry(n, words, partial(load, n)) for n, words in program_summaries().items()]
     try:
-        while (name := choose(entries)) is not None:
+        while (name := choose(entries, when_shown=_prepare_once)) is not None:
             play_program(load(name))
     except RuntimeError:
         console.print(context.get_help(), markup=False, highlight=False)
         raise typer.Exit(2) from None
+
+
+@cache
+def _prepare_once() -> None:
+    """Have the programs of live worlds compiled, as long as somebody plays."""
+    threading.Thread(target=_prepare, daemon=True).start()
+
+
+def _prepare() -> None:
+    """Compile what is not kept, one after the other, in a process that gives way to all others."""
+    from lesson_code.evidence.common_programs import (
+        compile_in_background,
+        live_programs_to_compile,
+    )
+
+    compile_in_background(live_programs_to_compile())
 
 
 @play.command("simulator", help=program_summaries()["simulator"])

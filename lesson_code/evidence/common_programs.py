@@ -1,4 +1,6 @@
-"""The programs of most large runs, compiled by `workbook open` before anybody wants them.
+"""The programs of most large runs, compiled in the background before anybody wants them.
+
+`workbook open` has all of them compiled, and the menu of `workbook play` those of live worlds.
 
 A program holds what a scene calls for, and nothing else. So one scene stands for all of its kind:
 a gas, discs and boxes that fall or stand, and the world of `workbook play`.
@@ -7,7 +9,7 @@ a gas, discs and boxes that fall or stand, and the world of `workbook play`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from lesson_code.engine.compiled import Program
 from lesson_code.engine.compiled.compiler import Compiling
@@ -34,9 +36,19 @@ ROWS = 20
 
 def programs_to_compile() -> list[Program]:
     """Return the common programs that are not kept; none where nothing can be compiled."""
+    return _not_kept(common_programs)
+
+
+def live_programs_to_compile() -> list[Program]:
+    """Return those of them by which the worlds of `workbook play` go on."""
+    return _not_kept(live_programs)
+
+
+def _not_kept(programs: Callable[[], Iterable[Program]]) -> list[Program]:
+    """Return the programs that are not kept; none where nothing can be compiled."""
     if why_no_compiler():
         return []
-    return [program for program in common_programs() if not is_kept(program)]
+    return [program for program in programs() if not is_kept(program)]
 
 
 def compile_in_background(programs: list[Program]) -> None:
@@ -47,10 +59,17 @@ def compile_in_background(programs: list[Program]) -> None:
 
 def common_programs() -> Iterator[Program]:
     """Yield the programs of most large runs, the quickest to compile first."""
-    yield ExactSolver(gas_of(MANY, 0.3, seed=1), combine=MixingRule()).program()
+    live = list(live_programs())
+    yield live[0]
     for scene in (falling_discs(MANY), box_pyramid(ROWS), bin_of_shapes(MANY).scene):
         yield stepped(scene)
     yield stepped(falling_discs(MANY), splits_steps=True)  # from the first fast disc on
+    yield from live[1:]
+
+
+def live_programs() -> Iterator[Program]:
+    """Yield the programs of live worlds with many bodies: discs that fly, and what is stepped."""
+    yield ExactSolver(gas_of(MANY, 0.3, seed=1), combine=MixingRule()).program()
     yield from map(program_for, ("sequential", "substep"))
 
 

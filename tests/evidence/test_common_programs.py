@@ -9,6 +9,7 @@ from small_program import small_program
 
 from lesson_code import simulate
 from lesson_code.engine.compiled import library
+from lesson_code.engine.live_solver import program_for
 from lesson_code.evidence import common_programs as common
 from lesson_code.evidence.scenes.gas import gas_of
 
@@ -34,10 +35,28 @@ def test_programs_that_are_kept_are_not_compiled_again(
     assert common.programs_to_compile() == []
 
 
+def test_menu_has_the_programs_compiled_that_worlds_go_on_by(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Those of discs that fly, of many bodies and of piles: a part of what `open` has compiled."""
+    live = list(common.live_programs())
+    assert [p.entry for p in live[1:]] == ["advance", "advance"]
+    assert live[1:] == [program_for("sequential"), program_for("substep")]
+    assert set(live) < set(common.common_programs())
+    playing = importlib.import_module("lesson_code.cli.playing")
+    compiled: list[object] = []
+    monkeypatch.setattr(common, "compile_in_background", compiled.extend)
+    monkeypatch.setattr(common, "live_programs", lambda: iter([small_program()]))
+    monkeypatch.setattr(common, "is_kept", lambda _: False)
+    monkeypatch.setattr(common, "why_no_compiler", str)
+    playing._prepare()
+    assert compiled == [small_program()]
+
+
 def test_nothing_is_compiled_where_nothing_can_be(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without Numba."""
     monkeypatch.setattr(common, "why_no_compiler", lambda: "Numba is not installed")
-    assert common.programs_to_compile() == []
+    assert common.programs_to_compile() == common.live_programs_to_compile() == []
 
 
 def test_open_says_what_is_compiled(

@@ -164,8 +164,14 @@ class Menu:
             window.text(line, (left, y + px(8)), colour=INK if is_marked else FADED_INK, size=15)
 
 
-def choose(entries: Sequence[Entry], size: tuple[int, int] = PROGRAM_SIZE) -> str | None:
+def choose(
+    entries: Sequence[Entry],
+    size: tuple[int, int] = PROGRAM_SIZE,
+    when_shown: Callable[[], None] = lambda: None,
+) -> str | None:
     """Show the menu, and return the name of the program that was chosen; None: it was closed.
+
+    `when_shown` is called once it has a window.
 
     Raises
     ------
@@ -176,6 +182,7 @@ def choose(entries: Sequence[Entry], size: tuple[int, int] = PROGRAM_SIZE) -> st
     with open_window(size, "Programs of the workbook") as window:
         if pygame.display.get_driver() in UNSEEN:
             raise RuntimeError("no screen to show the menu on")
+        when_shown()
         while menu.running:
             for event in pygame.event.get():
                 menu.handle(event)

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from lesson_code.chapters.programs import load, program_summaries
-from lesson_code.view.pygame.menu import Entry, Menu
+from lesson_code.view.pygame import menu as menus
+from lesson_code.view.pygame.menu import Entry, Menu, choose
 from lesson_code.view.pygame.window import Window, pygame
 
 
@@ -84,3 +85,20 @@ def test_marked_program_plays_itself(menu: Menu) -> None:
     after = [pygame.surfarray.array2d(tile.surface) for tile in menu.tiles if tile.surface]
     moved = [(a != b).any() for a, b in zip(after, before, strict=True)]
     assert moved == [k == 5 for k in range(len(menu.tiles))]
+
+
+def test_programs_are_prepared_only_where_the_menu_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once, when it has a window; where there is no screen, nothing is begun."""
+    entries = [Entry("demo", "", partial(load, "demo"))]
+    shown: list[str] = []
+    with pytest.raises(RuntimeError, match="no screen"):
+        choose(entries, when_shown=partial(shown.append, "begun"))
+    assert shown == []
+
+    def close() -> None:
+        shown.append("begun")
+        pygame.event.post(pygame.event.Event(pygame.QUIT))
+
+    monkeypatch.setattr(menus, "UNSEEN", ())
+    assert choose(entries, when_shown=close) is None
+    assert shown == ["begun"]
