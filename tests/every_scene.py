@@ -34,6 +34,30 @@ def mixed_heap() -> Scene:
     return Scene([*map(Body, walls), *bodies], gravity=(0.5, -10), damping=0.2)
 
 
+def many_boxes(seed: int = 1) -> Scene:
+    """Return boxes in rows on a floor and a belt, some turned, and discs on them.
+
+    So many are sorted by colour and visited in lanes, several on one body that nothing can push. On
+    turned boxes one point of a manifold opens, on others both carry.
+    """
+    rng = np.random.default_rng(seed)
+    rough = Material(0, 0.5)
+    belt = Body(Polygon.box(5, 1), position=(5.5, -0.5), velocity=(-1, 0), material=rough)
+    boxes = [
+        Body(
+            Polygon.box(rng.uniform(0.5, 0.95), 0.6), mass=rng.uniform(1, 9),
+            position=(column, 0.3 + 0.595 * row), angle=rng.choice([0.0, 0.0, rng.normal(0, 0.02)]),
+            velocity=rng.normal(0, 0.5, 2), angular_velocity=rng.normal(0, 0.5),
+            material=Material(rng.choice([0.0, 0.5]), rng.uniform(0, 1)),
+        )
+        for row in range(5)
+        for column in range(9)
+    ]  # fmt: skip
+    discs = [Body(Circle(0.4), mass=1, position=(0.9 * k, 3.4)) for k in range(9)]
+    floor = Body(Polygon.box(9, 1), position=(-1.5, -0.5), material=rough)
+    return Scene([floor, belt, *boxes, *discs], gravity=(0.5, -10), damping=0.1)
+
+
 def moving_walls() -> Scene:
     """Return a bat that comes, a roller that turns, a saw that does both, and balls between."""
     bats = [
@@ -107,6 +131,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "speed: pyramid": lambda: speed_scenes.pyramid(4).scene,
     "speed: bin": lambda: speed_scenes.bin_of_shapes(24).scene,
     "mixed heap": mixed_heap,
+    "many boxes": many_boxes,
     "moving walls": moving_walls,
     "fast mix": fast_mix,
 }

@@ -49,7 +49,7 @@ def clamp(value: Number, low: Number, high: Number) -> Any:
     """
     if isinstance(value, np.ndarray) or isinstance(high, np.ndarray):
         return np.clip(value, low, high)
-    return low if value < low else high if value > high else value
+    return min(max(value, low), high)
 
 
 ROUNDING_OF_PARTS = 1e-9

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lesson_code import Body, Circle, MixingRule, Scene
+from lesson_code.engine.compiled.lanes import LANES
 from lesson_code.engine.core.constants import (
     FEWEST_FOR_ORDER,
     MOST_COLOURS,
@@ -206,6 +208,12 @@ def order_of(world: World) -> list[int]:
     return [row.index for row in world.visits[: world.state.visit_count]]
 
 
+def firsts_of(world: World) -> list[int]:
+    """Return all contacts but the second points of manifolds."""
+    rows = world.contacts[: world.state.contact_count]
+    return [k for k in range(len(rows)) if k == 0 or not rows[k - 1].is_block]
+
+
 @pytest.mark.parametrize(
     ("sweep", "visit"), [("solve", "solve_contact"), ("correct", "solve_pseudo_velocity")]
 )
@@ -264,11 +272,12 @@ pairs = st.lists(
 
 
 def touching(pairs: list[tuple[int, int]], fixed: set[int]) -> World:
-    """Return tables in which these pairs touch, each in two points; some bodies are static."""
+    """Return tables in which these pairs touch, two of three in two points; some are static."""
     bodies = [Body(Circle(1), mass=None if i in fixed else 1) for i in range(BODIES)]
     world = world_of(Scene(bodies), 0.01, 1, MixingRule())
-    for a, b in pairs:
-        world.contacts.append(ContactRow(a=a, b=b, is_block=True))
+    for n, (a, b) in enumerate(pairs):
+        if n % 3 < 2:
+            world.contacts.append(ContactRow(a=a, b=b, is_block=True))
         world.contacts.append(ContactRow(a=a, b=b))
     world.visits.extend(IndexRow() for _ in world.contacts)
     world.state.contact_count = len(world.contacts)
@@ -280,21 +289,47 @@ def touching(pairs: list[tuple[int, int]], fixed: set[int]) -> World:
 def test_contacts_of_one_colour_share_no_body_that_can_be_pushed(
     pairs: list[tuple[int, int]], fixed: set[int]
 ) -> None:
-    """But for the last colour, which takes whatever found no other. Colour follows on colour."""
+    """But for the last colour, which takes whatever found no other."""
     world = touching(pairs, fixed)
     order = order_of(world)
-    assert sorted(order) == list(range(0, 2 * len(pairs), 2))
+    assert sorted(order) == firsts_of(world)
     visited = [world.contacts[k] for k in order]
-    assert [c.colour for c in visited] == sorted(c.colour for c in visited)
-    pushed = [(c.colour, i) for c in visited for i in (c.a, c.b) if i not in fixed]
+    pushed = [(c.colour % MOST_COLOURS, i) for c in visited for i in (c.a, c.b) if i not in fixed]
     early = [place for place in pushed if place[0] < MOST_COLOURS - 1]
     assert len(set(early)) == len(early)
+
+
+@given(pairs, st.sets(st.integers(0, BODIES - 1), max_size=BODIES))
+def test_contacts_in_lanes_share_no_body_and_are_of_one_kind(
+    pairs: list[tuple[int, int]], fixed: set[int]
+) -> None:
+    """Four by four: manifolds, colour after colour, then single contacts; never the last colour."""
+    world = touching(pairs, fixed)
+    state, order = world.state, order_of(world)
+    assert state.lanes_of_two % LANES == state.lanes_of_one % LANES == 0
+    assert 0 <= state.lanes_of_two <= state.lanes_of_one <= len(order)
+    visited = [world.contacts[k] for k in order[: state.lanes_of_one]]
+    assert [c.is_block for c in visited] == [n < state.lanes_of_two for n in range(len(visited))]
+    assert [c.colour for c in visited] == sorted(c.colour for c in visited)
+    for begin in range(0, len(visited), LANES):
+        together = [i for c in visited[begin : begin + LANES] for i in (c.a, c.b) if i not in fixed]
+        assert len(set(together)) == len(together)
+
+
+@given(pairs)
+def test_no_more_visits_are_left_over_than_do_not_fill_the_lanes(
+    pairs: list[tuple[int, int]],
+) -> None:
+    """Of each colour and kind but the last colour, fewer than there are lanes."""
+    world = touching(pairs, fixed=set())
+    left = Counter(world.contacts[k].colour for k in order_of(world)[world.state.lanes_of_one :])
+    assert all(n < LANES for colour, n in left.items() if (colour + 1) % MOST_COLOURS)
 
 
 def test_more_contacts_than_colours_on_one_body_are_all_visited() -> None:
     """A body with 39 neighbours: those that find no other colour share the last."""
     world = touching([(0, i) for i in range(1, BODIES)], fixed=set())
-    colours = [world.contacts[k].colour for k in order_of(world)]
+    colours = [world.contacts[k].colour % MOST_COLOURS for k in order_of(world)]
     assert colours == [*range(MOST_COLOURS), *[MOST_COLOURS - 1] * (39 - MOST_COLOURS)]
 
 
@@ -304,10 +339,10 @@ def test_contact_takes_no_colour_that_is_higher_than_it_must_be(
 ) -> None:
     """Each lower one is taken by another contact of one of its two bodies."""
     world = touching(pairs, fixed=set())
-    rows = world.contacts[: world.state.contact_count : 2]
+    rows = [world.contacts[k] for k in firsts_of(world)]
     for c in rows:
-        near = {d.colour for d in rows if {c.a, c.b} & {d.a, d.b} and d is not c}
-        assert set(range(c.colour)) <= near
+        near = {d.colour % MOST_COLOURS for d in rows if {c.a, c.b} & {d.a, d.b} and d is not c}
+        assert set(range(c.colour % MOST_COLOURS)) <= near
 
 
 @pytest.mark.full

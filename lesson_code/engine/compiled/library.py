@@ -32,7 +32,7 @@ PROGRAMS_KEPT = 64
 FOLDER_VARIABLE = "WORKBOOK_CACHE"
 """Environment variable that names another folder for compiled programs."""
 
-COMPILER = ("inlining.py", "loader.py", "machine_code.py")
+COMPILER = ("inlining.py", "lane_types.py", "loader.py", "machine_code.py")
 """The files beside this one that say how a program is compiled and called."""
 
 

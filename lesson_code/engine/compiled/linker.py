@@ -25,6 +25,7 @@ import types
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple, TypeAlias
 
+from lesson_code.engine.compiled import lanes
 from lesson_code.engine.compiled.known import is_stage, known_value
 
 PROJECT = "lesson_code."
@@ -342,8 +343,13 @@ def _stages_by_default(function: Any, given: set[str]) -> dict[str, Any]:
 
 
 def _is_outside(stage: Any) -> bool:
-    """Return whether a stage is a function, or part of one, of a solver that is not compiled."""
+    """Return whether a function, or part of one, is of no program: what Numba knows by itself.
+
+    So are those of lanes, and those of a solver that is not compiled.
+    """
     function = stage.func if isinstance(stage, functools.partial) else stage
+    if getattr(function, "__module__", None) == lanes.__name__:
+        return True
     module = sys.modules.get(getattr(function, "__module__", None) or "")
     return bool(getattr(getattr(module, "SOLVER", None), "never_compiled", ""))
 

@@ -32,6 +32,7 @@ from numba.extending import intrinsic
 from numba.np import arrayobj
 from numba.np.numpy_support import as_dtype
 
+import lesson_code.engine.compiled.lane_types  # noqa: F401 - Numba learns from it what lanes are
 from lesson_code.engine.compiled.inlining import inlined, merged
 from lesson_code.engine.compiled.loader import SYMBOL, MachineCode, ObjectFile, target_machine
 from lesson_code.engine.compiled.program import Layout, Program

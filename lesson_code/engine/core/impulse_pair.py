@@ -37,10 +37,15 @@ def exchange(a: MovingBody, b: MovingBody, jx: float, jy: float) -> None:
 def exchange_and_turn(
     a: MovingBody, b: MovingBody, jx: float, jy: float, wa: float, wb: float
 ) -> None:
-    """Give b an impulse and a the opposite one, N s, and both what they turn by it, rad/s."""
-    exchange(a, b, jx, jy)
-    a.w += wa
-    b.w += wb
+    """Give b an impulse and a the opposite one, N s, and both what they turn by it, rad/s.
+
+    All is read before anything is written: a processor that reads eight numbers at once would have
+    to wait for one of them that was written just now.
+    """
+    of_a = a.vx - jx * a.inv_m, a.vy - jy * a.inv_m, a.w + wa
+    of_b = b.vx + jx * b.inv_m, b.vy + jy * b.inv_m, b.w + wb
+    a.vx, a.vy, a.w = of_a
+    b.vx, b.vy, b.w = of_b
 
 
 def exchange_pushes(a: BodyRow, b: BodyRow, jx: float, jy: float) -> None:
@@ -55,6 +60,7 @@ def exchange_pushes_and_turn(
     a: BodyRow, b: BodyRow, jx: float, jy: float, wa: float, wb: float
 ) -> None:
     """Do the same to them, and to their angular velocities, rad/s."""
-    exchange_pushes(a, b, jx, jy)
-    a.pseudo_w += wa
-    b.pseudo_w += wb
+    of_a = a.pseudo_vx - jx * a.inv_m, a.pseudo_vy - jy * a.inv_m, a.pseudo_w + wa
+    of_b = b.pseudo_vx + jx * b.inv_m, b.pseudo_vy + jy * b.inv_m, b.pseudo_w + wb
+    a.pseudo_vx, a.pseudo_vy, a.pseudo_w = of_a
+    b.pseudo_vx, b.pseudo_vy, b.pseudo_w = of_b

@@ -139,12 +139,12 @@ class ContactRow:
     normal_impulse: float = 0.0  # N s, >= 0, received by b along the normal so far
     tangent_impulse: float = 0.0  # N s, received by b along the tangent so far
 
-    is_block: bool = False  # whether this row and the next are solved together: one manifold
     block_mass: float = 0.0  # kg, in a block: inverse of K, N s here for 1 m/s at this point alone
     shared_mass: float = 0.0  # kg, and N s at the other point
-    k_own: float = 0.0  # 1/kg, in a block: Delassus matrix, velocity here from 1 N s here
+    k_cross_tangent: float = 0.0  # 1/kg, velocity here along the tangent from 1 N s at the other
+    k_own: float = 0.0  # 1/kg, Delassus matrix, velocity here from 1 N s here
     k_cross: float = 0.0  # 1/kg, off its diagonal: here from 1 N s at the other point
-    k_cross_tangent: float = 0.0  # 1/kg, the same along the tangent
+    is_block: bool = False  # whether this row and the next are solved together: one manifold
 
     ax: float = 0.0  # m, lever arm on a: from its centre of mass to the point on its surface
     ay: float = 0.0
@@ -166,6 +166,14 @@ class ContactRow:
     soft_vn: float = 0.0  # m/s, relative normal velocity to reach at least, but for giving way
     normal_total: float = 0.0  # N s, of the impact and of the sub-steps of this step so far
     tangent_total: float = 0.0  # N s
+
+
+@dataclass(slots=True)
+class ColourRow:
+    """A colour of contacts, of manifolds or of single ones (visits.py)."""
+
+    left: int = 0  # visits of that colour that are still to get a place in the lanes
+    place: int = 0  # the next of these places
 
 
 @dataclass(slots=True)
@@ -266,6 +274,8 @@ class State:
     contact_count: int = 0
     static_count: int = 0
     visit_count: int = 0
+    lanes_of_two: int = 0  # the first visits, to manifolds, which are made in lanes (visits.py)
+    lanes_of_one: int = 0  # and where the visits to single contacts end that are, too
     memory_count: int = 0
     impulse_count: int = 0
     resting_count: int = 0
@@ -299,6 +309,7 @@ class World(NamedTuple):
     fixed_slots: list[IndexRow]  # the first body in each that nothing can push
     contacts: list[ContactRow]
     visits: list[IndexRow]  # the contacts in the order of a sweep
+    colours: list[ColourRow]  # of manifolds, then of single contacts
     static_contacts: list[IndexRow]  # those of them with a body that nothing can push
     memory: list[MemoryRow]
     resting: list[RestingRow]  # the contacts of islands that sleep

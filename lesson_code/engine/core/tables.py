@@ -22,11 +22,20 @@ from lesson_code.engine.core.constants import (
     CELL_MARGIN,
     FEWEST_FOR_GRID,
     LARGEST_IN_GRID,
+    MOST_COLOURS,
     MOST_MARGIN,
 )
 from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.pipeline import BroadPhase
-from lesson_code.engine.core.rows import BodyRow, BoxRow, IndexRow, PlaceRow, State, World
+from lesson_code.engine.core.rows import (
+    BodyRow,
+    BoxRow,
+    ColourRow,
+    IndexRow,
+    PlaceRow,
+    State,
+    World,
+)
 from lesson_code.engine.core.scene import Scene
 from lesson_code.geometry.outline import Point
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
@@ -97,6 +106,7 @@ def arrays_of(
         fixed_slots=new_table(IndexRow, slots),
         contacts=[],
         visits=[],
+        colours=new_table(ColourRow, 2 * MOST_COLOURS),
         static_contacts=[],
         memory=[],
         resting=[],
@@ -142,9 +152,9 @@ def _bodies(c: Columns, skin: float) -> Any:
         angle=c.angle,
         cos=[math.cos(angle) for angle in angles],  # NumPy's may differ in the last bit
         sin=[math.sin(angle) for angle in angles],
-        vx=c.vx,
-        vy=c.vy,
-        w=c.w,
+        vx=c.vx + 0.0,  # not -0.0: a push of 0 would make it 0.0, once or four times at once
+        vy=c.vy + 0.0,
+        w=c.w + 0.0,
         inv_m=inv_m,
         inv_i=inv_i,
         restitution=c.restitution,

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+from lesson_code.engine.compiled.lanes import everywhere, where
 from lesson_code.engine.core.constants import LEAST_DETERMINANT
 from lesson_code.engine.core.contact_frame import (
     friction_impulse,
@@ -84,7 +85,8 @@ def solve_pseudo_velocities(c: ContactRow, d: ContactRow, a: BodyRow, b: BodyRow
     """Undo the overlap at both points; where none is left and none was undone, nothing changes."""
     before = c.pseudo_impulse, d.pseudo_impulse
     missing = missing_pseudo_velocity(c, a, b), missing_pseudo_velocity(d, a, b)
-    if missing[0] >= 0 and missing[1] >= 0 and before[0] == 0 and before[1] == 0:
+    is_apart = (missing[0] >= 0) & (missing[1] >= 0)
+    if everywhere(is_apart & (before[0] == 0) & (before[1] == 0)):
         return
     totals = block_impulses(c, d, missing, before)
     apply_pseudo_impulses(c, d, a, b, (totals[0] - before[0], totals[1] - before[1]))
@@ -130,9 +132,11 @@ def block_impulses(c: ContactRow, d: ContactRow, missing: Two, before: Two) -> T
     """Return the total impulses of two rigid points; most often both carry."""
     x1 = before[0] - (c.block_mass * missing[0] + c.shared_mass * missing[1])
     x2 = before[1] - (c.shared_mass * missing[0] + d.block_mass * missing[1])
-    if x1 >= 0 and x2 >= 0:
+    both = (x1 >= 0) & (x2 >= 0)
+    if everywhere(both):
         return x1, x2
-    return two_impulses((c.k_own, c.k_cross, d.k_own), missing, before)
+    other = two_impulses((c.k_own, c.k_cross, d.k_own), missing, before)
+    return where(both, x1, other[0]), where(both, x2, other[1])
 
 
 def two_impulses(k: Three, missing: Two, before: Two) -> Two:
@@ -143,14 +147,14 @@ def two_impulses(k: Three, missing: Two, before: Two) -> Two:
     k11, k12, k22 = k
     b1 = missing[0] - (k11 * before[0] + k12 * before[1])
     b2 = missing[1] - (k12 * before[0] + k22 * before[1])
-    if b1 >= 0 and b2 >= 0:  # both open
-        return 0.0, 0.0
-    x1, x2 = k12 * b2 - k22 * b1, k12 * b1 - k11 * b2  # times the determinant, which is > 0
-    if x1 >= 0 and x2 >= 0:  # both carry
-        share = 1 / (k11 * k22 - k12 * k12)
-        return x1 * share, x2 * share
-    if b1 < 0 and b2 - k12 * b1 / k11 >= 0:  # the first carries, the second opens
-        return -b1 / k11, 0.0
-    if b2 < 0 and b1 - k12 * b2 / k22 >= 0:  # the second carries, the first opens
-        return 0.0, -b2 / k22
-    return before  # rounding has left none: keep what there is
+    x1, x2 = before  # where rounding has left no case that fits
+    is_first = (b1 < 0) & (b2 - k12 * b1 / k11 >= 0)  # the first carries, the second opens
+    is_second = (b2 < 0) & (b1 - k12 * b2 / k22 >= 0)
+    x1, x2 = where(is_second, 0.0, x1), where(is_second, -b2 / k22, x2)
+    x1, x2 = where(is_first, -b1 / k11, x1), where(is_first, 0.0, x2)
+    d1, d2 = k12 * b2 - k22 * b1, k12 * b1 - k11 * b2  # times the determinant, which is > 0
+    both = (d1 >= 0) & (d2 >= 0)
+    share = 1 / (k11 * k22 - k12 * k12)
+    x1, x2 = where(both, d1 * share, x1), where(both, d2 * share, x2)
+    none = (b1 >= 0) & (b2 >= 0)
+    return where(none, 0.0, x1), where(none, 0.0, x2)

@@ -33,6 +33,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
+from lesson_code.engine.compiled.lanes import in_lanes
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
     LEAST_EXCESS,
@@ -195,7 +196,11 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> None:
     """Visit all contacts; the two points of a manifold together."""
-    for n in range(world.state.visit_count):
+    first = 0
+    if effects.manifolds:
+        sweep_in_lanes(world, visit, visit_two)
+        first = world.state.lanes_of_one
+    for n in range(first, world.state.visit_count):
         k = world.visits[n].index
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -203,6 +208,18 @@ def sweep(world: World, effects: Effects, visit: Visit, visit_two: VisitTwo) -> 
             visit_two(c, world.contacts[k + 1], a, b)
         else:
             visit(c, a, b)
+
+
+def sweep_in_lanes(world: World, visit: Visit, visit_two: VisitTwo) -> None:
+    """Make the first visits, four of one colour at a time: manifolds, then single contacts."""
+    state = world.state
+    for n in in_lanes(0, state.lanes_of_two):
+        k = world.visits[n].index
+        c, d = world.contacts[k], world.contacts[k + 1]
+        visit_two(c, d, world.bodies[c.a], world.bodies[c.b])
+    for n in in_lanes(state.lanes_of_two, state.lanes_of_one):
+        c = world.contacts[world.visits[n].index]
+        visit(c, world.bodies[c.a], world.bodies[c.b])
 
 
 def solve_contact(c: ContactRow, a: BodyRow, b: BodyRow) -> None:

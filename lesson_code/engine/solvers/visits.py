@@ -18,6 +18,7 @@ Catto, SIMD Matters (Box2D, 2024): colours, there for the lanes of one instructi
 
 from __future__ import annotations
 
+from lesson_code.engine.compiled.lanes import LANES
 from lesson_code.engine.core.constants import (
     FEWEST_FOR_ORDER,
     MOST_COLOURS,
@@ -31,7 +32,7 @@ from lesson_code.engine.effects.flags import Effects
 
 def order_visits(world: World, effects: Effects) -> None:
     """Write down which contacts a sweep visits, and when; the two of a manifold are one visit."""
-    world.state.visit_count = 0
+    world.state.visit_count = world.state.lanes_of_two = world.state.lanes_of_one = 0
     if world.state.contact_count < FEWEST_FOR_ORDER:
         as_they_stand(world, effects)
     elif effects.manifolds and are_for_colours(world):
@@ -64,23 +65,59 @@ def in_strides(world: World, effects: Effects) -> None:
 
 
 def by_colour(world: World, effects: Effects) -> None:
-    """Visit the contacts colour after colour.
+    """Visit the contacts colour after colour, those of a colour in lanes; last what is left over.
 
     Each contact takes the first colour that its bodies do not have yet. The whole table is coloured
     at once: part by part, the rows of a pyramid hear too late what they have to bear.
+
+    A counting sort: count the visits of each colour, find where those begin that fill all lanes,
+    and put each visit there.
     """
-    highest = 0
+    take_colours(world, effects)
+    share_out_lanes(world)
+    state = world.state
+    state.visit_count = state.lanes_of_one
+    for k in range(state.contact_count):
+        if not is_second_of_block(world, k, effects):
+            colour = world.colours[world.contacts[k].colour]
+            if colour.left > 0:
+                world.visits[colour.place].index = k
+                colour.place += 1
+                colour.left -= 1
+            else:
+                world.visits[state.visit_count].index = k
+                state.visit_count += 1
+
+
+def take_colours(world: World, effects: Effects) -> None:
+    """Let each contact that is visited take a colour, and count them; single ones by themselves."""
+    for colour in world.colours:
+        colour.left = 0
     for body in world.bodies:
         body.colours = 0
     for k in range(world.state.contact_count):
         if not is_second_of_block(world, k, effects):
             c = world.contacts[k]
             c.colour = take_colour(world.bodies[c.a], world.bodies[c.b])
-            highest = max(highest, c.colour)
-    for colour in range(highest + 1):
-        for k in range(world.state.contact_count):
-            if world.contacts[k].colour == colour:
-                visit_next(world, k, effects)
+            if not c.is_block:
+                c.colour += MOST_COLOURS
+            world.colours[c.colour].left += 1
+
+
+def share_out_lanes(world: World) -> None:
+    """Find where the visits of each colour begin, as many as fill all lanes.
+
+    Contacts of the last colour may share bodies, and are never visited at once.
+    """
+    place = 0
+    for number, colour in enumerate(world.colours):
+        is_last = number % MOST_COLOURS == MOST_COLOURS - 1
+        colour.left = 0 if is_last else colour.left // LANES * LANES
+        colour.place = place
+        place += colour.left
+        if number == MOST_COLOURS - 1:
+            world.state.lanes_of_two = place
+    world.state.lanes_of_one = place
 
 
 def take_colour(a: BodyRow, b: BodyRow) -> int:

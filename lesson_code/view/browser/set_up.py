@@ -44,6 +44,8 @@ def set_up(world: World) -> int:
     """
     state, bodies, first = world.state, world.bodies, 0
     for k in range(len(bodies)):
+        body = bodies[k]
+        body.vx, body.vy, body.w = body.vx + 0.0, body.vy + 0.0, body.w + 0.0  # not -0.0
         bodies[k].first_corner = first
         first += bodies[k].corner_count
         fault = complete(world, bodies[k])

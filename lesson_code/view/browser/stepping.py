@@ -11,7 +11,7 @@ from typing import Any
 from lesson_code.engine.compiled.webassembly import WebProgram, table_program
 from lesson_code.engine.core import capacity
 from lesson_code.engine.core.broad_phase import uniform_grid
-from lesson_code.engine.core.constants import PAIRS_ANYWAY, PAIRS_PER_BODY
+from lesson_code.engine.core.constants import MOST_COLOURS, PAIRS_ANYWAY, PAIRS_PER_BODY
 from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import State, World
@@ -47,7 +47,7 @@ def scene_rules(solver: Solver) -> dict[str, Any]:
         "restitution": MixingRule().restitution,
         "friction": MixingRule().friction,
     }
-    return {"usual": usual, "mixing": RULES, "faults": FAULTS}
+    return {"usual": usual, "mixing": RULES, "faults": FAULTS, "colours": 2 * MOST_COLOURS}
 
 
 def capacity_rules() -> dict[str, Any]:

@@ -62,6 +62,7 @@ export class World {
     if (fault) throw new RangeError(`bodies[${this.state.lost_body}]: ${program.about.scene.faults[fault]}`);
     program.slots.resize(this.state.slot_count + 1);
     program.fixed_slots.resize(this.state.slot_count);
+    program.colours.resize(program.about.scene.colours);
     this.impulses = [];
   }
 

@@ -16,7 +16,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from every_scene import DT, SCENES, fast_mix, mixed_heap, moving_walls
+from every_scene import DT, SCENES, fast_mix, many_boxes, mixed_heap, moving_walls
+from tiers import share
 
 from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, simulate
 from lesson_code.engine import stepper
@@ -116,6 +117,19 @@ def test_compiled_run_has_the_bits_of_the_plain_one_whatever_the_settings(
 ) -> None:
     """Steps, sweeps, parts of steps and rules of combination are numbers in the tables."""
     assert_same_bits(*both(mixed_heap(), solver, 25, **settings))
+
+
+# In lanes
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("seed", range(2, 2 + share(12)))
+def test_boxes_visited_in_lanes_have_the_bits_of_visits_one_by_one(seed: int, solver: str) -> None:
+    """Manifolds and single points, some on a body that nothing can push, some of which open."""
+    compiled, plain = both(many_boxes(seed), solver, STEPS)
+    assert_same_bits(compiled, plain)
+    if solver != "naive":
+        assert 0 < plain.world.state.lanes_of_two < plain.world.state.lanes_of_one
 
 
 # Begun plain
@@ -311,6 +325,6 @@ def run_checked() -> None:
     """Run some scenes in a program with checks, and compare; see the test above."""
     with pytest.MonkeyPatch.context() as patch:
         share_programs(patch)
-        for build in (mixed_heap, fast_mix, moving_walls, SCENES["speed: gas"]):
+        for build in (mixed_heap, many_boxes, fast_mix, moving_walls, SCENES["speed: gas"]):
             assert_same_bits(*both(build(), "sequential", 30))
     sys.stdout.write("same bits")
