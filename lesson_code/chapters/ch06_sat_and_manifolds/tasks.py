@@ -147,7 +147,8 @@ def at_a_corner(stream: Random) -> Iterator[Arguments]:
     """
     for pair, way in ((pairs.CORNER_INSIDE, FAR), (pairs.swapped(pairs.CORNER_INSIDE), -FAR)):
         a, b = pairs.placed(stream, pair)
-        normal, _ = mtv(a, b)
+        found: Any = mtv(a, b)  # they overlap, so it is not None
+        normal, _ = found
         yield tuple(tuple(_moved(p, -way * normal) for p in polygon) for polygon in (a, b))
 
 

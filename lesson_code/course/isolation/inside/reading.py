@@ -238,12 +238,12 @@ def _left_out(body: Iterable[ast.stmt]) -> Iterator[tuple[str, str]]:
 
 def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
     """Yield the nodes of a kind, in any order."""
-    left = [tree]
+    left: list[Any] = [tree]
     while left:
         node = left.pop()
         if isinstance(node, kind):
             yield node
-        for name in _with_nodes(type(node)):
+        for name in _with_nodes(node.__class__):
             value = getattr(node, name, None)
             if isinstance(value, ast.AST):
                 left.append(value)

@@ -76,7 +76,7 @@ def _nodes_and_names(function: ast.FunctionDef) -> tuple[list[str], list[tuple[s
     left: list[Any] = [function]
     while left:
         node = left.pop()
-        kind = type(node)
+        kind = node.__class__
         if kind is ast.Name:
             nodes.append("Name")
             names.append((node.id, type(node.ctx) is ast.Store))
