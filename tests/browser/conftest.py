@@ -6,8 +6,9 @@ skipped, and says so.
 
 from __future__ import annotations
 
+import math
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -43,6 +44,44 @@ def page(browser: Browser) -> Iterator[Page]:
     context = browser.new_context(viewport=DESKTOP, reduced_motion="reduce")
     yield context.new_page()
     context.close()
+
+
+LEND = """
+(lent) => Object.entries(lent).forEach(([name, [arguments_, results]]) => {
+    const own = Math[name];
+    const values = new Map(arguments_.map((x, k) => [x, results[k]]));
+    Math[name] = (x) => (x !== 0 && values.has(x) ? values.get(x) : own(x));
+})
+"""
+"""In the page: its functions give what Python's gave, where Python has asked; -0 stays its own."""
+
+
+@pytest.fixture
+def lend_functions(page: Page, monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+    """Return what lends a page Python's sine, cosine and exponential of all that was asked before.
+
+    They are the C library's, and a browser has its own: the last bit may differ, and then so does
+    all that turns. What is compared is the rest, bit by bit.
+    """
+    noted: dict[str, dict[float, float]] = {"sin": {}, "cos": {}, "exp": {}}
+    for name, values in noted.items():
+        monkeypatch.setattr(math, name, _noting(getattr(math, name), values))
+    lent = {name: values.items() for name, values in noted.items()}
+    return lambda: page.evaluate(
+        LEND, {name: [[x for x, _ in pairs], [y for _, y in pairs]] for name, pairs in lent.items()}
+    )
+
+
+def _noting(
+    function: Callable[[float], float], values: dict[float, float]
+) -> Callable[[float], float]:
+    """Return a function that notes what it gives."""
+
+    def noting(x: float) -> float:
+        values[x] = function(x)
+        return values[x]
+
+    return noting
 
 
 @pytest.fixture

@@ -92,10 +92,17 @@ def body_described(body: Body) -> dict[str, Any]:
     return {name: value for name, value in told.items() if value is not None}
 
 
-def require_same_tables(page: Page, scene: Scene, told: dict[str, Any], solver: str) -> None:
+def require_same_tables(
+    page: Page,
+    lend_functions: Callable[[], None],
+    scene: Scene,
+    told: dict[str, Any],
+    solver: str,
+) -> None:
     """Hold a page to make the tables that Python makes, to the last bit."""
-    got = in_page(page, solver, SET_UP, told)
     expected = as_arrays(at_work(scene, solver).world, source_of(solver))._asdict()
+    lend_functions()
+    got = in_page(page, solver, SET_UP, told)
     for name, table in expected.items():
         rows = np.frombuffer(got[name].encode("latin-1"), np.asarray(table).dtype)
         assert len(rows) == len(np.atleast_1d(table)), name
@@ -108,15 +115,17 @@ def require_same_tables(page: Page, scene: Scene, told: dict[str, Any], solver: 
 @pytest.mark.parametrize("solver", STEPPED)
 @pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
 def test_tables_that_a_page_makes_have_the_bits_of_python(
-    page: Page, build: Callable[[], Scene], solver: str
+    page: Page, lend_functions: Callable[[], None], build: Callable[[], Scene], solver: str
 ) -> None:
     """All fields of all tables, of every scene of the catalogue."""
     scene = build()
-    require_same_tables(page, scene, described(scene, solver), solver)
+    require_same_tables(page, lend_functions, scene, described(scene, solver), solver)
 
 
 @pytest.mark.parametrize("seed", range(tiers.share(30)))
-def test_tables_of_shapes_that_are_drawn_have_the_bits_of_python(page: Page, seed: int) -> None:
+def test_tables_of_shapes_that_are_drawn_have_the_bits_of_python(
+    page: Page, lend_functions: Callable[[], None], seed: int
+) -> None:
     """Sizes from a micrometre to a thousand kilometres; polygons seen from anywhere."""
     rng = np.random.default_rng(seed)
     bodies, corners = [], []
@@ -142,14 +151,14 @@ def test_tables_of_shapes_that_are_drawn_have_the_bits_of_python(page: Page, see
     for body, outline in zip(told["bodies"], corners, strict=True):
         if outline is not None:
             body["polygon"] = outline  # as it was before Python saw it from its centroid
-    require_same_tables(page, scene, told, "sequential")
+    require_same_tables(page, lend_functions, scene, told, "sequential")
 
 
 @pytest.mark.one_in(9)
 @pytest.mark.parametrize("solver", STEPPED)
 @pytest.mark.parametrize("build", SCENES.values(), ids=SCENES)
 def test_world_of_a_page_steps_as_in_python(
-    page: Page, build: Callable[[], Scene], solver: str
+    page: Page, lend_functions: Callable[[], None], build: Callable[[], Scene], solver: str
 ) -> None:
     """States after all steps and the impulses of the last; and again from a state in between.
 
@@ -169,12 +178,13 @@ def test_world_of_a_page_steps_as_in_python(
         world.step({STEPS // 2});
         return [...first, states(), impulses(), world.time];
     """
-    other = described(SCENES["mixed heap"](), solver)
-    states, impulses, *again, time = in_page(page, solver, lines, described(scene, solver), other)
     run = at_work(scene, solver)
     run.advance(STEPS - 1)
     before = len(run.events())
     run.advance(1)
+    other = described(SCENES["mixed heap"](), solver)
+    lend_functions()
+    states, impulses, *again, time = in_page(page, solver, lines, described(scene, solver), other)
     assert states.encode("latin-1") == run.states().tobytes()
     assert impulses.encode("latin-1") == run.events()[before:].tobytes()
     assert again == [states, impulses]
