@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from lesson_code.course.grading.task import wrong_model
 
 
@@ -187,4 +185,4 @@ def each_as_from_a_wall(
 @wrong_model("2.4", "Is the time on the moon what it is on earth?")
 def always_on_earth(height: float, restitution: float, gravity: float) -> float:
     """Gravity is 9.81 m/s^2."""
-    return math.sqrt(2 * height / 9.81) * (1 + restitution) / (1 - restitution)
+    return (2 * height / 9.81) ** 0.5 * (1 + restitution) / (1 - restitution)

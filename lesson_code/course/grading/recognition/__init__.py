@@ -200,9 +200,9 @@ class Evidence:
         key = id(models), number
         if key not in self._made:
             answers = (signature(self._answer(model, number, call)) for model in models)
-            self._made[key] = numbers(answers, len(models))
+            self._made[key] = models, numbers(answers, len(models))  # kept, and so is its id
         mine = signature(call.got)
-        return places_near(self._made[key], mine, NEAR * max(1.0, abs(mine)))
+        return places_near(self._made[key][1], mine, NEAR * max(1.0, abs(mine)))
 
     def _explained(self, model: WrongModel, criteria: Sequence[str]) -> tuple[str, ...]:
         """Return in which of some criteria a model gives the student's own numbers.
@@ -242,7 +242,7 @@ class Evidence:
 
     def _answer(self, model: WrongModel, number: int, call: TriedCall) -> Any:
         """Return what a criterion looks at of a model's answer to a call."""
-        key = id(model), number
+        key = model.function, number  # not its id, which another model may get later
         if key not in self._made:
             self._made[key] = answer_of(model, call)
         return self._made[key]
@@ -283,7 +283,7 @@ def answer_of(model: WrongModel, call: TriedCall) -> Any:
 
 
 @lru_cache(maxsize=16)
-def _made_with(_task: Task, _seed: int) -> dict[tuple[int, int], Any]:
+def _made_with(_task: Task, _seed: int) -> dict[tuple[Any, int], Any]:
     """Return what models make of the calls that a seed draws: worked out once for a class."""
     return {}
 

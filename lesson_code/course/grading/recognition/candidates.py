@@ -44,8 +44,8 @@ WHERE_WRONG = (
 MOST_PAIRS = 600
 """Pairs of mistakes that are tried for one task."""
 
-MOST_LINES = 1_200_000
-"""Lines of Python that all slips of a task may take for one call: about 1 s, once for a class."""
+MOST_LINES = 300_000
+"""Lines of Python that the slips of a task may take for one call: some tenths of a second, once."""
 
 
 def listed(task: Task) -> tuple[WrongModel, ...]:
