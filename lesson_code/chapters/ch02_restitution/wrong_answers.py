@@ -185,4 +185,4 @@ def each_as_from_a_wall(
 @wrong_model("2.4", "Is the time on the moon what it is on earth?")
 def always_on_earth(height: float, restitution: float, gravity: float) -> float:
     """Gravity is 9.81 m/s^2."""
-    return (2 * height / 9.81) ** 0.5 * (1 + restitution) / (1 - restitution)
+    return float((2 * height / 9.81) ** 0.5 * (1 + restitution) / (1 - restitution))
