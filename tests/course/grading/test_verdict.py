@@ -65,7 +65,6 @@ def test_judge_expected_answer_earns_every_point(task: Task) -> None:
 
 
 @pytest.mark.one_in(5)
-@pytest.mark.parametrize("task", ALL_TASKS, ids=lambda task: task.title)
 @pytest.mark.parametrize(
     "answer",
     [
@@ -89,6 +88,7 @@ def test_judge_expected_answer_earns_every_point(task: Task) -> None:
     ],
     ids=range(17),
 )
+@pytest.mark.parametrize("task", ALL_TASKS, ids=lambda task: task.title)
 def test_judge_nonsense_earns_nothing_and_gets_a_message(task: Task, answer: Any) -> None:
     """Whatever form an answer has, it is judged, with a message and without an error."""
     verdict = judged(task, lambda *_: answer)
