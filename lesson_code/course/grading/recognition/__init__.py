@@ -44,6 +44,9 @@ ENOUGH_TELLING_NUMBERS = 2
 ENOUGH_PLAIN_CALLS = 3
 """Wrong calls that a slip must explain where an answer holds no number that luck cannot give."""
 
+TASKS_REMEMBERED = 128
+"""Tasks for which a grader keeps what models make of a draw: more than the course has."""
+
 MOST_SAID = 2
 """Mistakes that explain the same and are both said; of more, none is."""
 
@@ -282,7 +285,7 @@ def answer_of(model: WrongModel, call: TriedCall) -> Any:
         return NO_ANSWER
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=TASKS_REMEMBERED)
 def _made_with(_task: Task, _seed: int) -> dict[tuple[Any, int], Any]:
     """Return what models make of the calls that a seed draws: worked out once for a class."""
     return {}
