@@ -66,9 +66,8 @@ def lend_functions(page: Page, monkeypatch: pytest.MonkeyPatch) -> Callable[[], 
     noted: dict[str, dict[float, float]] = {"sin": {}, "cos": {}, "exp": {}}
     for name, values in noted.items():
         monkeypatch.setattr(math, name, _noting(getattr(math, name), values))
-    lent = {name: values.items() for name, values in noted.items()}
     return lambda: page.evaluate(
-        LEND, {name: [[x for x, _ in pairs], [y for _, y in pairs]] for name, pairs in lent.items()}
+        LEND, {name: [list(values), list(values.values())] for name, values in noted.items()}
     )
 
 
