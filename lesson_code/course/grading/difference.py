@@ -80,7 +80,7 @@ def kind_of(value: Any) -> str:
 def of_given(got: Any, expected: Any, given: Mapping[str, Any]) -> str:
     """Return a sentence where an answer holds nothing but arguments as they came in, or nothing.
 
-    >>> of_given([3.0, -1.0], [1.0, 2.0], {"m1": 2.0, "v1": 3.0, "m2": 5.0, "v2": -1.0})
+    >>> of_given([3.0, -1.5], [1.0, 2.0], {"m1": 2.0, "v1": 3.0, "m2": 5.0, "v2": -1.5})
     'That is v1 and v2 as they came in.'
     >>> of_given([3.0, 4.0], [-3.0, 4.0], {"velocity": [3.0, 4.0]})
     'That is velocity as it came in.'
