@@ -114,7 +114,7 @@ def test_soft_bodies_stay_out_of_one_another_however_they_are_kicked() -> None:
 def test_soft_bodies_stay_out_of_one_another_when_they_are_dragged_about() -> None:
     """A mouse that pulls a mass with the weight of a whole body presses in no more than 3 %."""
     game, worst, stream = SoftBody(0), -1.0, Random(5)  # noqa: S311 - a test
-    for k in range(share(3_600)):
+    for k in range(share(1_800)):
         if k % 40 == 0:
             place = stream.uniform(-2, 10), stream.uniform(-2, 8)
             stream.choice((game.down, game.drag, game.let_go))(place)

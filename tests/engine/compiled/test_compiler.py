@@ -26,6 +26,7 @@ BEGIN = """
 import signal, sys, time
 from small_program import small_program
 from lesson_code.engine.compiled.compiler import Compiling
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a run in the background ignores
 compiling = Compiling(small_program(), in_background=True)
 print(compiling._process.pid, flush=True)
 """
