@@ -163,6 +163,9 @@ const WORDS = {
   polygon: "a list of at least three corners [x, y]",
 };
 
+/** Where a row lies in its table: no name, since a field may have any. */
+const PLACE = Symbol("place");
+
 /** A table of rows. A row is an object with the fields that it has in Python. */
 class Table {
   constructor(program, { name, single, bytes, fields }) {
@@ -170,7 +173,7 @@ class Table {
     this.starts = Object.entries(fields).filter(([, [, , start]]) => start !== undefined);
     this.Row = class {
       constructor(place) {
-        this.place = place;
+        this[PLACE] = place;
       }
     };
     const table = this;
@@ -178,11 +181,11 @@ class Table {
       const [get, set] = [`get${KINDS[kind]}`, `set${KINDS[kind]}`];
       Object.defineProperty(this.Row.prototype, field, {
         get() {
-          const value = program.view[get](table.address + bytes * this.place + offset, true);
+          const value = program.view[get](table.address + bytes * this[PLACE] + offset, true);
           return kind === "b1" ? value === 1 : value;
         },
         set(value) {
-          program.view[set](table.address + bytes * this.place + offset, value, true);
+          program.view[set](table.address + bytes * this[PLACE] + offset, value, true);
         },
         enumerable: true,
       });
