@@ -19,6 +19,8 @@ from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 Time: TypeAlias = float | None
+ROOT = "max(c, 0.0) / (-b + sqrt(b * b - a * c))"
+"""The smaller root, as the right answer by the quadratic formula has it."""
 
 
 @wrong_model("7.1", "The hit comes after the end of the step. Whose business is it then?")
@@ -40,20 +42,15 @@ def ten_samples(
 
 
 @wrong_model("7.1", "The quadratic has two roots: the circles touch twice. Which comes first?")
-@edited(
-    with_the_quadratic_formula,
-    {
-        "max(c, 0.0) / (-b + sqrt(b * b - a * c))": (
-            "(-b + sqrt(b * b - a * c)) / a if c > 0 else 0.0"
-        )
-    },
-)
+@edited(with_the_quadratic_formula, {ROOT: "(-b + sqrt(b * b - a * c)) / a if c > 0 else 0.0"})
 def the_later_root() -> None:
     """The root with the plus sign is the time of impact."""
 
 
 @wrong_model("7.1", "Is your time ever negative? What would that say about the hit?")
-@edited(with_the_quadratic_formula, {"b >= 0 or": "a == 0 or", "max(c, 0.0)": "c"})
+@edited(
+    with_the_quadratic_formula, {"b >= 0 or": "a == 0 or", ROOT: "(-b - sqrt(b * b - a * c)) / a"}
+)
 def negative_time() -> None:
     """The smaller root is the time of impact, whatever its sign."""
 
