@@ -6,7 +6,7 @@ import json
 import math
 import time
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from random import Random
 from typing import Any
 
@@ -15,6 +15,7 @@ from tiers import share
 
 from lesson_code.course.grading import difference
 from lesson_code.course.grading.exercises import exercises
+from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.tried import of_any_answer
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
@@ -169,3 +170,14 @@ def test_error_in_a_chapters_own_words_is_none_of_the_grader(error: type[Excepti
         raise error
 
     assert of_any_answer(fail, "") == ""
+
+
+def test_answer_that_stops_early_changes_no_diagnosis_of_another() -> None:
+    """Its criterion's other calls are not made; what models make of calls is kept for the class."""
+    task = next(task for task in TASKS.values() if task.id == "1.1")
+    swaps = next(model for model in task.wrong_models if model.name == "always_swaps")
+    seed, died = 77, call_outcome({"kind": "died"})
+    first = iter([died])
+    judge(task, lambda *_: next(first, from_the_wire([1.0, 2.0])), seed)
+    verdict = judge(task, partial(call_here, {task.function: swaps.function}), seed)
+    assert verdict.recognised is swaps

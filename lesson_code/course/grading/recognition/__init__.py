@@ -77,8 +77,11 @@ NO_ANSWER = "no answer"
 """Stands where a wrong model gives none; no task asks for these words."""
 
 
-Numbered: TypeAlias = tuple[int, TriedCall]
-"""A call with its place among all calls."""
+Number: TypeAlias = tuple[str, int]
+"""The name of a criterion and the place of a call among its own: the same for all answers, also for
+one after which a criterion's other calls were not made."""
+
+Numbered: TypeAlias = tuple[Number, TriedCall]
 
 
 @dataclass(frozen=True)
@@ -129,11 +132,13 @@ class Evidence:
         self._task = task
         self._made = _made_with(task, seed)
         self._calls: dict[str, list[Numbered]] = {}
-        for number, call in enumerate(calls):
-            self._calls.setdefault(call.criterion.name, []).append((number, call))
+        for call in calls:
+            some = self._calls.setdefault(call.criterion.name, [])
+            some.append(((call.criterion.name, len(some)), call))
         self._right = [
             (number, call)
-            for number, call in enumerate(calls)
+            for some in self._calls.values()
+            for number, call in some
             if call.is_right and not is_degenerate(call.arguments)
         ]
         self._wrong = {name: _telling(some) for name, some in self._calls.items()}
@@ -243,7 +248,7 @@ class Evidence:
             for number, call in calls
         )
 
-    def _answer(self, model: WrongModel, number: int, call: TriedCall) -> Any:
+    def _answer(self, model: WrongModel, number: Number, call: TriedCall) -> Any:
         """Return what a criterion looks at of a model's answer to a call."""
         key = model.function, number  # not its id, which another model may get later
         if key not in self._made:
@@ -286,7 +291,7 @@ def answer_of(model: WrongModel, call: TriedCall) -> Any:
 
 
 @lru_cache(maxsize=TASKS_REMEMBERED)
-def _made_with(_task: Task, _seed: int) -> dict[tuple[Any, int], Any]:
+def _made_with(_task: Task, _seed: int) -> dict[tuple[Any, Number], Any]:
     """Return what models make of the calls that a seed draws: worked out once for a class."""
     return {}
 
