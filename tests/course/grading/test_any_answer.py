@@ -174,10 +174,9 @@ def test_error_in_a_chapters_own_words_is_none_of_the_grader(error: type[Excepti
 
 def test_answer_that_stops_early_changes_no_diagnosis_of_another() -> None:
     """Its criterion's other calls are not made; what models make of calls is kept for the class."""
-    task = next(task for task in TASKS.values() if task.id == "1.1")
+    task, seed = TASKS["1.1"], 77
     swaps = next(model for model in task.wrong_models if model.name == "always_swaps")
-    seed, died = 77, call_outcome({"kind": "died"})
-    first = iter([died])
-    judge(task, lambda *_: next(first, from_the_wire([1.0, 2.0])), seed)
+    dies = iter([call_outcome({"kind": "died"})])
+    judge(task, lambda *_: next(dies, from_the_wire([1.0, 2.0])), seed)
     verdict = judge(task, partial(call_here, {task.function: swaps.function}), seed)
     assert verdict.recognised is swaps
