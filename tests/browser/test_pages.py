@@ -185,7 +185,7 @@ def test_exercise_is_one_click_from_its_chapter(site: Path, page: Page) -> None:
     """From the top of the chapter to its first task."""
     open_page(page, site, "notebooks/03_reflection")
     page.get_by_role("link", name="write it and have it checked").click()
-    assert page.get_by_role("heading", name="Task 3.1").is_visible()
+    page.get_by_role("heading", name="Task 3.1").wait_for()
 
 
 def test_pages_weigh_little(site: Path, page: Page) -> None:
