@@ -21,13 +21,15 @@ import subprocess
 import tempfile
 import types
 from collections import namedtuple
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
 import numba
-from numba.core import cgutils
+from numba.core import cgutils, codegen
+from numba.core.registry import cpu_target
 from numba.extending import intrinsic
 from numba.np import arrayobj
 from numba.np.numpy_support import as_dtype
@@ -53,10 +55,49 @@ def object_file(program: Program) -> ObjectFile:
     numba.core.errors.NumbaError
         It holds what Numba does not compile.
     """
-    module, entry = optimised(start_of(program))
+    with not_run_here():
+        module, entry = optimised(start_of(program))
     machine = target_machine()
     keep_only(module, {entry: SYMBOL}, machine)
     return ObjectFile(machine.emit_object(module), needs_of(module))
+
+
+@contextmanager
+def not_run_here() -> Iterator[None]:
+    """Let Numba stop at LLVM's text of what it compiles meanwhile.
+
+    Else it also makes machine code of each function, with all that the function calls, so that it
+    could be run at once: more than a third of the time that a program takes.
+    """
+    context = cpu_target.target_context
+    context.refresh()  # what Numba itself runs, it must make first
+    usual = context._internal_codegen
+    context._internal_codegen = _TextAlone("text alone")
+    try:
+        yield
+    finally:
+        context._internal_codegen = usual
+
+
+class _TextAlone(codegen.JITCPUCodegen):
+    """What Numba writes LLVM's text with, and no machine code."""
+
+    class _library_class(codegen.JITCodeLibrary):  # noqa: N801 - Numba's name
+        """The text of a function and of all that it calls."""
+
+        def get_pointer_to_function(self, _name: str) -> int:
+            """Return that there is nothing to run."""
+            self._ensure_finalized()
+            return 0
+
+        def _finalize_specific(self) -> None:
+            """Make no machine code."""
+
+    def set_env(self, _name: str, _env: Any) -> None:
+        """Tell nothing to a function that is not run."""
+
+    def _add_module(self, _module: Any) -> None:
+        """Keep the module from what would run it."""
 
 
 def linked(file: ObjectFile) -> ObjectFile:
