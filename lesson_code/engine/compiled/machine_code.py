@@ -67,7 +67,7 @@ def not_run_here() -> Iterator[None]:
     """Let Numba stop at LLVM's text of what it compiles meanwhile.
 
     Else it also makes machine code of each function, with all that the function calls, so that it
-    could be run at once: more than a third of the time that a program takes.
+    could be run at once: a quarter of the time that a program takes.
     """
     context = cpu_target.target_context
     context.refresh()  # what Numba itself runs, it must make first
