@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-import time
 from collections.abc import Iterator
 
 import pytest
+from clock import at_most
 from tiers import share
 
 from lesson_code.course.grading.exercises import Exercise, exercises
@@ -18,7 +18,7 @@ ROUNDS = 4
 """Submissions an exercise: some 1,400 answers in all; 24 made 8,673, and ended no grader either."""
 
 SECONDS_OF_THE_PARENT = 5.0
-"""Of the processor for a submission; 0.5 s is usual, and the first one of an exercise takes 2 s."""
+"""For a submission; 0.5 s is usual, and the first one of an exercise takes 2 s."""
 
 OBJECTS = '''
 import array, asyncio, collections, datetime, decimal, fractions, io, itertools, random, sys, types
@@ -169,9 +169,8 @@ def test_any_object_returned_or_raised_is_judged(
             f"def {task.function}(*_): return answer()\n" for task in exercise.tasks
         )
         path = write("answer.py", OBJECTS.replace("{seed}", str(seed)) + functions)
-        began = time.process_time()
-        report = grader.grade(path, exercise=exercise.name, seed=seed)
-        assert time.process_time() - began < SECONDS_OF_THE_PARENT
+        with at_most(SECONDS_OF_THE_PARENT):
+            report = grader.grade(path, exercise=exercise.name, seed=seed)
         assert report.notes == ()
         json.dumps(report.as_dict(), ensure_ascii=False).encode()
         for verdict in report.verdicts:
