@@ -166,7 +166,7 @@ def test_nothing_is_lent_but_the_earlier_functions_that_lost_points(
         assert report.verdicts[3].points == 0
 
 
-SECONDS_OF_THE_PARENT = 5.0
+SECONDS_OF_THE_PARENT = 1.5
 """With all that judging costs: 0.5 s, and minutes if a loan has no end."""
 
 ENDLESS = """
