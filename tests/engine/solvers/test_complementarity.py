@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from tiers import share
 
 from lesson_code.engine.solvers import complementarity
-from lesson_code.engine.solvers.complementarity import solve_contacts
+from lesson_code.engine.solvers.complementarity import least_error, solve_contacts
 from lesson_code.engine.solvers.contact_problem import (
     BACKWARD,
     FORWARD,
@@ -24,6 +24,7 @@ from lesson_code.engine.solvers.contact_problem import (
     Problem,
     complementarity_error,
 )
+from lesson_code.engine.solvers.pivoting import by_pivoting, first_guess
 from lesson_code.reference.contact_closed_forms import Struck, impact_with_friction
 
 EXACT = 1e-11
@@ -272,6 +273,49 @@ def test_problem_without_an_answer_is_softened() -> None:
     assert math.isfinite(answer.impulses.sum())
     assert answer.impulses[0] == pytest.approx(answer.impulses[1])
     assert answer.error == pytest.approx(1.0)
+
+
+@examples(100)
+@given(
+    seed=seeds,
+    closing=st.floats(1e-6, 1e3),
+    mass=st.floats(1e-3, 1e3),
+    mu=st.floats(0, 2),
+    others=st.integers(0, 3),
+)
+def test_least_error_of_a_ball_between_closing_walls_is_half_of_what_they_close(
+    seed: int, closing: float, mass: float, mu: float, others: int
+) -> None:
+    """At best each wall closes by half, whatever else happens; no answer does better."""
+    k = np.array([[1.0, -1.0, 0, 0], [-1.0, 1.0, 0, 0], [0, 0, 3.0, 3.0], [0, 0, 3.0, 3.0]]) / mass
+    rng = np.random.default_rng(seed)
+    apart = np.concatenate((np.arange(2, 2 + others), np.arange(4 + others, 4 + 2 * others)))
+    of_walls = np.array([0, 1, 2 + others, 3 + others])
+    whole = np.zeros((4 + 2 * others, 4 + 2 * others))
+    whole[np.ix_(of_walls, of_walls)] = k
+    whole[apart, apart] = 1.0 / mass
+    b = np.zeros(len(whole))
+    left = rng.uniform(0, 1)
+    b[:2] = -closing * left, -closing * (1 - left)
+    b[apart] = closing * rng.uniform(-1, 1, 2 * others)
+    problem = Problem(whole, b, np.full(2 + others, mu), np.full(2 + others, math.sqrt(mass)))
+    answer = solve_contacts(problem)
+    assert answer.method == "softened"
+    alike, d = problem.scaled()
+    least = least_error(alike, by_pivoting(alike, first_guess(alike, None)).impulses)
+    assert least == pytest.approx(d[0] * closing / 2, rel=1e-9)
+    assert complementarity_error(alike, answer.impulses / d) >= least * (1 - 1e-9)
+
+
+@examples(60)
+@given(seed=seeds, contacts=st.integers(1, 3))
+def test_least_error_is_none_where_an_answer_exists(seed: int, contacts: int) -> None:
+    """No attempt proves the contrary, however wrong it is."""
+    rng = np.random.default_rng(seed)
+    problem = some_problem(rng, contacts, int(rng.integers(1, 3)), digits=6)
+    assume(exact_answers(problem))
+    for size in (0.0, 1.0, 1e6):
+        assert least_error(problem, size * rng.normal(size=2 * contacts)) == 0
 
 
 def test_lemke_takes_over_where_pivoting_fails(monkeypatch: pytest.MonkeyPatch) -> None:
