@@ -137,9 +137,11 @@ def funnel(draw: Draw, trial: Trial) -> float:
         )
         for n in range(draw.integer("count", 2, 4))
     ]
-    run = trial.run(Scene([*walls, *discs], gravity=DOWN), 4.0)
-    above = bool((run.positions[-1, 2:, 1] > y - 0.5).all())
-    return float(run.max_penetration[-1]) / 2 if above else math.inf  # a disc is 2 m wide
+    run = trial.run(Scene([*walls, *discs], gravity=DOWN), 4.0, sample=None)
+    aside, height = np.abs(run.positions[:, 2:, 0]), run.positions[:, 2:, 1]
+    rim = 10 * math.cos(angle)  # a heavy disc may throw a light one over it
+    has_fallen = ((aside < rim) & (height < aside * math.tan(angle))).any()
+    return math.inf if has_fallen else float(run.max_penetration[-1]) / 2  # a disc is 2 m wide
 
 
 @family(

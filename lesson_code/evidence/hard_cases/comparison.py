@@ -201,7 +201,7 @@ class Comparison(Measurement):
         made.columns[0].max_width, made.columns[1].max_width = 24, 4
         counts = [str(self.holds(engine)) for engine in self.engines]
         made.add_row(f"[bold]held whole, of {len(self.names)}[/bold]", "", "", *counts)
-        shares = [f"{100 * self.share(engine):.1f} %" for engine in self.engines]
+        shares = [f"{math.floor(1e4 * self.share(engine)) / 100:.2f} %" for engine in self.engines]
         made.add_row("[bold]draws held[/bold]", "", "", *shares)
         yield made
 
@@ -245,10 +245,10 @@ def _number(value: float) -> str:
 def _short(value: float) -> str:
     """Return a number in six characters at the most.
 
-    >>> _short(0.25), _short(1.2345e-7), _short(1.2345e-15), _short(2345678.0)
-    ('0.25', '1.2e-7', '1e-15', '2.3e6')
+    >>> _short(0.25), _short(1.2345e-7), _short(1.2345e-15), _short(2345678.0), _short(math.inf)
+    ('0.25', '1.2e-7', '1e-15', '2.3e6', 'inf')
     """
-    if value == 0.0 or 0.01 <= value < 1000:
+    if value == 0.0 or 0.01 <= value < 1000 or math.isinf(value):
         return _number(value)
     mantissa, exponent = f"{value:.1e}".split("e")
     power = str(int(exponent))
