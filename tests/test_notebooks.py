@@ -13,6 +13,7 @@ from urllib.parse import unquote
 import nbformat
 import pytest
 
+from lesson_code.course.chapters import chapters_with
 from lesson_code.course.grading.gaps import all_gaps
 from lesson_code.course.quiz.bank import chapter_numbers, load_quiz
 
@@ -175,6 +176,22 @@ def test_chapter_closes_with_what_was_checked_and_sources(number: str) -> None:
     assert "**Checked here:**" in last
     assert "**Next:**" in last
     assert "**Sources.**" in last
+
+
+@whole_chapters
+def test_chapter_closes_with_its_exercise_its_program_and_its_challenge(number: str) -> None:
+    """What the reader can do now stands there with the commands; what is linked is there."""
+    path = PARTS[number][-1]
+    last = prose(path)[-1].partition("**Do now:**")[2].partition("**Sources.**")[0]
+    last = " ".join(last.split())
+    linked = {Path(link).name for link in LINK.findall(last)}
+    program = re.search(r"`workbook play (\w+)`", last)
+    assert program
+    assert program[1] in {chapter.name for chapter in chapters_with("game.py")}
+    assert linked & {file.name for file in (ROOT / "exercises").glob("*.py")}
+    if exercise := {file.name for file in STUDENT_COPIES if file.stem.startswith(number)}:
+        assert linked & exercise
+        assert "`workbook watch" in last
 
 
 @whole_chapters

@@ -455,12 +455,13 @@ show_quiz("11")
 # **Limits.** The small engine compares all pairs, and checks each argument of each formula in each
 # call. It is made to be read; for a hundred bodies use `simulate`.
 #
-# **Do now:** the exercise [11 The small engine](../exercises/11_the_small_engine.ipynb): six
-# tasks, twenty-two points. **Next:** something of your own. `workbook play billiards` is a program
-# made of these functions, and [its exercise](../exercises/billiards.py) lets you write it. Then
-# come joints, ropes and soft bodies: each is one more condition on velocities, solved as a contact
-# is. In three dimensions the moment of inertia becomes a matrix, a contact has two tangents, and
-# boxes meet in up to eight points.
+# **Do now:** the exercise [11 The small engine](../exercises/11_the_small_engine.ipynb): six tasks,
+# twenty-two points. `workbook watch` checks it whenever you save. `workbook play billiards` is a
+# program made of these functions; its challenge,
+# [exercises/billiards.py](../exercises/billiards.py), lets you write it. **Next:** something of
+# your own. Then come joints, ropes and soft bodies: each is one more condition on velocities,
+# solved as a contact is. In three dimensions the moment of inertia becomes a matrix, a contact has
+# two tangents, and boxes meet in up to eight points.
 #
 # **Sources.** Catto, box2d-lite: an engine of a few pages, to read next. Ericson, *Real-Time
 # Collision Detection* (2005), for detection; Millington, *Game Physics Engine Development* (2010),

@@ -1,8 +1,8 @@
 // The collision lab: bodies to throw at each other. The stepped engine of the course moves them
-// (world.js). What it begins with is in lab_setup.js; lab_picture.js draws it, lab_hold.js lets it be
-// dragged, lab_controls.js set by number, lab_account.js adds up momenta, impulses and
-// energy, lab_plan.js says which effects the scene calls for, lab_code.js shows the formulas with the numbers of a contact, and lab_python.js
-// writes the set-up as Python.
+// (world.js). What it begins with is in lab_setup.js; lab_picture.js draws it, lab_hold.js lets it
+// be dragged, lab_controls.js set by number; lab_account.js adds up momenta, impulses and energy;
+// lab_plan.js says which effects the scene calls for; lab_code.js shows the formulas with the
+// numbers of a contact, and lab_python.js writes the set-up as Python.
 
 /** Bring the lab to life in its place, with the engine, the formulas, and the text of their functions. */
 export function startLab(program, formulas, functions, rules) {
@@ -77,8 +77,9 @@ class Lab {
     Object.assign(this, { count: 0, saved: [[0, this.world.save(), null]], history: [], hit: null });
     this.first = this.world.totals();
     this.note();
-    this.controls.link.hidden = setup.bodies.length > MOST_WITH_ARROWS; // it would be longer than some take
-    this.controls.link.href = `#lab=${encodeURIComponent(JSON.stringify(setup))}`;
+    const { link } = this.controls;
+    link.hidden = setup.bodies.length > MOST_WITH_ARROWS; // it would be longer than some take
+    if (!link.hidden) link.href = `#lab=${encodeURIComponent(JSON.stringify(setup))}`;
     this.controls.error.textContent = "";
   }
 

@@ -11,7 +11,7 @@ export function planOf(rules, world, duration) {
   bodies.resize(world.bodies.length);
   world.bodies.forEach((body, k) => {
     const row = bodies.at(k);
-    for (const field in row) if (field !== "place") row[field] = body[field];
+    for (const field in row) row[field] = body[field];
   });
   rules.run("look");
   return about.plan.effects.map((name) => {

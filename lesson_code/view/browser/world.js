@@ -177,6 +177,6 @@ function outlineOf(body, name) {
 
 function copyOf(row) {
   const copy = {};
-  for (const field in row) if (field !== "place") copy[field] = row[field];
+  for (const field in row) copy[field] = row[field];
   return copy;
 }
