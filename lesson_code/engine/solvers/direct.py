@@ -94,7 +94,7 @@ ALMOST = 1.0 - 1e-9
 SIDE = {FORWARD: 1.0, BACKWARD: -1.0}
 """The sign of the friction impulse where a contact slides."""
 
-MOST_IMPACTS = 10_000
+MOST_BOUNCES = 10_000
 """Impacts of all contacts of an island at one time: then what still closes stops without a bounce.
 A light elastic body between two heavy ones that close hits them some sqrt(M/m) times in all."""
 
@@ -211,7 +211,7 @@ def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: Strik
     speed = fastest + gravity_of(world.state) * world.state.dt
     quiet = max(quiet_speed(world.state), QUIET * fastest, rounding_of(island, speed))
     x, has_answer = np.zeros(2 * m), True
-    for rounds in reversed(range(max(1, MOST_IMPACTS // m))):
+    for rounds in reversed(range(max(1, MOST_BOUNCES // m))):
         if not is_fine(world, island):
             touches |= is_to_come(-u[:m] * world.state.left, gap)
         closes = touches & (u[:m] < -STILL * speed)
