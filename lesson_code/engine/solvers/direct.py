@@ -94,9 +94,10 @@ ALMOST = 1.0 - 1e-9
 SIDE = {FORWARD: 1.0, BACKWARD: -1.0}
 """The sign of the friction impulse where a contact slides."""
 
-MOST_BOUNCES = 10_000
-"""Impacts of all contacts of an island at one time: then what still closes stops without a bounce.
-A light elastic body between two heavy ones that close hits them some sqrt(M/m) times in all."""
+MOST_ROUNDS, MOST_IN_FEW = 8, 10_000
+"""Rounds of impacts at one time, in an island of m contacts: 8 m, or 10,000 / m if that is more.
+What still closes then stops without a bounce. A light elastic body hits two heavy ones that close
+as often as the root of the ratio of their masses, once a round."""
 
 QUIET = 1e-9
 """Of the fastest approach: slower ones are stopped without a bounce."""
@@ -211,7 +212,7 @@ def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: Strik
     speed = fastest + gravity_of(world.state) * world.state.dt
     quiet = max(quiet_speed(world.state), QUIET * fastest, rounding_of(island, speed))
     x, has_answer = np.zeros(2 * m), True
-    for rounds in reversed(range(max(1, MOST_BOUNCES // m))):
+    for rounds in reversed(range(max(MOST_ROUNDS * m, MOST_IN_FEW // m))):
         if not is_fine(world, island):
             touches |= is_to_come(-u[:m] * world.state.left, gap)
         closes = touches & (u[:m] < -STILL * speed)
