@@ -14,7 +14,7 @@ const ROOM = 1.5; // m, from the middle of the room to each wall
 const FLYING = 1.7; // m/s, between the walls
 const SLIDING = 3; // m/s, at the start
 const RUBBING = 0.2; // friction
-const ELASTICITIES = Array.from({ length: 21 }, (_, k) => Number((k / 20).toFixed(2))); // of the slider
+const E_STEP = 0.05; // of the restitution that can be set, from 0 to 1
 const REST = 30; // ms without a change
 const LOWEST = -5; // the power of ten of the smallest error that is drawn; what is smaller lies on the axis
 const MOST = 3.2; // the power of ten at which the chart ends
@@ -115,16 +115,18 @@ let waiting; // for the page to be at rest
 
 /** Return the right path, and the errors of each method: they change with these two only. */
 function knownOf(lesson, shown, e) {
-  const key = `${shown.name} ${shown.describe.length ? e : ""}`;
-  const found = (known[key] ??= foundOf(lesson, shown, e));
+  const found = (known[keyOf(shown, e)] ??= foundOf(lesson, shown, e));
   if (shown.describe.length) findAhead(lesson, shown);
   return found;
 }
 
+const keyOf = ({ name, describe }, e) => `${name} ${describe.length ? e : ""}`;
+
 /** Find the errors of the next restitution that the slider can be set to, when the page is at rest. */
 function findAhead(lesson, shown) {
   clearTimeout(waiting);
-  const next = ELASTICITIES.find((e) => !known[`${shown.name} ${e}`]);
+  const all = Array.from({ length: 1 / E_STEP + 1 }, (_, k) => Number((k * E_STEP).toFixed(2)));
+  const next = all.find((e) => !known[keyOf(shown, e)]);
   if (next !== undefined) waiting = setTimeout(() => knownOf(lesson, shown, next), REST);
 }
 
@@ -157,7 +159,7 @@ export default {
     method: { label: "method on the left", names: METHODS.map(({ name }) => name), start: 0 },
     rate: { label: "steps a second", low: 15, high: 480, start: 20, step: 5 },
     power: { label: "how wrong may it be: 10 to the", low: -4.5, high: 0, start: -1.5, step: 0.05 },
-    e: { label: "restitution of the ball that bounces", low: 0, high: 1, start: 0.8, step: ELASTICITIES[1] },
+    e: { label: "restitution of the ball that bounces", low: 0, high: 1, start: 0.8, step: E_STEP },
   },
   handles: [
     {

@@ -96,11 +96,11 @@ def _solve(problem: Problem, guess: Cases | None) -> Answer:
         if single is not None:
             return Answer(single, complementarity_error(problem, single), "one")
     best, softened = Answer(np.zeros(2 * m), math.inf, ""), None
-    for answer in _answers(problem, guess):
+    for attempt, answer in enumerate(_answers(problem, guess)):
         best = min(best, answer, key=_error)
         if _is_solved(problem, best):
             return best
-        if softened is None and (least := least_error(problem, answer.impulses)):
+        if attempt == 0 and (least := least_error(problem, answer.impulses)):
             softened = _softened(problem)
             if least >= MUCH_BETTER * softened.error:
                 return softened  # no method finds anything much better

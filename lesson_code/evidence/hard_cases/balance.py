@@ -139,7 +139,7 @@ def funnel(draw: Draw, trial: Trial) -> float:
     ]
     run = trial.run(Scene([*walls, *discs], gravity=DOWN), 4.0, sample=None)
     aside, height = np.abs(run.positions[:, 2:, 0]), run.positions[:, 2:, 1]
-    rim = 10 * math.cos(angle)  # a heavy disc may throw a light one over it
+    rim = max(abs(end) for end, _ in walls[0].shape.outline)  # a heavy disc may throw one over it
     has_fallen = ((aside < rim) & (height < aside * math.tan(angle))).any()
     return math.inf if has_fallen else float(run.max_penetration[-1]) / 2  # a disc is 2 m wide
 
