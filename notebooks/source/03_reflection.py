@@ -339,7 +339,7 @@ figures.table(track)
 
 # %% [markdown]
 # Now write your own table: [exercises/billiards.py](../exercises/billiards.py) has five functions
-# for you to fill in, and `workbook play billiards` plays with them in a window.
+# for you to fill in, and `workbook play billiards --with exercises` plays with them in a window.
 #
 # ## 9 Quiz
 

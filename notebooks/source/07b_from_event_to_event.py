@@ -229,8 +229,8 @@ show(
 )
 
 # %% [markdown]
-# So the discs of the following film do find their places again: on the way out, each meets fewer
-# than nine others.
+# So the discs of the following film do find their places again: on the way out they collide fewer
+# than nine times each, on average.
 
 # %%
 seen = np.linspace(0, 1, 51)

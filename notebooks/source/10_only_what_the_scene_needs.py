@@ -371,7 +371,7 @@ check("with and without sleep, m", rest.positions, awake.positions, tolerance=1e
 #
 # **Do now:** the exercise [10 Only what the scene
 # needs](../exercises/10_only_what_the_scene_needs.ipynb): five tasks, twenty points; for the last
-# two read sections 7 and 8. `workbook watch` checks it whenever you save. `workbook play simulator`
+# two read sections 8 and 9. `workbook watch` checks it whenever you save. `workbook play simulator`
 # shows the plan of what you build in it; the challenge [soft_body](../exercises/soft_body.py) is a
 # body that bends. **Next:** [11 The small engine](11_the_small_engine.ipynb): all that you have
 # written, put together.

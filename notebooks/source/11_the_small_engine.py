@@ -341,8 +341,9 @@ check("and not the same", abs(kept[0] - kept[1]) > 0.05, True)
 # - **The fast ball.** It is before the wall at the end of one step and behind it at the end of the
 #   next. What helps: the time of impact (chapter 07).
 # - **The pool break.** Both lose energy, as e = 0.95 says, but not the same. In the small engine
-#   many balls of the rack are hit within one step, in the order of their numbers. The exact solver
-#   hits each of them at its own time. What helps: shorter steps, or none (chapters 07 and 08).
+#   many balls of the rack are hit within one step, in the order of their numbers. The workbook's
+#   engine divides the step where balls meet, and lets all that touch act together. What helps:
+#   shorter steps, or none (chapters 07 and 08).
 
 # %% [markdown]
 # ## 8 Callbacks, a light, and a sound
@@ -406,7 +407,7 @@ for name, (_, theirs) in both.items():
 # - **Undo the overlap, and leave velocities alone.** Or an overlap turns into speed (04).
 # - **Share by inverse mass.** The heavier moves less, and what is static not at all. Half and half
 #   moves the floor (04).
-# - **Use unit normals.** A normal of length 2 makes an impulse four times too large (03).
+# - **Use unit normals.** With a normal of length 1.5 you take away 2.25 times what you mean to (03).
 # - **Make steps of one length.** Collect the time that has passed, and make as many whole steps as
 #   fit in. Or a slow computer plays another game, and resting things jump (09, section 8).
 # - **Keep e between 0 and 1.** Beyond it every bounce makes energy (02).
