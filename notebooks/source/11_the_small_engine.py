@@ -407,7 +407,7 @@ for name, (_, theirs) in both.items():
 # - **Undo the overlap, and leave velocities alone.** Or an overlap turns into speed (04).
 # - **Share by inverse mass.** The heavier moves less, and what is static not at all. Half and half
 #   moves the floor (04).
-# - **Use unit normals.** With a normal of length 1.5 you take away 2.25 times what you mean to (03).
+# - **Use unit normals.** With one of length 1.5 you take away 2.25 times what you mean to (03).
 # - **Make steps of one length.** Collect the time that has passed, and make as many whole steps as
 #   fit in. Or a slow computer plays another game, and resting things jump (09, section 8).
 # - **Keep e between 0 and 1.** Beyond it every bounce makes energy (02).
