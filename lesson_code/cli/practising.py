@@ -76,16 +76,17 @@ def _watch(session: WatchSession) -> None:
 
 @practising.command(rich_help_panel=STUDENTS)
 def quiz(
-    chapters: Annotated[
-        list[str] | None, typer.Argument(help="Their numbers; all by default.")
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(help="Chapters, or questions such as 03-once; all chapters by default."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Take the quiz here in the terminal."""
+    """Take the quiz here in the terminal, or answer one prediction of a notebook."""
     from lesson_code.course.quiz.bank import chapter_numbers
     from lesson_code.course.quiz.terminal import run_quiz
 
     with clear_errors():
-        result = run_quiz(chapters or chapter_numbers(), errors if as_json else console)
+        result = run_quiz(names or chapter_numbers(), errors if as_json else console)
         if as_json:
             print_json(result.as_dict() | {"command": "quiz"})

@@ -198,6 +198,7 @@ live(
 
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
+# The two ways make a right angle, wherever the hit was: disc 2 leaves along n, disc 1 across it.
 # Pool players use this to guess where the cue ball goes. Now make disc 2 heavier: the angle grows,
 # because disc 1 bounces back. Make e smaller: the angle shrinks, because disc 1 keeps some of its
 # velocity along n.

@@ -14,7 +14,8 @@ import nbformat
 from nbformat.sign import NotebookNotary
 
 from lesson_code.course.notebooks import server
-from lesson_code.course.quiz.bank import Question, load_quiz
+from lesson_code.course.quiz.bank import load_quiz
+from lesson_code.course.quiz.questions import Question
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, load_quiz
+from lesson_code.course.quiz.bank import load_quiz
+from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion
 
 from .in_browser import (
     JupyterLab,
@@ -151,6 +152,10 @@ def test_predictions_open_their_answers(
         if isinstance(question, ChoiceQuestion):
             form.get_by_role("radio").first.check()
             said = question.options[0].feedback
+        elif isinstance(question, ArrowQuestion):
+            for k, part in enumerate(question.wrong_values[0].value):
+                form.get_by_role("textbox").nth(k).fill(str(part))
+            said = question.wrong_values[0].feedback
         else:
             form.get_by_role("textbox").fill(f"{question.wrong_values[0].value} {question.unit}")
             said = question.wrong_values[0].feedback

@@ -9,8 +9,9 @@ from zipfile import ZipFile
 
 import pytest
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_bank
+from lesson_code.course.quiz.bank import load_bank
 from lesson_code.course.quiz.checker import check_answer, expected_answer
+from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion, Question
 
 from .in_browser import expect_all_alive, figures_in, predictions_in
 
@@ -262,7 +263,11 @@ def test_print_leaves_out_what_paper_cannot_do(site: Path, page: Page) -> None:
 
 def answers_to(question: Question) -> list[str]:
     """Return answers of all kinds: each letter or known value, its edges, and what is none."""
-    if not isinstance(question, NumericQuestion):
+    if isinstance(question, ArrowQuestion):
+        tips = [question.value, *(wrong.value for wrong in question.wrong_values)]
+        near = [(x + 0.4, y - 0.5) for x, y in tips]
+        return [", ".join(map(repr, tip)) for tip in [*tips, *near, (1e3, 0.0)]] + ["east, 1", ", "]
+    if isinstance(question, ChoiceQuestion):
         return [*(letter for letter, _ in question.lettered), ""]
     answers = ["", "high", "1e999", "12 parsecs", "-7.5e3", "\N{MINUS SIGN}1,5"]
     for value in (question.value, *(wrong.value for wrong in question.wrong_values)):
@@ -290,6 +295,8 @@ GIVE = """([id, answers]) => {
         form.reset();
         const radio = form.querySelector(`input[value="${answer}"]`);
         if (radio) radio.checked = true;
+        else if (form.querySelector(".sheet"))
+            answer.split(", ").forEach((part, k) => (form.elements[id][k].value = part));
         else if (form.elements[id].type === "text") form.elements[id].value = answer;
         form.requestSubmit();
         return form.querySelector(".verdict").textContent;
@@ -324,6 +331,29 @@ def test_quiz_is_answered_by_keyboard(site: Path, page: Page) -> None:
     page.keyboard.press("Enter")
     assert form.get_by_role("status").text_content() == words_to(question, question.answer)
     assert page.locator(".quiz .count").text_content() == f"1 of {len(asked)} right"
+
+
+def test_arrow_is_drawn_by_hand_and_in_numbers(site: Path, page: Page) -> None:
+    """Its tip follows the pointer from crossing to crossing; the boxes below say where it is."""
+    open_page(page, site, "notebooks/03_reflection")
+    form = page.locator(".predict form:has(.sheet)")
+    sheet, boxes = form.locator(".sheet"), form.get_by_role("textbox")
+    sheet.scroll_into_view_if_needed()
+    box = sheet.bounding_box()
+    assert box is not None
+    unit = box["width"] * 100 / 216 / 3  # the grid of three lines a side, within its margin
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for tip in ((0.9, 1.2), (2.1, 0.1), (9, 0)):
+        page.mouse.move(x + tip[0] * unit, y - tip[1] * unit)
+        at = min(round(tip[0]), 3), round(tip[1])
+        assert [boxes.nth(k).input_value() for k in range(2)] == [str(part) for part in at]
+    page.mouse.up()
+    boxes.nth(0).fill("2")
+    assert sheet.locator(".drawn").get_attribute("d").startswith("M0 0L66")  # type: ignore[union-attr]
+    form.get_by_role("button", name="Commit").click()
+    assert "2, 0: right." in str(form.get_by_role("status").text_content())
 
 
 @pytest.mark.parametrize("name", CHAPTERS)

@@ -8,16 +8,19 @@ from __future__ import annotations
 import runpy
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, load_bank
+from lesson_code.course.quiz.bank import load_bank
+from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion, NumericQuestion
 
 QUESTIONS = {
     question.id: question
     for quiz in load_bank()
     for question in (*quiz.questions, *quiz.predictions)
 }
+ARROWS = {key: q for key, q in QUESTIONS.items() if isinstance(q, ArrowQuestion)}
 NUMERIC = {key: q for key, q in QUESTIONS.items() if isinstance(q, NumericQuestion)}
 CHOICE = {key: q for key, q in QUESTIONS.items() if isinstance(q, ChoiceQuestion)}
 
@@ -29,6 +32,10 @@ ANSWERS: dict[str, tuple[Fraction | float, list[Fraction | float]]] = {
 }
 RIGHT_OPTIONS: dict[str, str] = {
     key: said for table in TABLES for key, said in table.get("RIGHT_OPTIONS", {}).items()
+}
+
+TIPS: dict[str, tuple[Any, list[Any]]] = {
+    key: answer for table in TABLES for key, answer in table.get("TIPS", {}).items()
 }
 
 ROUNDING = 1e-12
@@ -57,6 +64,14 @@ def test_wrong_values_equal_the_mistakes_they_are_named_for(key: str) -> None:
     assert all(
         abs(w - x) <= ROUNDING for w, x in zip(in_bank, map(float, ANSWERS[key][1]), strict=True)
     )
+
+
+def test_arrows_all_have_an_independent_answer() -> None:
+    """Their tips, and those of the mistakes, are worked out in the chapters' tables as well."""
+    assert set(TIPS) == set(ARROWS)
+    for key, (tip, wrong_tips) in TIPS.items():
+        assert ARROWS[key].value == tip
+        assert [wrong.value for wrong in ARROWS[key].wrong_values] == wrong_tips
 
 
 @pytest.mark.parametrize("key", RIGHT_OPTIONS)

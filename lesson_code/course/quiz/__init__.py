@@ -4,8 +4,9 @@ The notebook's quiz stands in :mod:`lesson_code.course.quiz.notebook` and the te
 :mod:`lesson_code.course.quiz.terminal`, so that neither loads what only the other needs.
 """
 
-from lesson_code.course.quiz.bank import Question, Quiz, chapter_numbers, load_bank, load_quiz
+from lesson_code.course.quiz.bank import Quiz, chapter_numbers, load_bank, load_quiz
 from lesson_code.course.quiz.checker import CheckedAnswer, check_answer
+from lesson_code.course.quiz.questions import Question
 
 __all__ = [
     "CheckedAnswer",

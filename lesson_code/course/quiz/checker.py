@@ -11,7 +11,14 @@ import numbers
 import re
 from dataclasses import dataclass
 
-from lesson_code.course.quiz.bank import LETTERS, ChoiceQuestion, NumericQuestion, Question
+from lesson_code.course.quiz.questions import (
+    LETTERS,
+    ArrowQuestion,
+    ChoiceQuestion,
+    NumericQuestion,
+    Question,
+    Tip,
+)
 
 NUMBER_AND_UNIT = re.compile(
     r"(?P<number>[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)(?P<unit>.*)",
@@ -43,7 +50,8 @@ def check_answer(question: Question, answer: object) -> CheckedAnswer:
         The question that was asked.
     answer : str, int or float
         The letter of an option, upper or lower case; or a number, as such or as text with a
-        decimal point or comma, with or without its unit.
+        decimal point or comma, with or without its unit; or both components of an arrow as text,
+        such as "1, -2".
 
     Returns
     -------
@@ -57,7 +65,7 @@ def check_answer(question: Question, answer: object) -> CheckedAnswer:
 
     Examples
     --------
-    >>> from lesson_code.course.quiz.bank import NumericQuestion, WrongValue
+    >>> from lesson_code.course.quiz.questions import NumericQuestion, WrongValue
     >>> question = NumericQuestion(
     ...     id="02-height", text="Dropped from 1 m, e = 0.9. How high after one bounce?",
     ...     unit="m", value=0.81, tolerance=0.001, right_feedback="e² h.",
@@ -74,6 +82,8 @@ def check_answer(question: Question, answer: object) -> CheckedAnswer:
     """
     if isinstance(question, ChoiceQuestion):
         return _check_choice(question, answer)
+    if isinstance(question, ArrowQuestion):
+        return _check_arrow(question, answer)
     return _check_number(question, answer)
 
 
@@ -86,6 +96,8 @@ def expected_answer(question: Question) -> str:
     """
     if isinstance(question, ChoiceQuestion):
         return f"a letter from a to {LETTERS[len(question.options) - 1]}"
+    if isinstance(question, ArrowQuestion):
+        return f"the arrow's x and y in {question.unit}, such as 1, -2"
     return f"a number in {question.unit}" if question.unit else "a number"
 
 
@@ -93,6 +105,9 @@ def right_answer(question: Question) -> str:
     """Return the right answer as text, for after the last try."""
     if isinstance(question, ChoiceQuestion):
         return f"{question.answer}) {question.right_option.text}"
+    if isinstance(question, ArrowQuestion):
+        x, y = question.value
+        return f"({x:g}, {y:g}) {question.unit}".replace("-", "\N{MINUS SIGN}")
     return f"{question.value:g} {question.unit}".rstrip().replace("-", "\N{MINUS SIGN}")
 
 
@@ -114,6 +129,27 @@ def _check_number(question: NumericQuestion, answer: object) -> CheckedAnswer:
         if abs(value - wrong.value) <= question.tolerance:
             return CheckedAnswer(False, wrong.feedback)
     return CheckedAnswer(False, question.wrong_feedback)
+
+
+def _check_arrow(question: ArrowQuestion, answer: object) -> CheckedAnswer:
+    """Judge an arrow by the crossing of the grid that is nearest to its tip."""
+    tip = question.crossing(_read_arrow(question, answer))
+    if tip == question.crossing(question.value):
+        return CheckedAnswer(True, question.right_feedback)
+    for wrong in question.wrong_values:
+        if tip == question.crossing(wrong.value):
+            return CheckedAnswer(False, wrong.feedback)
+    return CheckedAnswer(False, question.wrong_feedback)
+
+
+def _read_arrow(question: ArrowQuestion, answer: object) -> Tip:
+    """Return the two components in a text: numbers with a space or a semicolon between them."""
+    written = answer.strip().removesuffix(question.unit) if isinstance(answer, str) else ""
+    parts = re.split(r"[,;]?\s+|;", written.strip().strip("()"))
+    tip = [_parse_number(part, "") for part in parts]
+    if len(tip) != 2 or not all(map(math.isfinite, tip)):
+        raise _unreadable(expected_answer(question), answer)
+    return tip[0], tip[1]
 
 
 def _read_number(question: NumericQuestion, answer: object) -> float:

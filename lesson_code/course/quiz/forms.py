@@ -6,7 +6,8 @@ that it needs no other file. The verdicts are those of the one judge.
 A form does not hold its answers in the clear. What is said to an answer, and whether it is right,
 is sealed with that answer: the script can open it only when the answer is given. For a number,
 which has a tolerance, the key is the drawer it lies in, two tolerances wide; inside stands the
-exact value. What is said to any other number is sealed with the question's id. So a look at the
+exact value. For an arrow the key is the crossing of the grid at its tip. What is said to any other
+number or arrow is sealed with the question's id. So a look at the
 source gives nothing away. It is no protection against somebody who tries all answers.
 """
 
@@ -23,14 +24,21 @@ from html import escape
 from importlib.resources import files
 from typing import Any, TypeAlias
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, Quiz
+from lesson_code.course.quiz.arrows import sheet
+from lesson_code.course.quiz.bank import Quiz
 from lesson_code.course.quiz.checker import expected_answer
+from lesson_code.course.quiz.questions import (
+    ArrowQuestion,
+    ChoiceQuestion,
+    NumericQuestion,
+    Question,
+)
 
 Sealed: TypeAlias = dict[str, str]
 """For each key's name the sealed text, both in hexadecimal digits."""
 
 OTHERWISE = "otherwise"
-"""The key of what is said to a number that nobody foresaw."""
+"""The key of what is said to a number or an arrow that nobody foresaw."""
 
 NAME_LENGTH = 16
 """Digits of a key's name."""
@@ -39,8 +47,14 @@ ROUNDING = 1e-6
 """Of a tolerance: how much further the drawers reach, so that no answer at its edge is missed."""
 
 
-ASLEEP = "To answer here, run the notebook, or allow scripts."
-"""Stands below a form until its script runs."""
+def asleep(name: str) -> str:
+    """Return what stands below a form until its script runs, and below its text.
+
+    `name` is what ``workbook quiz`` asks in its place: a chapter or one question.
+    """
+    here = "To answer here, run the notebook, or allow scripts."
+    return f"{here} In a terminal: workbook quiz {name}"
+
 
 MOST_FOLDED = 8
 """Folded cells below a prediction that can belong to its answer."""
@@ -54,7 +68,8 @@ def quiz_html(quiz: Quiz) -> str:
     )
     title = f"Quiz {quiz.number}: {quiz.title}"
     count = '<p class="count" role="status"></p>'
-    return _group("", title, f"<p><strong>{escape(title)}</strong></p>\n{questions}\n{count}")
+    head = f"<p><strong>{escape(title)}</strong></p>"
+    return _group(quiz.number, "", title, f"{head}\n{questions}\n{count}")
 
 
 def prediction_html(question: Question) -> str:
@@ -63,14 +78,15 @@ def prediction_html(question: Question) -> str:
         '<button type="submit">Commit</button> '
         '<button type="button" class="reveal">Show me without an answer</button>'
     )
-    return _group(" predict", "Prediction", _form(question, f"Predict: {question.text}", buttons))
+    form = _form(question, f"Predict: {question.text}", buttons)
+    return _group(question.id, " predict", "Prediction", form)
 
 
-def _group(kind: str, label: str, forms: str) -> str:
+def _group(name: str, kind: str, label: str, forms: str) -> str:
     """Return forms with what brings them to life."""
     return (
         f'<div class="quiz{kind}" role="group" aria-label="{escape(label)}">\n{forms}\n'
-        f'<p class="asleep">{ASLEEP}</p>\n{_style_and_script()}</div>'
+        f'<p class="asleep">{asleep(name)}</p>\n{_style_and_script()}</div>'
     )
 
 
@@ -134,6 +150,12 @@ def _foreseen(question: Question) -> Iterator[tuple[str, Any]]:
         for letter, option in question.lettered:
             yield letter, [{"right": letter == question.answer, "feedback": option.feedback}]
         return
+    if isinstance(question, ArrowQuestion):
+        for tip, right, feedback in _values(question):
+            lines = " ".join(map(str, question.crossing(tip)))
+            yield lines, [{"right": right, "feedback": feedback}]
+        yield OTHERWISE, [{"right": False, "feedback": question.wrong_feedback}]
+        return
     drawers: dict[int, list[Any]] = {}
     for value, right, feedback in _values(question):
         said = {"value": value, "right": right, "feedback": feedback}
@@ -144,7 +166,7 @@ def _foreseen(question: Question) -> Iterator[tuple[str, Any]]:
     yield OTHERWISE, [{"right": False, "feedback": question.wrong_feedback}]
 
 
-def _values(question: NumericQuestion) -> Iterator[tuple[float, bool, str]]:
+def _values(question: NumericQuestion | ArrowQuestion) -> Iterator[tuple[Any, bool, str]]:
     """Yield each value that is recognised, whether it is right, and what is said to it."""
     yield question.value, True, question.right_feedback
     for wrong in question.wrong_values:
@@ -168,6 +190,8 @@ def _form(question: Question, legend: str, buttons: str) -> str:
     data["expected"] = expected_answer(question)
     if isinstance(question, NumericQuestion):
         data |= {"unit": question.unit, "tolerance": question.tolerance}
+    if isinstance(question, ArrowQuestion):
+        data |= {"spacing": question.spacing, "reach": question.reach}
     return (
         f'<form data-question="{escape(json.dumps(data))}" autocomplete="off" '
         f'data-lm-suppress-shortcuts="true">\n'
@@ -182,12 +206,19 @@ def _check_button(place: int) -> str:
 
 
 def _answers(question: Question) -> str:
-    """Return the radio buttons, or the box for a number."""
+    """Return the radio buttons, the box for a number, or the sheet for an arrow with two boxes."""
     if isinstance(question, ChoiceQuestion):
         return "\n".join(
             f'<label><input type="radio" name="{question.id}" value="{letter}"> '
             f"<span>{letter}) {escape(option.text)}</span></label>"
             for letter, option in question.lettered
         )
+    if isinstance(question, ArrowQuestion):
+        boxes = "\n".join(
+            f'<label>{axis} in {escape(question.unit)}: <input type="text" name="{question.id}">'
+            "</label>"
+            for axis in "xy"
+        )
+        return f'{sheet(question)}\n<div class="components">\n{boxes}\n</div>'
     label = f"Answer: {escape(expected_answer(question))}."
     return f'<label>{label} <input type="text" name="{question.id}"></label>'

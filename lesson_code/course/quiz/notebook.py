@@ -9,9 +9,11 @@ from __future__ import annotations
 
 from IPython.display import display
 
-from lesson_code.course.quiz.bank import NumericQuestion, Question, Quiz, load_quiz
+from lesson_code.course.quiz.arrows import in_words
+from lesson_code.course.quiz.bank import Quiz, load_quiz
 from lesson_code.course.quiz.checker import expected_answer
-from lesson_code.course.quiz.forms import ASLEEP, prediction_html, quiz_html
+from lesson_code.course.quiz.forms import asleep, prediction_html, quiz_html
+from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion, Question
 
 
 def show_quiz(chapter: str) -> None:
@@ -59,7 +61,7 @@ def predict(question: str) -> None:
     if question not in known:
         raise ValueError(f"question must be a prediction of chapter {chapter}, got {question!r}")
     asked = known[question]
-    text = "\n".join([f"Predict: {asked.text}", *_lines_below(asked), "", ASLEEP])
+    text = "\n".join([f"Predict: {asked.text}", *_lines_below(asked), "", asleep(question)])
     _display(prediction_html(asked), text)
 
 
@@ -68,14 +70,15 @@ def quiz_as_text(quiz: Quiz) -> str:
     lines = [f"Quiz {quiz.number}: {quiz.title}"]
     for place, question in enumerate(quiz.questions, start=1):
         lines += ["", f"{place}. {question.text}", *_lines_below(question)]
-    return "\n".join([*lines, "", ASLEEP])
+    return "\n".join([*lines, "", asleep(quiz.number)])
 
 
 def _lines_below(question: Question) -> list[str]:
     """Return what stands below a question: its options, or what kind of number it wants."""
-    if isinstance(question, NumericQuestion):
-        return [f"   Answer: {expected_answer(question)}."]
-    return [f"   {letter}) {option.text}" for letter, option in question.lettered]
+    if isinstance(question, ChoiceQuestion):
+        return [f"   {letter}) {option.text}" for letter, option in question.lettered]
+    drawn = [f"   {in_words(question)}"] if isinstance(question, ArrowQuestion) else []
+    return [*drawn, f"   Answer: {expected_answer(question)}."]
 
 
 def _display(html: str, text: str) -> None:

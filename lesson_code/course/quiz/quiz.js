@@ -73,8 +73,19 @@
     return Number(written[1].replace(",", "."));
   }
 
+  // The components of an arrow that is written as "x, y", or null.
+  function components(text) {
+    const tip = text.split(", ").map((part) => number(part, ""));
+    return tip.length === 2 && tip.every(Number.isFinite) ? tip : null;
+  }
+
   // Returns {right, feedback}, or null for an answer that cannot be read.
   function judge(question, answer) {
+    if (question.spacing !== undefined) {
+      const tip = components(answer);
+      const lines = tip && tip.map((part) => Math.floor(part / question.spacing + 0.5)).join(" ");
+      return tip && (opened(question, lines)[0] || opened(question, "otherwise")[0]);
+    }
     if (question.tolerance === undefined) return opened(question, answer)[0] || null;
     const value = number(answer, question.unit);
     if (!Number.isFinite(value)) return null;
@@ -84,7 +95,7 @@
   }
 
   function answered(form, question) {
-    const given = new FormData(form).get(question.id) || "";
+    const given = new FormData(form).getAll(question.id).join(", ");
     const verdict = judge(question, given);
     const line = form.querySelector(".verdict");
     line.textContent = verdict ? verdict.feedback : `Please give ${question.expected}.`;
@@ -111,6 +122,42 @@
     }
   }
 
+  // The path of an arrow from the origin, as arrows.py has it.
+  function arrowPath(x, y) {
+    const angle = Math.atan2(y, x), head = Math.min(7, Math.hypot(x, y) / 2);
+    const side = (by) => `M${x} ${y}l${-head * Math.cos(angle + by)} ${-head * Math.sin(angle + by)}`;
+    return `M0 0L${x} ${y}${side(0.5)}${side(-0.5)}`;
+  }
+
+  // Lets the tip of an arrow be dragged on its sheet; the boxes below it say the same in numbers.
+  function draws(form, question) {
+    const sheet = form.querySelector(".sheet"), boxes = [...form.elements[question.id]];
+    const drawn = sheet.querySelector(".drawn"), unit = Number(sheet.dataset.unit);
+    const show = () => {
+      const tip = components(boxes.map((box) => box.value).join(", "));
+      drawn.setAttribute("d", tip ? arrowPath(tip[0] * unit, -tip[1] * unit) : "");
+    };
+    const onGrid = (at) => {
+      const lines = Math.round(question.reach / question.spacing);
+      const nearest = Math.round(at / unit / question.spacing);
+      return Math.max(-lines, Math.min(lines, nearest)) * question.spacing;
+    };
+    const follow = (event) => {
+      const at = new DOMPoint(event.clientX, event.clientY);
+      const { x, y } = at.matrixTransform(sheet.getScreenCTM().inverse());
+      [x, -y].forEach((part, k) => (boxes[k].value = onGrid(part) + 0));
+      show();
+    };
+    sheet.addEventListener("pointerdown", (event) => {
+      sheet.setPointerCapture(event.pointerId);
+      follow(event);
+    });
+    sheet.addEventListener("pointermove", (event) => {
+      if (sheet.hasPointerCapture(event.pointerId)) follow(event);
+    });
+    boxes.forEach((box) => box.addEventListener("input", show));
+  }
+
   function start(quiz) {
     const forms = [...quiz.querySelectorAll("form")];
     const count = () => {
@@ -121,6 +168,7 @@
     const foresees = quiz.classList.contains("predict");
     for (const form of forms) {
       const question = JSON.parse(form.dataset.question);
+      if (question.spacing !== undefined) draws(form, question);
       form.addEventListener("submit", (event) => {
         event.preventDefault();
         if (answered(form, question) && foresees) reveal(quiz);

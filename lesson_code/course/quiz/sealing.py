@@ -2,9 +2,9 @@
 
 A choice question keeps the hash of its right letter, and the feedback to each letter sealed with
 that letter. A number cannot be found again from a hash, since answers near it are right too: it is
-sealed with the salt alone. All this keeps a key from a glance and from a search. It is no secret
-from a determined reader, who has this program and can try every letter: the instructor's copy
-grades.
+sealed with the salt alone, and so is an arrow. All this keeps a key from a glance and from a
+search. It is no secret from a determined reader, who has this program and can try every letter:
+the instructor's copy grades.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ Table: TypeAlias = dict[str, Any]
 SECRET = {
     "choice": ("option",),
     "numeric": ("value", "tolerance", "wrong_value", "right_feedback", "wrong_feedback"),
+    "arrow": ("value", "wrong_value", "right_feedback", "wrong_feedback"),
 }
 """What does not stand in a sealed question as it is, by its kind."""
 
@@ -50,7 +51,7 @@ def open_question(question: Table) -> Table:
         return question
     shown = {key: value for key, value in question.items() if key not in SEALED_KEYS}
     salt = f"{question['salt']} {question['id']}"
-    if question["kind"] == "numeric":
+    if question["kind"] != "choice":
         secrets: Table = json.loads(_opened(question["sealed"], salt))
         return shown | secrets
     options: list[Table] = []
@@ -74,7 +75,7 @@ def _sealed(question: Table) -> Table:
     text = json.dumps(secrets, sort_keys=True)
     token = _hash(f"{question['id']} {text}")[:16]
     salt = f"{token} {question['id']}"
-    if question["kind"] == "numeric":
+    if question["kind"] != "choice":
         return shown | {"salt": token, "sealed": _closed(text, salt)}
     options = question["option"]
     lettered = list(zip(ascii_lowercase, options, strict=False))
@@ -87,8 +88,10 @@ def _sealed(question: Table) -> Table:
     }
 
 
-def _written(value: str | list[str]) -> str:
-    """Return a text, or a list of texts, as TOML."""
+def _written(value: Any) -> str:
+    """Return a text, a number, a list or a table of them as TOML."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_written(key)} = {_written(v)}" for key, v in value.items()) + "}"
     return json.dumps(value, ensure_ascii=False)
 
 

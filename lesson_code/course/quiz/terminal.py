@@ -16,13 +16,15 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, Question, Quiz, load_quiz
+from lesson_code.course.quiz.arrows import in_words
+from lesson_code.course.quiz.bank import Quiz, load_asked
 from lesson_code.course.quiz.checker import (
     CheckedAnswer,
     check_answer,
     expected_answer,
     right_answer,
 )
+from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion, Question
 from lesson_code.course.quiz.result import QuestionResult, QuizResult
 
 TRIES = 2
@@ -32,13 +34,13 @@ Ask: TypeAlias = Callable[[str], str]
 """Takes a prompt, returns an answer; EOFError or KeyboardInterrupt ends the quiz."""
 
 
-def run_quiz(chapters: Sequence[str], console: Console, ask: Ask | None = None) -> QuizResult:
-    """Ask every question of some chapters, and print a summary.
+def run_quiz(names: Sequence[str], console: Console, ask: Ask | None = None) -> QuizResult:
+    """Ask every question of some chapters, or single ones, and print a summary.
 
     Parameters
     ----------
-    chapters : sequence of str
-        The chapters' numbers, in the order in which they are asked.
+    names : sequence of str
+        The chapters' numbers, or ids of questions, in the order in which they are asked.
     console : rich.console.Console
         Where everything is printed.
     ask : callable, optional
@@ -53,9 +55,9 @@ def run_quiz(chapters: Sequence[str], console: Console, ask: Ask | None = None) 
     Raises
     ------
     ValueError
-        A chapter does not exist, before anything is asked.
+        A chapter or a question does not exist, before anything is asked.
     """
-    loaded = [load_quiz(number) for number in chapters]
+    loaded = [load_asked(name) for name in names]
     results: list[QuestionResult] = []
     try:
         for quiz in loaded:
@@ -139,7 +141,14 @@ def _print_question(place: str, question: Question, console: Console) -> None:
     console.print(Text.assemble((f"{place}. ", "bold"), question.text))
     if isinstance(question, ChoiceQuestion):
         for letter, option in question.lettered:
-            console.print(Padding(Text(f"{letter}) {option.text}"), (0, 0, 0, 3), expand=False))
+            _print_below(f"{letter}) {option.text}", console)
+    if isinstance(question, ArrowQuestion):
+        _print_below(in_words(question), console)
+
+
+def _print_below(text: str, console: Console) -> None:
+    """Print a line that belongs to a question."""
+    console.print(Padding(Text(text), (0, 0, 0, 3), expand=False))
 
 
 def _print_verdict(verdict: CheckedAnswer, console: Console) -> None:

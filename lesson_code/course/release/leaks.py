@@ -21,7 +21,8 @@ from lesson_code.course.grading.self_check import answers_in, formulas_in, squee
 from lesson_code.course.grading.task import Function, Task
 from lesson_code.course.grading.verdict import stream_of
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
-from lesson_code.course.quiz.bank import ChoiceQuestion, Question, load_bank
+from lesson_code.course.quiz.bank import load_bank
+from lesson_code.course.quiz.questions import ChoiceQuestion, Question
 from lesson_code.course.quiz.sealing import SECRET
 from lesson_code.course.release.bundle import holds_answers, holds_checks, holds_rules, is_quiz
 

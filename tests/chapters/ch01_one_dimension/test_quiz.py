@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, load_quiz
+from lesson_code.course.quiz.bank import load_quiz
+from lesson_code.course.quiz.questions import ChoiceQuestion
 
 
 def test_equal_masses_only_the_exchange_keeps_momentum_and_energy_and_changes_something() -> None:

@@ -61,3 +61,15 @@ RIGHT_OPTIONS = {
     "03-either-normal": "N stands twice",
 }
 """What the right options of some questions say, as the lesson does."""
+
+
+def bumped(times: int) -> tuple[F, F]:
+    """Return (0, -2) after its part along (1, 1)/√2 is taken away so many times."""
+    along = F(-2, 2)  # the dot product with (1, 1), over the square of its length
+    return -times * along, -2 - times * along
+
+
+TIPS = {
+    "03-bumper": (bumped(2), [(0, 2), (2, 2), (1, 1), bumped(0), bumped(1), (-2, 0)]),
+}
+"""For each arrow the tip of the right one, and those of the mistakes."""

@@ -15,7 +15,6 @@ ANSWERS: dict[str, tuple[F | float, list[F | float]]] = {
             2 - F(17, 10) * 3 * (1 + 3),
         ],
     ),
-    "04-angle": (F(90), [F(45), F(180), F(60)]),
     "04-depth": (
         F(2) + F(7, 2) - math.isqrt(3**2 + 4**2),
         [
@@ -51,3 +50,17 @@ RIGHT_OPTIONS = {
     "04-separating": "Move them apart by 0.1 m; leave their velocities alone",
 }
 """What the right options of some questions say, as the lesson does."""
+
+
+def after(share: F) -> tuple[F, F]:
+    """Return (4, 0) less this share of its part along (1, 1)/√2, which is (2, 2)."""
+    return 4 - 2 * share, -2 * share
+
+
+TIPS = {
+    "04-angle": (
+        after(F(1)),
+        [(4 - after(F(1))[0], -after(F(1))[1]), (0, 0), (-4, 0), after(F(2)), after(F(0))],
+    ),
+}
+"""For each arrow the tip of the right one, and those of the mistakes."""

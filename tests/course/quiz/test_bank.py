@@ -4,15 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from lesson_code.course.quiz.bank import (
-    ChoiceQuestion,
-    NumericQuestion,
-    Option,
-    chapter_numbers,
-    load_bank,
-    load_quiz,
-    read_quiz,
-)
+from lesson_code.course.quiz.bank import chapter_numbers, load_bank, load_quiz, read_quiz
+from lesson_code.course.quiz.questions import ChoiceQuestion, NumericQuestion, Option
 
 CHOICE = """
 [[question]]

@@ -9,18 +9,19 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from lesson_code.course.quiz.bank import (
-    ChoiceQuestion,
-    NumericQuestion,
-    Option,
-    WrongValue,
-    load_bank,
-)
+from lesson_code.course.quiz.bank import load_bank
 from lesson_code.course.quiz.checker import (
     CheckedAnswer,
     check_answer,
     expected_answer,
     right_answer,
+)
+from lesson_code.course.quiz.questions import (
+    ArrowQuestion,
+    ChoiceQuestion,
+    NumericQuestion,
+    Option,
+    WrongValue,
 )
 
 CHOICE = ChoiceQuestion(
@@ -38,6 +39,18 @@ HEIGHT = NumericQuestion(
     right_feedback="Yes.",
     wrong_values=(WrongValue(0.81, "The sign?"),),
     wrong_feedback="Think again.",
+)
+ARROW = ArrowQuestion(
+    id="03-arrow",
+    text="Draw it.",
+    unit="m/s",
+    spacing=1.0,
+    reach=3.0,
+    value=(2.0, -1.0),
+    right_feedback="Yes.",
+    wrong_values=(WrongValue((0.0, 0.0), "Nothing moves?"),),
+    wrong_feedback="No.",
+    given={"v": (0.0, -2.0)},
 )
 RATIO = NumericQuestion("07-e", "e?", "", 0.5, 0.01, "Yes.", (), "No.")
 
@@ -154,7 +167,7 @@ def test_expected_answer_names_letters_or_unit() -> None:
 def test_right_answer_is_accepted_for_every_question_of_the_bank() -> None:
     """The answer that is told after the last try is itself right."""
     for chapter in load_bank():
-        for question in chapter.questions:
+        for question in (*chapter.questions, *chapter.predictions):
             told = right_answer(question)
             answer = told[0] if isinstance(question, ChoiceQuestion) else told
             assert check_answer(question, answer) == CheckedAnswer(True, question.right_feedback)
@@ -163,10 +176,40 @@ def test_right_answer_is_accepted_for_every_question_of_the_bank() -> None:
 def test_every_wrong_answer_of_the_bank_gets_its_own_feedback() -> None:
     """Each distractor and each recognised value of the bank leads to its own feedback."""
     for chapter in load_bank():
-        for question in chapter.questions:
+        for question in (*chapter.questions, *chapter.predictions):
             if isinstance(question, ChoiceQuestion):
                 wrong = {k: o.feedback for k, o in question.lettered if k != question.answer}
             else:
                 wrong = {repr(w.value): w.feedback for w in question.wrong_values}
             for answer, feedback in wrong.items():
                 assert check_answer(question, answer) == CheckedAnswer(False, feedback)
+
+
+@pytest.mark.parametrize(
+    ("written", "right"),
+    [
+        ("2, -1", True),
+        (" (2; -1) ", True),
+        ("2 \N{MINUS SIGN}1", True),
+        ("2,2 -0,8", True),
+        ("-1, 2", False),
+        ("2.6, -1", False),
+        ("1e300, 0", False),
+    ],
+)
+def test_arrow_is_judged_by_the_crossing_at_its_tip(written: str, right: bool) -> None:
+    """Components with a point or a comma; the crossing of the grid that is nearest counts."""
+    assert check_answer(ARROW, written).right is right
+
+
+def test_recognised_arrow_gets_its_own_feedback() -> None:
+    """Another arrow gets the words for any other."""
+    assert check_answer(ARROW, "0, 0").feedback == "Nothing moves?"
+    assert check_answer(ARROW, "3, 3").feedback == "No."
+
+
+@pytest.mark.parametrize("written", ["", "2", "2,-1", "1, 2, 3", "east", "nan, 1", "1e999, 0"])
+def test_arrow_that_cannot_be_read_is_refused(written: str) -> None:
+    """It needs two numbers with a space between them."""
+    with pytest.raises(ValueError, match="the arrow's x and y in m/s, such as 1, -2, got"):
+        check_answer(ARROW, written)

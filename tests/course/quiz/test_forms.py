@@ -10,14 +10,7 @@ from typing import Any
 
 import pytest
 
-from lesson_code.course.quiz.bank import (
-    ChoiceQuestion,
-    NumericQuestion,
-    Option,
-    Question,
-    Quiz,
-    load_bank,
-)
+from lesson_code.course.quiz.bank import Quiz, load_bank
 from lesson_code.course.quiz.forms import (
     OTHERWISE,
     key_name,
@@ -25,6 +18,13 @@ from lesson_code.course.quiz.forms import (
     quiz_html,
     seal,
     sealed_answers,
+)
+from lesson_code.course.quiz.questions import (
+    ArrowQuestion,
+    ChoiceQuestion,
+    NumericQuestion,
+    Option,
+    Question,
 )
 
 CHAPTERS = pytest.mark.parametrize("chapter", load_bank(), ids=lambda chapter: chapter.number)
@@ -90,6 +90,22 @@ def test_drawers_of_a_value_open_its_feedback(chapter: Quiz) -> None:
                 for given in (value - reach, value, value + reach):
                     said = read(question, str(int(given // (2 * reach))))
                     assert value in [verdict["value"] for verdict in said]
+
+
+@CHAPTERS
+def test_tips_of_arrows_open_their_feedback(chapter: Quiz) -> None:
+    """Each tip that is recognised has its own words; the sheet shows the given arrows only."""
+    for question in chapter.predictions:
+        if isinstance(question, ArrowQuestion):
+            for tip, feedback in (
+                (question.value, question.right_feedback),
+                *((wrong.value, wrong.feedback) for wrong in question.wrong_values),
+            ):
+                x, y = question.crossing(tip)
+                assert [said["feedback"] for said in read(question, f"{x} {y}")] == [feedback]
+            html = prediction_html(question)
+            assert html.count('class="given"') == len(question.given) > 0
+            assert 'class="drawn" d=""' in html
 
 
 def test_value_far_off_opens_nothing() -> None:

@@ -10,15 +10,10 @@ from typing import Any
 import pytest
 
 from lesson_code.course.quiz import notebook
-from lesson_code.course.quiz.bank import (
-    ChoiceQuestion,
-    NumericQuestion,
-    Question,
-    load_bank,
-    load_quiz,
-)
-from lesson_code.course.quiz.forms import ASLEEP, prediction_html, quiz_html
+from lesson_code.course.quiz.bank import load_bank, load_quiz
+from lesson_code.course.quiz.forms import asleep, prediction_html, quiz_html
 from lesson_code.course.quiz.notebook import predict, quiz_as_text, show_quiz
+from lesson_code.course.quiz.questions import ChoiceQuestion, NumericQuestion, Question
 
 PREDICTIONS = [question for quiz in load_bank() for question in quiz.predictions]
 ASKED = [question for quiz in load_bank() for question in quiz.questions] + PREDICTIONS
@@ -57,7 +52,7 @@ def test_prediction_is_displayed_as_a_form_and_as_text(displayed: Any, question:
     assert set(bundle) == {"text/html", "text/plain"}
     for text, written in ((bundle["text/html"], escape), (bundle["text/plain"], str)):
         assert written(question.text) in text
-        assert ASLEEP in text
+        assert asleep(question.id) in text
         for option in getattr(question, "options", ()):
             assert written(option.text) in text
         if isinstance(question, NumericQuestion) and question.unit:

@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable
 import pytest
 from rich.console import Console
 
-from lesson_code.course.quiz.bank import ChoiceQuestion, NumericQuestion, Question, load_quiz
+from lesson_code.course.quiz.bank import load_asked, load_quiz
 from lesson_code.course.quiz.checker import right_answer
+from lesson_code.course.quiz.questions import ChoiceQuestion, NumericQuestion, Question
 from lesson_code.course.quiz.result import ChapterScore
 from lesson_code.course.quiz.terminal import run_quiz
 
@@ -113,6 +114,24 @@ def test_recognised_wrong_number_gets_its_hint() -> None:
     mistake = SECOND.wrong_values[0]
     run_quiz(["02"], out, scripted([right(FIRST), str(mistake.value)]))
     assert mistake.feedback in written(out)
+
+
+@pytest.mark.parametrize("name", ["02-ruler", "03-bumper", "05-gain"])
+def test_one_prediction_is_asked_by_its_id(name: str) -> None:
+    """A number, an arrow and a choice: what a notebook asks can be answered as text."""
+    (question,) = load_asked(name).questions
+    out = console()
+    result = run_quiz([name], out, scripted([right(question)]))
+    assert [asked.id for asked in result.questions] == [name]
+    assert result.finished
+    assert result.scores[0].right_first == 1
+    assert question.right_feedback in written(out)
+
+
+def test_unknown_question_is_refused_before_anything_is_asked() -> None:
+    """The error names those of the chapter."""
+    with pytest.raises(ValueError, match=r"question must be one of .*02-ruler.*, got '02-rulers'"):
+        run_quiz(["01", "02-rulers"], console(), scripted([]))
 
 
 @pytest.mark.parametrize("end", [EOFError, KeyboardInterrupt])
