@@ -1,5 +1,5 @@
 """Compare claims with measurements."""
 
-from lesson_code.evidence.check import CheckFailedError, check
+from lesson_code.evidence.check import CheckFailedError, check, check_bound
 
-__all__ = ["CheckFailedError", "check"]
+__all__ = ["CheckFailedError", "check", "check_bound"]

@@ -62,6 +62,58 @@ def check(claim: str, measured: Any, expected: Any, tolerance: float = 0.0) -> N
     print(f"ok    {line}")  # noqa: T201 - the line in the notebook is what this is for
 
 
+def check_bound(
+    claim: str, measured: Any, *, at_least: float = -math.inf, at_most: float = math.inf
+) -> None:
+    """Compare a measurement with a bound, and print one line with the measurement.
+
+    Parameters
+    ----------
+    claim : str
+        The sentence that is being checked.
+    measured : number or array_like
+        What the code under test gave; every number in it must keep the bounds.
+    at_least, at_most : float
+        The bounds, in the unit of `measured`.
+
+    Raises
+    ------
+    CheckFailedError
+        The claim is false, or a number is nan.
+    ValueError
+        There is no bound, or no number.
+
+    Examples
+    --------
+    >>> check_bound("it stays below the floor, m", -0.251, at_most=0)
+    ok    it stays below the floor, m: -0.25, at most 0
+    >>> check_bound("all but a few", [250, 180, 610], at_least=200)
+    Traceback (most recent call last):
+        ...
+    lesson_code.evidence.check.CheckFailedError: FALSE all but a few: 180 to 610, at least 200
+    """
+    numbers_measured = np.asarray(measured, dtype=float)
+    wanted = [
+        f"at {name} {bound:g}"
+        for name, bound in (("least", at_least), ("most", at_most))
+        if math.isfinite(bound)
+    ]
+    if not wanted or numbers_measured.size == 0:
+        raise ValueError(f"a bound and a number must be given, got {wanted} and {measured!r}")
+    low, high = numbers_measured.min(), numbers_measured.max()
+    noise = NOISE * abs(at_most) if math.isfinite(at_most) else 0.0
+    ends = [f"under {noise:g}" if abs(end) < noise else _two_digits(end) for end in (low, high)]
+    line = f"{claim}: {' to '.join(dict.fromkeys(ends))}, {' and '.join(wanted)}"
+    if not at_least <= low <= high <= at_most:
+        raise CheckFailedError(f"FALSE {line}")
+    print(f"ok    {line}")  # noqa: T201 - the line in the notebook is what this is for
+
+
+def _two_digits(value: float) -> str:
+    """Return a whole number in full, and any other to two digits."""
+    return f"{value:.0f}" if value.is_integer() else f"{value:.2g}"
+
+
 NOISE = 1e-3
 """Of the tolerance: errors below are not told apart, since rounding differs between machines."""
 
@@ -71,7 +123,8 @@ def _agreement(claim: str, measured: Any, expected: Any, tolerance: float) -> st
     if not _is_numeric(measured) or np.size(measured) <= MOST_NUMBERS_WRITTEN:
         return ""
     if tolerance == 0:
-        return ""
+        wanted = _written(expected, tolerance) if np.size(expected) == 1 else "as many"
+        return f"{claim}: {np.size(measured)} numbers, expected {wanted}: none is off at all"
     worst = max(float(_apart(measured, expected).max()), NOISE * tolerance)
     bound = min(10.0 ** math.ceil(math.log10(worst) - 1e-9), tolerance)
     wanted = _written(expected, tolerance) if np.size(expected) == 1 else "as many"

@@ -22,7 +22,7 @@
 #    infinite;
 # 3. find a wrong collision formula by asking it about momentum and energy.
 #
-# **You need** notebook 00. **Time:** about 40 minutes with the questions; it runs in a few
+# **You need** notebook 00. **Time:** about 35 minutes with the questions; it runs in a few
 # seconds.
 
 # %% tags=["plumbing"]

@@ -42,11 +42,7 @@ from lesson_code.view.browser.live import live
 #
 # Before they meet, two bodies approach each other with the speed $v_1 - v_2$. Afterwards they
 # part with the speed $v_2' - v_1'$. Newton found that for two given bodies the ratio hardly
-# depends on how fast they meet:
-#
-# $$e = \frac{v_2' - v_1'}{v_1 - v_2}$$
-#
-# Note the order: *separation* is second minus first, *approach* is first minus second. Both are
+# depends on how fast they meet: separation over approach, the **restitution** e. Both speeds are
 # positive in a real collision. e is 1 when nothing is lost and 0 when the bodies stick. Write it:
 
 
@@ -62,6 +58,10 @@ v1_after, v2_after = collide_1d(1.0, 3.0, 2.0, -1.0, restitution=0.7)
 check("the restitution put in comes out", restitution(3, -1, v1_after, v2_after), 0.7, 1e-12)
 
 # %% [markdown]
+# $$e = \frac{v_2' - v_1'}{v_1 - v_2}$$
+#
+# Note the order: *separation* is second minus first, *approach* is first minus second.
+#
 # The velocity of one body alone does not tell you e. In each line below e is 0.5, but the second
 # body has a different mass each time, and so the first body does something different:
 
@@ -145,7 +145,7 @@ live(
 # The first fall takes $t_0 = \sqrt{2h/g}$. Each flight up and down after it takes $2 t_0 e, 2 t_0
 # e^2, \dots$ The times shrink so fast that all of them together are finite:
 #
-# $$T = t_0 + 2 t_0 (e + e^2 + e^3 + \dots) = \sqrt{\frac{2h}{g}}\;\frac{1 + e}{1 - e}$$
+# $$T = t_0 + 2 t_0 (e + e^2 + e^3 + \dots) \qquad e + e^2 + e^3 + \dots = \frac{e}{1 - e}$$
 #
 # At the time T the ball has made infinitely many bounces, and lies still. It is called the *Zeno*
 # ball, after the philosopher whose Achilles never catches the tortoise. A program that waits for
@@ -164,6 +164,11 @@ flights = 2 * t0 * 0.8 ** np.arange(1, 200)
 check("the sum of 199 flights", t0 + flights.sum(), rest_time(1.0, 0.8, 9.81), tolerance=1e-12)
 check("the same with g = 10 m/s²", rest_time(1.0, 0.8, 10.0), np.sqrt(0.2) * 9, tolerance=1e-12)
 
+# %% [markdown]
+# In short, T is the first fall times one factor:
+#
+# $$T = \sqrt{\frac{2h}{g}}\;\frac{1 + e}{1 - e}$$
+
 # %%
 predict("02-longer")
 
@@ -177,7 +182,7 @@ live(
 )
 
 # %% [markdown]
-# ## 5 An engine that steps through time gets it nearly right
+# ## 5 An engine steps through time
 #
 # The arcs above come from a **closed form**: a formula that gives the place at any time, at once.
 # Engines have none. They move everything by a small step `dt`, look who overlaps, and apply an
@@ -196,7 +201,7 @@ figures.heights(
 )
 
 # %% [markdown]
-# Above all, each bounce comes at the wrong moment: it is late, by up to one step.
+# At the end of the 4.5 s the two no longer agree. How much would a shorter step help?
 
 # %%
 predict("02-steps")
@@ -210,6 +215,10 @@ for dt in (1 / 60, 1 / 600, 1 / 6000):
     print(f"dt = 1/{1 / dt:.0f} s: mean error {errors[dt]:.4f} m")
 order = np.log10(errors[1 / 60] / errors[1 / 6000]) / 2  # the step shrinks by 10 to the power 2
 check("the error shrinks like dt to the power", order, 1.0, tolerance=0.2)
+
+# %% [markdown] tags=["answer"]
+# <b class="answer">The answer.</b>
+# About ten times smaller. Each bounce comes at the wrong moment: it is late, by up to one step.
 
 # %% [markdown]
 # ## 6 Break it on purpose: the doubled impulse on a ball

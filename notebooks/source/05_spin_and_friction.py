@@ -18,7 +18,7 @@
 # 2. compute the friction impulse of an impact, with Coulomb's limit, and the spin that it makes;
 # 3. say how fast a body that slides ends up rolling, on ice as on rubber.
 #
-# **You need** notebooks 00 to 04. **Time:** about 35 minutes to read and to write two lines, a few
+# **You need** notebooks 00 to 04. **Time:** about 30 minutes to read and to write two lines, a few
 # seconds to run. The chapter goes on in [05b](05b_friction_put_to_the_test.ipynb), on another day
 # if you like.
 
@@ -290,6 +290,8 @@ live(
 
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
+# From mu = 0.75 on: it takes 3 N s to stop the sliding, and mu times 4 N s are allowed.
+#
 # Draw the impulse as an arrow: j_n up, j_t to the side. Coulomb's limit is a **cone**. The dashed
 # arrow is what would stop the sliding. If it points out of the cone, friction gives only as much as
 # the cone allows at that height. On the right you see the friction impulse over the sliding: a

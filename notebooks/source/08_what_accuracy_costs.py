@@ -18,8 +18,8 @@
 # 2. work out what a millimetre costs before you pay for it;
 # 3. choose a method and its setting.
 #
-# **You need** notebooks 00 to 07. **Time:** about 35 minutes, counted as 100 words a minute, three
-# minutes a function and one a question; ten seconds to run.
+# **You need** notebooks 00 to 07. **Time:** about 40 minutes with the questions; it runs in ten
+# seconds.
 
 # %% tags=["plumbing"]
 from functools import partial

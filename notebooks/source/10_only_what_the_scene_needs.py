@@ -11,7 +11,7 @@
 #
 # Your phone draws a game sixty times a second, and its battery pays for all that the engine works
 # out, needed or not. In this chapter you guess what a scene needs before the engine tells you. Then
-# you put a guess to the hardest test there is: not one bit of the result may change.
+# you put your guess to a hard test: you compare results bit by bit.
 #
 # **After this notebook you will be able to**
 #
@@ -19,7 +19,7 @@
 # 2. prove that an effect is superfluous, to the last bit, and find one that only looks so;
 # 3. say what leaving it out saves.
 #
-# **You need** notebooks 00 to 07. **Time:** about 35 minutes to read, to guess and to write two
+# **You need** notebooks 00 to 07. **Time:** about 40 minutes to read, to guess and to write two
 # lines, with the appendices; ten seconds to run.
 
 # %% tags=["plumbing"]
@@ -199,7 +199,7 @@ live(
 # error costs only time; the other one would make the result *wrong*. So a rule must be
 # **conservative**: it has to prove "not needed", and need not prove "needed".
 #
-# ## 4 Break it on purpose: an effect that only looks superfluous
+# ## 4 Break it on purpose: switch off the watch for fast bodies
 #
 # A body that moves by more than half its width in a step may jump through a wall (chapter 07). The
 # effect `continuous` watches for that. In the next scene nothing is so fast. May you switch it off?

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lesson_code.evidence import CheckFailedError, check
+from lesson_code.evidence import CheckFailedError, check, check_bound
 
 NAN, INF = math.nan, math.inf
 
@@ -43,8 +43,14 @@ TRUE = {
     "infinity in an array": ([1, INF], [1, INF], 1e-9, "(1, inf), expected (1, inf)"),
     "nothing and nothing": ([], [], 0, "(), expected ()"),
     "six numbers are written": (range(6), list(range(6)), 0, "(0, 1, 2, 3, 4, 5), expected (0, 1,"),
-    "seven are summarised": (range(7), list(range(7)), 0, "7 numbers, 0 to 6, expected 7 numbers,"),
-    "alike ones more so": (np.full(10**5, 0.1), 0.1, 0, "100000 numbers, 0.1, expected 0.1"),
+    "seven are counted": (
+        range(7),
+        list(range(7)),
+        0,
+        "7 numbers, expected as many: none is off at all",
+    ),
+    "truths, too": (np.ones(9, bool), [True] * 9, 0, "9 numbers, expected as many: none is off"),
+    "against one": (np.full(10**5, 0.1), 0.1, 0, "100000 numbers, expected 0.1: none is off"),
     "noise in a long array": (
         np.linspace(0, 1e-16, 9),
         0,
@@ -191,3 +197,34 @@ def test_arrays_that_are_checked_are_not_changed() -> None:
     check("the claim", measured, expected, 0.5)
     np.testing.assert_array_equal(measured, [1, 2])
     np.testing.assert_array_equal(expected, [1.5, 2])
+
+
+@pytest.mark.parametrize(
+    ("measured", "bounds", "line"),
+    [
+        (-0.251, {"at_most": 0}, "-0.25, at most 0"),
+        (497, {"at_least": 250}, "497, at least 250"),
+        ([3e-16, -2e-17], {"at_most": 1e-12}, "under 1e-15, at most 1e-12"),
+        ([1.5, 2.5], {"at_least": 1, "at_most": 3}, "1.5 to 2.5, at least 1 and at most 3"),
+        (1.0, {"at_least": 1, "at_most": 1}, "1, at least 1 and at most 1"),
+    ],
+)
+def test_bound_is_printed_with_what_was_measured(capsys, measured, bounds, line) -> None:
+    """One line: the claim, the smallest and the largest number, the bounds."""
+    check_bound("the claim", measured, **bounds)
+    assert capsys.readouterr().out == f"ok    the claim: {line}\n"
+
+
+@pytest.mark.parametrize("measured", [0.9, NAN, [1, 0.5], [1, NAN], -INF])
+def test_number_beyond_a_bound_stops_the_notebook(capsys, measured) -> None:
+    """A single one is enough, and nan keeps no bound."""
+    with pytest.raises(CheckFailedError, match=r"FALSE the claim: .*, at least 1"):
+        check_bound("the claim", measured, at_least=1)
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(("measured", "bounds"), [(1, {}), ([], {"at_least": 1})])
+def test_bound_needs_a_bound_and_a_number(measured, bounds) -> None:
+    """A check that cannot fail is refused."""
+    with pytest.raises(ValueError, match="a bound and a number must be given"):
+        check_bound("the claim", measured, **bounds)

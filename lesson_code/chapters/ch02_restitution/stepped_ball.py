@@ -20,8 +20,16 @@ from lesson_code.formulas.validation import (
 Bounce: TypeAlias = Callable[[Any, Any, float], Any]
 """Takes velocity, normal and restitution; returns the velocity after."""
 
+Separation: TypeAlias = Callable[[Any, Any, float], Any]
+"""Takes position, normal and depth; returns the position after."""
+
 UP = np.array([0.0, 1.0])
 UP.setflags(write=False)  # the rules under test are handed this very array
+
+
+def moved_out(position: Any, normal: Any, depth: float) -> Any:
+    """Return a position moved along the normal by the depth, m."""
+    return position + depth * normal
 
 
 def drop_in_steps(
@@ -32,7 +40,7 @@ def drop_in_steps(
     duration: float,
     gravity: float = 9.81,
     dt: float = 1 / 60,
-    push_out: bool = True,
+    separate: Separation | None = moved_out,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the heights of a ball dropped on a floor, computed in time steps.
 
@@ -53,8 +61,9 @@ def drop_in_steps(
         m/s^2, > 0, downward.
     dt : float
         Time step, s, > 0.
-    push_out : bool
-        Whether a ball found below the floor is set back onto it.
+    separate : callable, optional
+        Moves a ball out that was found below the floor: takes position, normal and depth. With
+        None it stays where it was found.
 
     Returns
     -------
@@ -64,7 +73,7 @@ def drop_in_steps(
     Raises
     ------
     ValueError
-        A number is out of its range, or `bounce` returns something that is no velocity.
+        A number is out of its range, or `bounce` or `separate` returns something that is no vector.
     TypeError
         An argument is no number, or more than one.
 
@@ -92,6 +101,7 @@ def drop_in_steps(
         y += velocity[1] * dt
         if y < 0:
             velocity = one_vector("the velocity after a bounce", bounce(velocity, UP, e))
-            y = 0.0 if push_out else y
+            if separate is not None:
+                y = one_vector("the position moved out", separate(y * UP, UP, -y))[1]
         heights[step] = y
     return times, heights

@@ -1,4 +1,4 @@
-"""What the reader of notebook 05 writes: an impulse, a ratio of speeds, and a limit of friction."""
+"""What the reader of chapter 05 writes: an impulse, a ratio of speeds, limits of a slope."""
 
 from __future__ import annotations
 
@@ -78,6 +78,40 @@ def sine_for_tangent(slope: float, k: float) -> float:
     return math.sin(slope) * k / (1 + k)
 
 
+def slope_to_tip(width: float, height: float) -> float:
+    """Return the slope from which on a box that cannot slide tips over, rad."""
+    return math.atan(width / height)
+
+
+@wrong_model("05-tips", "Does a tall, narrow box stand on a steeper slope than a flat one?")
+def tall_boxes_stand_best(width: float, height: float) -> float:
+    """The tangent is that of height over width."""
+    return math.atan(height / width)
+
+
+@wrong_model("05-tips", "The centre of mass is half way up, and half way along the base. And then?")
+def half_of_the_base(width: float, height: float) -> float:
+    """Half of the base over the whole height."""
+    return math.atan(width / 2 / height)
+
+
+@wrong_model("05-tips", "That is the tangent of the angle. Which function gives the angle?")
+def the_tangent_itself(width: float, height: float) -> float:
+    """A small angle is its own tangent, and so is a large one."""
+    return width / height
+
+
+@wrong_model("05-tips", "The slope is wanted in radians. What is yours in?")
+def in_degrees(width: float, height: float) -> float:
+    """Angles are in degrees."""
+    return math.degrees(math.atan(width / height))
+
+
+def box_on_a_slope(stream: Random) -> tuple[float, ...]:
+    """Draw the width of a box, m, and its height."""
+    return round(stream.uniform(0.3, 1.5), 2), round(stream.uniform(0.6, 3), 2)
+
+
 def sliding(stream: Random) -> tuple[float, ...]:
     """Draw an effective mass, kg, and a sliding either way, m/s."""
     speed = round(stream.uniform(0.5, 5), 2) * stream.choice((-1, 1))
@@ -100,4 +134,6 @@ GAPS = (
     Gap("05-rolling", rolling_part, share, (part_that_turns, takes_k_away, from_the_energy)),
     Gap("05-roll-down", friction_to_roll, slope_and_share,
         (as_for_a_box, the_other_share, sine_for_tangent)),
+    Gap("05-tips", slope_to_tip, box_on_a_slope,
+        (tall_boxes_stand_best, half_of_the_base, the_tangent_itself, in_degrees)),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""What the reader of chapter 07 writes: passing a wall, first touch, a fold, a pressure."""
+"""What the reader of chapter 07 writes: times, counts, a fold, a pressure, and a gate."""
 
 from __future__ import annotations
 
@@ -64,6 +64,35 @@ def with_four_times_ac(a: float, b: float, c: float) -> float:
     return 2 * c / (-b + math.sqrt(b * b - 4 * a * c))
 
 
+def crossings(mass_ratio: float) -> int:
+    """Return how often a straight line crosses the sides of an unfolded wedge, tan = 1/sqrt(M)."""
+    return math.ceil(math.pi / math.atan(1 / math.sqrt(mass_ratio))) - 1
+
+
+@wrong_model("07-crossings", "Equal masses: the angle is pi/4. Is its fourth multiple below pi?")
+def with_the_last_side(mass_ratio: float) -> int:
+    """A line that is parallel to a side crosses it."""
+    return math.floor(math.pi / math.atan(1 / math.sqrt(mass_ratio)))
+
+
+@wrong_model("07-crossings", "Half a crossing? Count the multiples of the angle that lie below pi.")
+def not_a_whole_number(mass_ratio: float) -> float:
+    """The number of crossings is pi over the angle."""
+    return math.pi / math.atan(1 / math.sqrt(mass_ratio))
+
+
+@wrong_model("07-crossings", "The tangent of the angle is 1 over the root of M. Where is the root?")
+def without_the_root(mass_ratio: float) -> int:
+    """The tangent is 1/M."""
+    return math.ceil(math.pi / math.atan(1 / mass_ratio)) - 1
+
+
+@wrong_model("07-crossings", "Seen from the tip of the wedge, by which angle does the line turn?")
+def half_a_turn_is_a_right_angle(mass_ratio: float) -> int:
+    """The line passes through a right angle."""
+    return math.ceil(math.pi / 2 / math.atan(1 / math.sqrt(mass_ratio))) - 1
+
+
 def fold(x: float, room: float) -> float:
     """Return where a ball is that bounces between 0 and `room`; without walls it would be at x."""
     return room - abs(x % (2 * room) - room)
@@ -122,6 +151,41 @@ def force_of_all_walls(impulses: Vector, seconds: float, length: float) -> float
     return float(sum(impulses)) / seconds
 
 
+def come_nearer(d: Vector, v: Vector) -> bool:
+    """Return whether a body at d that moves with v, both seen from another one, comes nearer."""
+    return bool(d[0] * v[0] + d[1] * v[1] < 0)
+
+
+@wrong_model("07-nearer", "d leads to body 2. Does a velocity along d bring it nearer?")
+def along_is_nearer(d: Vector, v: Vector) -> bool:
+    """A velocity along d leads to the other body."""
+    return bool(d[0] * v[0] + d[1] * v[1] > 0)
+
+
+@wrong_model("07-nearer", "Put d on the left: (-3, 0), with v = (1, 0). Does it come nearer?")
+def one_axis_only(d: Vector, v: Vector) -> bool:
+    """It comes nearer if it moves to the left."""
+    return bool(v[0] < 0)
+
+
+@wrong_model("07-nearer", "They fly side by side, v = 0: do they come nearer?")
+def or_side_by_side(d: Vector, v: Vector) -> bool:
+    """Whatever does not part comes nearer."""
+    return bool(d[0] * v[0] + d[1] * v[1] <= 0)
+
+
+def places_and_velocities(stream: Random) -> tuple[Any, ...]:
+    """Draw where body 2 is, seen from body 1, m, and how it moves, m/s; some fly side by side."""
+    d = (round(stream.uniform(-9, 9), 1) or 1.0, round(stream.uniform(-9, 9), 1))
+    v = (round(stream.uniform(-5, 5), 1), round(stream.uniform(-5, 5), 1))
+    return d, stream.choice((v, v, (0.0, 0.0)))
+
+
+def mass_ratios(stream: Random) -> tuple[float]:
+    """Draw a ratio of masses; 1 is one of them, where the last side is parallel to the line."""
+    return (stream.choice((1.0, round(10 ** stream.uniform(0.7, 4), 1))),)
+
+
 def balls_at_a_wall(stream: Random) -> tuple[float, ...]:
     """Draw a speed, m/s, a step, s, a radius and a thickness, m; some balls are slow."""
     dt, r = 1 / stream.choice((30, 60, 120)), round(stream.uniform(0.05, 0.2), 2)
@@ -154,9 +218,13 @@ GAPS = (
          a_ball_without_a_radius)),
     Gap("07-first-touch", first_touch, that_meet,
         (with_a_difference, the_other_root, with_four_times_ac)),
+    Gap("07-crossings", crossings, mass_ratios,
+        (with_the_last_side, not_a_whole_number, without_the_root, half_a_turn_is_a_right_angle)),
     Gap("07-fold", fold, straight_ways,
         (comes_in_on_the_other_side, every_image_is_mirrored, one_bounce_at_most,
          stays_at_the_wall)),
     Gap("07-pressure", pressure, blows,
         (every_blow_counts_twice, of_a_mean_blow, without_the_time, force_of_all_walls)),
+    Gap("07-nearer", come_nearer, places_and_velocities,
+        (along_is_nearer, one_axis_only, or_side_by_side)),
 )  # fmt: skip

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.scenes.events import WALLS, box, turning_rod
 from lesson_code.evidence.scenes.gas import DIAMETER, ENERGY, disc_gas
-from lesson_code.geometry import Circle, time_of_impact
+from lesson_code.geometry import Circle
 from lesson_code.simulation import simulate
 
 MARGIN = 3.5
@@ -81,13 +80,6 @@ def in_the_middle(run: Run, *, since: float = 0.0) -> Measured:
         compressibility=1 + virial / (number * ENERGY),
         collision_rate=2 * float(np.count_nonzero(counted)) / seconds / number,
     )
-
-
-def at_impact(place: Any, velocity: Any, still: Circle, moving: Circle) -> Any:
-    """Return where a circle is when it meets one that stays at the origin."""
-    rest = (0.0, 0.0, 0.0)
-    t = time_of_impact(still, rest, rest, moving, (*place, 0), (*velocity, 0), duration=9)
-    return place + velocity * t
 
 
 def share_passed_over(turning: float, solver: str, phases: int = 40) -> float:
