@@ -111,9 +111,7 @@ def test_doubled_impulse_climbs() -> None:
 def test_ball_that_is_not_pushed_out_sinks() -> None:
     """Without a correction of positions, gravity draws a ball at rest through the floor."""
     _, pushed = drop_in_steps(bounce, **(HERE | {"restitution": 0.5, "duration": 3.0}))
-    _, sunk = drop_in_steps(
-        bounce, **(HERE | {"restitution": 0.5, "duration": 3.0}), push_out=False
-    )
+    _, sunk = drop_in_steps(bounce, **(HERE | {"restitution": 0.5, "duration": 3.0}), separate=None)
     assert pushed[-1] == pytest.approx(0, abs=G / 60**2)
     assert sunk[-1] < -0.05
 
@@ -199,3 +197,23 @@ def test_rule_that_returns_no_velocity_is_refused(wrong: Any) -> None:
     """A rule that forgot its return, or lost a component, is told so at the first bounce."""
     with pytest.raises((TypeError, ValueError), match=r"^the velocity after a bounce must"):
         drop_in_steps(lambda *_: wrong, **HERE)
+
+
+def test_separation_can_be_anybodys() -> None:
+    """It is given the position, the normal and the depth; the ball lies where it says."""
+    asked = []
+
+    def a_metre_up(position: Any, normal: Any, depth: float) -> Any:
+        asked.append((position[1], depth))
+        return position + (depth + 1.0) * normal
+
+    _, heights = drop_in_steps(bounce, **HERE, separate=a_metre_up)
+    assert asked
+    assert all(y == -depth < 0 for y, depth in asked)
+    assert np.count_nonzero(heights == 1.0) >= len(asked)
+
+
+def test_separation_that_gives_no_position_is_named() -> None:
+    """The error says whose answer it was."""
+    with pytest.raises(ValueError, match="the position moved out"):
+        drop_in_steps(bounce, **HERE, separate=lambda *_: np.nan)
