@@ -442,6 +442,24 @@ def test_every_animation_has_an_alt_text_and_says_it_in_words_too(path: Path) ->
             assert len(page) <= LARGEST_ANIMATION, f"code cell {number}"
 
 
+SMALLEST_TYPE = 9.0
+"""Points in a drawn figure, pixels in one to move: smaller type is read on no phone."""
+
+
+def test_no_figure_has_tiny_type() -> None:
+    """Each size of type that a figure names, in Python or in SVG, can be read."""
+    named = re.compile(r"""\b(?:fontsize=|labelsize=|"font\.size": |font-size[=:]\s*"?)([\d.]+)""")
+    files = [*ROOT.glob("notebooks/source/*.py"), *ROOT.glob("lesson_code/**/*.py")]
+    files += ROOT.glob("lesson_code/chapters/*/*.svg")
+    sizes = [
+        (float(size), file.name)
+        for file in files
+        for size in named.findall(file.read_text(encoding="utf-8"))
+    ]
+    assert len(sizes) > 100
+    assert [found for found in sizes if found[0] < SMALLEST_TYPE] == []
+
+
 @chapters
 def test_chapter_has_figures(path: Path) -> None:
     """There is at least one picture, stored for those who only read."""
