@@ -323,6 +323,10 @@ def settle(island: Island, quiet: float) -> None:
 
     Otherwise what rounding leaves of a velocity would come and go for ever. Where a contact slides,
     the impulse that stops its approach comes with its friction.
+
+    What a pair of bodies slides with is the mean of its contacts that stick. They lie on a line
+    along the tangent, but for a little overlap; held each for itself, they would stop the spin of a
+    plank by the lever of that overlap, with friction a hundred thousand times its weight.
     """
     contacts, m = island.contacts, len(island.contacts)
     u = velocities(island)
@@ -331,18 +335,18 @@ def settle(island: Island, quiet: float) -> None:
     for k, side in enumerate(sides):
         if island.friction[k] > 0.0 and side * u[m + k] > 0.0:  # friction has turned it round
             contacts[k].case, sides[k] = STICK, 0.0
-    sticks = [m + k for k, c in enumerate(contacts) if c.case == STICK]
-    held = np.array(rests + sticks, dtype=int)
-    if u[held].any():
-        d = np.concatenate((island.scale, island.scale))[held]
-        rows = island.delassus[held] * d[:, np.newaxis]
-        edge = np.array(sides)[rests] * island.friction[rests]
-        equations = rows[:, held] * d
-        equations[:, : len(rests)] += rows[:, m + held[: len(rests)]] * (d[: len(rests)] * edge)
-        y = d * least_solution(equations, d * u[held])
-        x = np.zeros(2 * m)
-        x[held] = y
-        x[m + held[: len(rests)]] += edge * y[: len(rests)]
+    stuck = [[m + k for k in pair if contacts[k].case == STICK] for pair in _pairs(contacts)]
+    held = [[k] for k in rests] + [places for places in stuck if places]
+    of_held = np.zeros((2 * m, len(held)))
+    for column, places in enumerate(held):
+        of_held[places, column] = 1.0 / len(places)
+    if (u @ of_held).any():
+        with_friction = of_held.copy()
+        for column, k in enumerate(rests):
+            with_friction[m + k, column] = sides[k] * island.friction[k]
+        d = np.concatenate((island.scale, island.scale)) @ of_held
+        equations = (of_held * d).T @ island.delassus @ (with_friction * d)
+        x = with_friction @ (d * least_solution(equations, d * (u @ of_held)))
         apply_impulses(island, x)
         apply_pseudo_impulses(island, -x)
 
