@@ -19,14 +19,19 @@ from lesson_code.view.pygame.program import Program
 
 
 class OwnProgram(NamedTuple):
-    """A program with a player's functions, the settings of its game, and whether to compare.
+    """A program with a player's functions, the settings of its game, and the functions.
 
     They can be compared where the lesson's answers are: not in a student's copy.
     """
 
     program: Program
     settings: dict[str, Any]
-    is_compared: bool
+    watched: list[Watched]
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether the lesson's answers to some of the functions are at hand."""
+        return any(one.lesson for one in self.watched)
 
 
 def load_own(name: str) -> OwnProgram:
@@ -52,8 +57,7 @@ def load_own(name: str) -> OwnProgram:
         readings=lambda game: [*map(Watched.reading, watched), *program.readings(game)],
         more=partial(_more, watched, program.more),
     )
-    is_compared = any(one.is_compared for one in watched)
-    return OwnProgram(own, program.with_own(*watched), is_compared)
+    return OwnProgram(own, program.with_own(*watched), watched)
 
 
 def _more(
@@ -71,6 +75,9 @@ class Watched:
 
     Attributes
     ----------
+    lesson : callable or None
+        The lesson's function, which is lent while the player's is not written; None in a student's
+        copy, which does not have it.
     difference : str
         The first answer that failed or was not the lesson's, in words; "" while there is none.
     """
@@ -78,20 +85,16 @@ class Watched:
     is_own = True
 
     def __init__(self, own: Callable[..., Any], lesson: Callable[..., Any]) -> None:
-        self._own, self._lesson, self.__name__ = own, lesson, own.__name__
+        self._own, self.__name__ = own, own.__name__
+        self.lesson = None if hasattr(lesson, "is_own") else lesson
         self._is_written: bool | None = None
         self._endless = ""
         self.difference = ""
 
-    @property
-    def is_compared(self) -> bool:
-        """Whether the lesson's answers are here; in a student's copy they are not."""
-        return not hasattr(self._lesson, "is_own")
-
     def __call__(self, *arguments: Any) -> Any:
         """Return the player's answer; one that has not ended once is not called again."""
         if self._endless:
-            raise self._endless_error()
+            raise EndlessError(self._endless)
         given = deepcopy(arguments)
         try:
             answer = LIMIT.call(self._own, *arguments)
@@ -102,14 +105,14 @@ class Watched:
             self._is_written = True
             self._endless = f"{self._call(given)}: {error}"
             self._tell(given, f"gives {error}")
-            raise self._endless_error() from None
+            raise EndlessError(self._endless) from None
         except Exception as error:  # a player's code may raise anything
             self._is_written = True
             self._tell(given, f"fails with {type(error).__name__}: {error}")
             raise
         self._is_written = True
-        if self.is_compared and not self.difference:
-            expected = self._lesson(*deepcopy(given))
+        if self.lesson is not None and not self.difference:
+            expected = self.lesson(*deepcopy(given))
             if not alike(answer, expected):
                 self._tell(given, f"is {in_short(answer)}; the lesson's is {in_short(expected)}")
         return answer
@@ -123,12 +126,6 @@ class Watched:
         """Return a call in words."""
         return f"{self.__name__}({', '.join(map(in_short, given))})"
 
-    def _endless_error(self) -> EndlessError:
-        """Return the error that says which call did not end, and who answers now."""
-        if self.is_compared:
-            return EndlessError(f"{self._endless}; the lesson's runs now", self._lesson)
-        return EndlessError(self._endless)
-
     def __deepcopy__(self, memo: dict[int, Any]) -> Watched:
         """Return itself: what it has seen is no part of a game's state."""
         return self
@@ -138,12 +135,12 @@ class Watched:
         if self._is_written is None:
             return self.__name__, "yours, not called yet"
         if not self._is_written:
-            return self.__name__, "not written yet"
+            return self.__name__, "lent, not written yet" if self.lesson else "not written yet"
         if self._endless:
-            return self.__name__, "the lesson's" if self.is_compared else "yours, never ends"
+            return self.__name__, "the lesson's" if self.lesson else "yours, never ends"
         if self.difference:
             return self.__name__, "yours, and not the lesson's"
-        return self.__name__, "yours, as the lesson's" if self.is_compared else "yours"
+        return self.__name__, "yours, as the lesson's" if self.lesson else "yours"
 
 
 def alike(answer: Any, expected: Any) -> bool:

@@ -126,7 +126,7 @@ def _play(
         if own not in (None, "exercises"):
             raise ValueError(f'--with must be "exercises", got {own!r}')
         settings = {} if balls is None else {"balls": balls}
-        shown = load_own(name) if own else OwnProgram(load(name), settings, is_compared=False)
+        shown = load_own(name) if own else OwnProgram(load(name), settings, [])
         outcome = play_program(
             shown.program,
             seed=seed,
@@ -146,8 +146,12 @@ def _play(
         f"95 % within {1e3 * outcome.within(0.95):.2f} ms",
         highlight=False,
     )
+    for one in shown.watched:
+        told = [": ".join(one.reading()), one.difference]
+        console.print(*filter(None, told), sep="\n", markup=False, highlight=False, soft_wrap=True)
     for missing in outcome.game.missing.values():
-        console.print(f"{missing[0].upper()}{missing[1:]}", markup=False, highlight=False)
+        said = f"{missing[0].upper()}{missing[1:]}"
+        console.print(said, markup=False, highlight=False, soft_wrap=True)
     if outcome.film is not None:
         film = outcome.film
         end = ", the most that a film takes" if film.is_full else ""

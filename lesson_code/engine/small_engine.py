@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,8 @@ from lesson_code.formulas.validation import Vector, one_number, positive
 from lesson_code.geometry import Circle, Manifold, Polygon, collide
 
 NAME = "small engine"
+
+Box: TypeAlias = tuple[float, float, float, float]
 
 
 @dataclass
@@ -101,13 +103,41 @@ def move(body: Mover, gravity: Vector, dt: float) -> None:
         body.velocity = body.velocity + np.asarray(gravity) * dt
 
 
-def pairs_near(bodies: list[Mover]) -> Iterator[tuple[Mover, Mover]]:
-    """Yield the pairs whose circles around them overlap, one of which can be pushed."""
-    for a, b in combinations(bodies, 2):
-        radius_sum = a.body.shape.bounding_radius + b.body.shape.bounding_radius
-        way = b.position - a.position
-        if dot(way, way) < radius_sum**2 and a.inv_m + b.inv_m > 0:
-            yield a, b
+def pairs_near(bodies: list[Mover]) -> list[tuple[Mover, Mover]]:
+    """Return the pairs whose boxes share a point, one of which can be pushed."""
+    return [(bodies[i], bodies[j]) for i, j in numbers_near(bodies)]
+
+
+def numbers_near(bodies: list[Mover]) -> list[tuple[int, int]]:
+    """Return their numbers (i, j), i < j."""
+    boxes = [box_of(body) for body in bodies]
+    return [
+        (i, j)
+        for i, j in combinations(range(len(bodies)), 2)
+        if bodies[i].inv_m + bodies[j].inv_m > 0 and share_a_point(boxes[i], boxes[j])
+    ]
+
+
+def share_a_point(one: Box, other: Box) -> bool:
+    """Return whether two boxes overlap or touch."""
+    left, right, low, high = one
+    other_left, other_right, other_low, other_high = other
+    along_x = left <= other_right and other_left <= right
+    return along_x and low <= other_high and other_low <= high
+
+
+def box_of(body: Mover) -> Box:
+    """Return the left, right, low and high side of the box around a body, m."""
+    points, reach = corners_of(body), body.body.shape.rounding
+    (left, low), (right, high) = points.min(axis=0) - reach, points.max(axis=0) + reach
+    return left, right, low, high
+
+
+def corners_of(body: Mover) -> Any:
+    """Return the corners of a body where it is, counter-clockwise, m; a circle's centre."""
+    points = np.array(body.body.shape.outline or [(0.0, 0.0)])
+    cos, sin = math.cos(body.angle), math.sin(body.angle)
+    return points @ np.array([[cos, sin], [-sin, cos]]) + body.position
 
 
 def contact(a: Mover, b: Mover) -> Manifold | None:

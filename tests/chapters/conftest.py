@@ -1,14 +1,28 @@
-"""What the tests of all games share."""
+"""What tests of chapters and programs share: a solved workbook; and games that are played."""
 
 from __future__ import annotations
 
 import math
+import shutil
+from pathlib import Path
 
 import numpy as np
+import pytest
 
+from lesson_code.course.notebooks.root import home
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.game import Game
+
+
+@pytest.fixture
+def solved(tmp_path: Path) -> Path:
+    """Return a workbook of a student's, with every solution in the place of its exercise."""
+    (tmp_path / "notebooks").mkdir()
+    shutil.copy(home() / "notebooks" / "00_start_here.ipynb", tmp_path / "notebooks")
+    copied = shutil.ignore_patterns("source")
+    shutil.copytree(home() / "solutions", tmp_path / "exercises", ignore=copied)
+    return tmp_path
 
 
 def run(game: Game, steps: int) -> None:

@@ -8,10 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 from lesson_code.chapters import programs
 from lesson_code.chapters.own_functions import Watched, alike, load_own
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.cli import app
 from lesson_code.view.pygame.frame import play
 from lesson_code.view.pygame.game import Input
 from lesson_code.view.pygame.painter import Painter
@@ -82,13 +84,56 @@ def test_ghost_is_the_lesson_s_answer_beside_the_student_s(
 
 @pytest.mark.parametrize("name", EXERCISES)
 def test_exercise_that_is_not_written_says_so(name: str) -> None:
-    """Each of the seven runs with the fresh exercise; no function is called the lesson's."""
+    """Each of the seven plays its tour with the fresh exercise as the lesson's, bit for bit.
+
+    No function is called the player's: each that is asked for is lent and named.
+    """
     own = load_own(name)
-    outcome = play(
-        own.program, frames=3, headless=True, settings=own.settings, beside=own.is_compared
-    )
-    rows = own.program.readings(outcome.game)[: len(own.program.own)]
-    assert {words for _, words in rows} <= {"not written yet", "yours, not called yet"}
+    assert own.program.with_own is not None
+    game = play(own.program, frames=60, headless=True, tour=True, settings=own.settings).game
+    settings = own.program.with_own(*own.program.own)
+    lesson = play(own.program, frames=60, headless=True, tour=True, settings=settings).game
+    assert (game.snapshot() == lesson.snapshot()).all()
+    rows = own.program.readings(game)[: len(own.program.own)]
+    assert {words for _, words in rows} <= {"lent, not written yet", "yours, not called yet"}
+    assert game.missing
+    for said in game.missing.values():
+        assert said.startswith("not written yet: Task ")
+        assert said.endswith(f", in exercises/{name}.py; the lesson's runs now")
+
+
+THREE = {
+    "pool": ("strike", "impulse_for_velocity", "strike"),
+    "billiards": ("resolve", "scales_the_tangent", "advance"),
+    "breakout": ("paddle_bounce", "gains_speed", "paddle_bounce"),
+}
+"""Three programs; in each a function, a wrong model of it, and the function that shows it."""
+
+
+@pytest.mark.parametrize("is_wrong", [False, True])
+@pytest.mark.parametrize("name", THREE)
+def test_program_runs_on_solved_exercises_and_names_the_one_that_is_wrong(
+    name: str, is_wrong: bool, solved: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As it is played in a terminal, which says at the end whose functions ran and what differs."""
+    monkeypatch.setattr(programs, "find_root", lambda: solved)
+    function, model, shows = THREE[name]
+    if is_wrong:
+        chapter = f"lesson_code.chapters.{name}.wrong_answers"
+        with (solved / "exercises" / f"{name}.py").open("a", encoding="utf-8") as file:
+            file.write(f"\nfrom {chapter} import {model}\n{function} = {model}.function\n")
+    options = ("--with", "exercises", "--headless", "--tour", "--frames", "240")
+    result = CliRunner().invoke(app, ["play", name, *options])
+    assert result.exit_code == 0
+    _, *said = result.stdout.splitlines()
+    others = [one.__name__ for one in load(name).own if not is_wrong or one.__name__ != shows]
+    assert [f"{one}: yours, as the lesson's" for one in others] == [
+        line for line in said if line.endswith("as the lesson's")
+    ]
+    assert (f"{shows}: yours, and not the lesson's" in said) is is_wrong
+    differs = [line for line in said if line.startswith(f"{shows}(")]
+    assert len(differs) == is_wrong
+    assert len(said) == len(others) + 2 * is_wrong
 
 
 @pytest.mark.parametrize("name", EXERCISES)

@@ -48,7 +48,8 @@ class OwnEngine:
     functions : dict of str to OwnFunction
         What the reader has written, by the function's name.
     differences : dict of str to str
-        By the function's name: where it first answered otherwise than the workbook's.
+        By the function's name: where it failed in the last run, or first answered otherwise than
+        the workbook's.
     time : float
         Of the step that is made now, s.
 
@@ -64,9 +65,20 @@ class OwnEngine:
         self.time = 0.0
 
     def __str__(self) -> str:
-        """Return a line for each function: whose it is, its marks, and what went wrong."""
-        lines = [own.line for own in self.functions.values()]
-        return "\n".join([*lines, *self.differences.values()])
+        """Return a line for each function: whose it is, and its marks."""
+        return "\n".join(own.line for own in self.functions.values())
+
+    @property
+    def report(self) -> str:
+        """What went wrong in the last run, and which functions are lent."""
+        lent = [name for name, own in self.functions.items() if not own.is_own]
+        is_all = len(lent) == len(self.functions)
+        lines = [*self.differences.values()]
+        if not lines and not is_all:
+            lines.append("no function of yours answered otherwise")
+        if lent:
+            lines.append("all functions are lent" if is_all else f"lent: {', '.join(lent)}")
+        return "\n".join(lines)
 
     @property
     def boxes(self) -> dict[str, str]:
@@ -82,7 +94,7 @@ class OwnEngine:
         }
 
     def simulate(self, scene: Scene, duration: float, *, dt: float = 1 / 60) -> Run:
-        """Run a scene of circles, polygons, and segments that have a thickness.
+        """Run a scene of circles and polygons.
 
         Parameters
         ----------
@@ -94,9 +106,9 @@ class OwnEngine:
         Raises
         ------
         ValueError
-            The scene has damping, callbacks, or a segment without thickness.
+            The scene has damping, callbacks, or a segment.
         """
-        self.time = 0.0
+        self.time, self.differences = 0.0, {}
         bodies = tuple(map(self._with_own_inertia, scene.bodies))
         moved = replace(scene, bodies=bodies)
         return simulate_small(moved, duration, dt=dt, parts=OwnStages(self, dt).parts)
@@ -131,6 +143,7 @@ class OwnEngine:
             answer = form(own.function(*(np.array(g) if np.ndim(g) else g for g in given)))
         except Exception as error:  # a reader's code may raise anything
             own.give_up(f"failed at {self.time:.3f} s with {type(error).__name__}: {error}")
+            self.differences[name] = f"{own.task.title} {own.said}"
             return expected
         if not same(answer, expected):
             self._note_difference(name, answer, expected)
@@ -145,8 +158,8 @@ class OwnEngine:
     def _with_own_inertia(self, body: Body) -> Body:
         """Return a body with the moment of inertia that the reader's function gives it."""
         shape = body.shape
-        if isinstance(shape, Segment) and not shape.radius:
-            raise ValueError("scene must have no segment of radius 0: task 6.6 is about polygons")
+        if isinstance(shape, Segment):
+            raise ValueError("scene must have no segments: task 6.6 is about polygons")
         if body.inertia is None or not isinstance(shape, Polygon):
             return body
         corners = np.array(shape.vertices)

@@ -5,14 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from lesson_code.chapters.ch11_the_small_engine import own_answers as answers
 from lesson_code.chapters.ch11_the_small_engine.own_manifold import disc_manifold, manifold_of
-from lesson_code.engine.small_engine import OURS, Mover, Parts, push, surfaces
+from lesson_code.engine.small_engine import (
+    OURS,
+    Mover,
+    Parts,
+    box_of,
+    corners_of,
+    numbers_near,
+    push,
+    surfaces,
+)
 from lesson_code.formulas import (
     contact_velocity,
     effective_mass,
@@ -20,7 +28,7 @@ from lesson_code.formulas import (
     normal_impulse,
 )
 from lesson_code.formulas.arithmetic import cross, dot, perpendicular
-from lesson_code.geometry import Circle, Manifold, Segment, mtv
+from lesson_code.geometry import Circle, Manifold, mtv
 
 if TYPE_CHECKING:
     from lesson_code.chapters.ch11_the_small_engine.own_engine import OwnEngine
@@ -44,17 +52,23 @@ class OwnStages:
     def pairs_near(self, bodies: list[Mover]) -> Iterator[tuple[Mover, Mover]]:
         """Yield the pairs that the broad phase finds."""
         self._engine.time += self._dt
-        pairs = list(combinations(range(len(bodies)), 2))
-        can_move = {(i, j) for i, j in pairs if bodies[i].inv_m + bodies[j].inv_m > 0}
-        meet = {(i, j) for i, j in can_move if OURS.contact(bodies[i], bodies[j]) is not None}
+
+        def form(answer: Any) -> set[tuple[int, int]]:
+            pairs = [(i, j) for i, j in answers.pairs(answer) if i >= 0]
+            return {(i, j) for i, j in pairs if bodies[i].inv_m + bodies[j].inv_m > 0}
+
+        def same(theirs: Any, ours: Any) -> bool:  # they may leave out what does not meet, and add
+            left_out = ours - theirs
+            return all(OURS.contact(bodies[i], bodies[j]) is None for i, j in left_out)
+
         found = self._engine.ask(
             "near_pairs",
             np.array([box_of(body) for body in bodies]),
-            form=answers.pairs,
-            right=lambda: meet,
-            same=lambda theirs, _: meet <= theirs,  # it may find more than meet
+            form=form,
+            right=lambda: set(numbers_near(bodies)),
+            same=same,
         )
-        for i, j in sorted(found & can_move):
+        for i, j in sorted(found):
             yield bodies[i], bodies[j]
 
     def contact(self, a: Mover, b: Mover) -> Manifold | None:
@@ -172,32 +186,6 @@ class OwnStages:
         given = (a.position, _matter(a)[0], b.position, _matter(b)[0], normal, depth)
         found = self._engine.ask("separate", *given, form=answers.two_vectors, right=right)
         a.position, b.position = found
-
-
-def corners_of(body: Mover) -> Any:
-    """Return the corners of a polygon where it is, counter-clockwise, m; a wall's as a box's."""
-    shape = body.body.shape
-    points = np.array(_around(shape) if isinstance(shape, Segment) else shape.outline)
-    turn = np.array([[math.cos(body.angle), -math.sin(body.angle)],
-                     [math.sin(body.angle), math.cos(body.angle)]])  # fmt: skip
-    return points @ turn.T + body.position
-
-
-def box_of(body: Mover) -> tuple[float, float, float, float]:
-    """Return the left, right, low and high side of the box around a body, m."""
-    if isinstance(body.body.shape, Circle):
-        points, reach = body.position[None, :], _radius(body)
-    else:
-        points, reach = corners_of(body), 0.0
-    low, high = points.min(axis=0) - reach, points.max(axis=0) + reach
-    return low[0], high[0], low[1], high[1]
-
-
-def _around(wall: Segment) -> Any:
-    """Return the corners of a wall of some thickness, with straight ends."""
-    start, end = np.array(wall.start), np.array(wall.end)
-    aside = wall.radius * perpendicular((end - start) / wall.length)
-    return [start - aside, end - aside, end + aside, start + aside]
 
 
 def _arms(a: Mover, b: Mover, point: Any, normal: Any, depth: float) -> tuple[Any, Any]:

@@ -144,7 +144,9 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
     marks = [_mark(task, criterion, some, hide_inputs, may_be_none) for criterion, some in tried]
     if _is_constant(calls):
         marks = [mark if mark.message else _by_chance(mark) for mark in marks]
-    return Verdict(task, tuple(marks), diagnoses(task, calls, seed), seed)
+    is_written = {mark.message for mark in marks if mark.message} != {NOT_WRITTEN}
+    found = diagnoses(task, calls, seed) if is_written else ()  # nothing explains what is not there
+    return Verdict(task, tuple(marks), found, seed)
 
 
 def better(theirs: Verdict, ours: Verdict, lent: tuple[Task, ...]) -> Verdict:

@@ -75,13 +75,7 @@ class EndlessError(TimeoutError):
     ----------
     words : str
         Which call it was.
-    lesson : callable, optional
-        The lesson's own, which answers in its place; in a student's copy it is not there.
     """
-
-    def __init__(self, words: str, lesson: Callable[..., Any] | None = None) -> None:
-        super().__init__(words)
-        self.lesson = lesson
 
 
 @dataclass(frozen=True)
@@ -271,14 +265,15 @@ class Game:
     ) -> Any:
         """Return what a rule says that a player may write; `otherwise` where that is nothing.
 
-        It is nothing while the rule is not written, and where a player's fails or gives what is of
-        no use. For one that never ends, the lesson's own answers. As in a check, it is given
-        vectors as NumPy arrays of its own.
+        It is nothing where a player's rule fails or gives what is of no use. For one that is not
+        written or never ends, the lesson's own answers, where it is at hand. As in a check, it is
+        given vectors as NumPy arrays of its own.
 
         Parameters
         ----------
         rule : callable
-            The lesson's, whose errors are raised; or a player's, which has an attribute `is_own`.
+            The lesson's, whose errors are raised; or a player's, which has an attribute `is_own`,
+            and an attribute `lesson` where the lesson's is at hand.
         *arguments
             What it is called with.
         form : callable
@@ -289,19 +284,20 @@ class Game:
         try:
             answer = form(rule(*map(_own, arguments)))
         except NotImplementedError as error:
-            self.missing[rule] = f"not written yet: {str(error) or rule.__name__}"
-            return otherwise
+            said = f"not written yet: {str(error) or rule.__name__}"
         except EndlessError as error:
-            self.missing[rule] = f"{rule.__name__} failed: {error}"
-            lesson = error.lesson
-            return otherwise if lesson is None else form(lesson(*map(_own, arguments)))
+            said = f"{rule.__name__} failed: {error}"
         except Exception as error:  # a player's code may raise anything
             if isinstance(error, UnreadableError) or not hasattr(rule, "is_own"):
                 raise
             self.missing[rule] = f"{rule.__name__} failed: {type(error).__name__}: {error}"
             return otherwise
-        self.missing.pop(rule, None)
-        return answer
+        else:
+            self.missing.pop(rule, None)
+            return answer
+        lesson = getattr(rule, "lesson", None)
+        self.missing[rule] = said if lesson is None else f"{said}; the lesson's runs now"
+        return otherwise if lesson is None else form(lesson(*map(_own, arguments)))
 
     def ask_number(self, rule: Callable[..., Any], *arguments: Any, otherwise: float) -> float:
         """Return the number that a rule says: see :meth:`ask`."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -13,28 +12,30 @@ import numpy as np
 import pytest
 
 from lesson_code import Body, Circle, Scene, Segment
+from lesson_code.chapters.billiards.rules import LAUNCH, TABLE, step
+from lesson_code.chapters.ch11_the_small_engine import near_places
 from lesson_code.chapters.ch11_the_small_engine.own_engine import OwnEngine
-from lesson_code.chapters.ch11_the_small_engine.scenes import demo
+from lesson_code.chapters.ch11_the_small_engine.scenes import (
+    PIXELS_PER_METRE,
+    billiards,
+    demo,
+    pool_break,
+)
 from lesson_code.course.grading.exercises import task_by_id
 from lesson_code.course.grading.own import own_functions
 from lesson_code.course.notebooks.root import home
+from lesson_code.course.notebooks.sources import executed, notebook_from
 from lesson_code.engine.small_engine import simulate_small
 
 ROUNDING = 1e-9
-"""m after 3 s: 1e-13 of two ways to compute the same, which some forty hits make larger."""
+"""m at the end: 1e-13 of two ways to compute the same, which each hit makes larger."""
 
 SECONDS = 3.0
 
+SCENES = {"demo": (demo(), SECONDS), "pool": (pool_break(), 2.0), "billiards": (billiards(), 4.0)}
+"""Those of section 6."""
 
-@pytest.fixture(scope="module")
-def solved(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a workbook whose exercises are all solved."""
-    root = tmp_path_factory.mktemp("solved")
-    (root / "notebooks").mkdir()
-    shutil.copy(home() / "notebooks" / "00_start_here.ipynb", root / "notebooks")
-    copied = shutil.ignore_patterns("source")
-    shutil.copytree(home() / "solutions", root / "exercises", ignore=copied)
-    return root
+EVERY_SCENE = pytest.mark.parametrize("scene", SCENES)
 
 
 def with_function(engine: OwnEngine, name: str, function: Callable[..., Any]) -> OwnEngine:
@@ -44,25 +45,37 @@ def with_function(engine: OwnEngine, name: str, function: Callable[..., Any]) ->
 
 
 def test_functions_that_are_not_written_are_lent_and_named() -> None:
-    """The workbook's own exercises hold stubs: all is lent, and the run is the small engine's."""
+    """The workbook's own exercises hold stubs: all is lent, and the runs are the small engine's."""
     engine = OwnEngine(home())
     lines = str(engine).splitlines()
     assert len(lines) == len(engine.functions)
     assert all("lent: not written yet" in line for line in lines)
-    run, ours = engine.simulate(demo(), SECONDS), simulate_small(demo(), SECONDS)
-    np.testing.assert_allclose(run.positions, ours.positions, atol=ROUNDING)
-    assert engine.differences == {}
+    for scene in SCENES.values():
+        run, ours = engine.simulate(*scene), simulate_small(*scene)
+        np.testing.assert_allclose(run.positions, ours.positions, atol=ROUNDING)
+        assert engine.report == "all functions are lent"
 
 
-def test_solved_exercises_run_the_demo_as_the_small_engine_does(solved: Path) -> None:
+@EVERY_SCENE
+def test_solved_exercises_run_a_scene_as_the_small_engine_does(scene: str, solved: Path) -> None:
     """Functions with other signatures and other code: the same paths but for rounding."""
     engine = OwnEngine(solved)
     assert all(own.is_own for own in engine.functions.values())
-    run, ours = engine.simulate(demo(), SECONDS), simulate_small(demo(), SECONDS)
+    run, ours = engine.simulate(*SCENES[scene]), simulate_small(*SCENES[scene])
     np.testing.assert_allclose(run.positions, ours.positions, atol=ROUNDING)
     np.testing.assert_allclose(run.angles, ours.angles, atol=ROUNDING)
-    assert engine.differences == {}
+    assert engine.report == "no function of yours answered otherwise"
     assert all(own.is_own for own in engine.functions.values())
+
+
+def test_first_shot_of_the_billiards_is_the_program_s(solved: Path) -> None:
+    """The program bounces in its own way; in pixels, y down, the last place is the same."""
+    place, velocity = map(np.array, LAUNCH)
+    for _ in range(240):
+        place, velocity, _ = step(place, velocity)
+    x, y = OwnEngine(solved).simulate(*SCENES["billiards"]).positions[-1, -1]
+    found = x * PIXELS_PER_METRE, TABLE.height - y * PIXELS_PER_METRE
+    np.testing.assert_allclose(found, place, atol=ROUNDING * PIXELS_PER_METRE)
 
 
 def test_hit_of_chapter_05_is_used_while_11_2_is_not_written(solved: Path) -> None:
@@ -112,9 +125,25 @@ def test_wrong_function_is_named_and_no_other(task_id: str, name: str, solved: P
     run = engine.simulate(demo(), SECONDS)
     assert list(engine.differences) == [task.function]
     assert f"{task.title} differs first at" in engine.differences[task.function]
-    assert engine.differences[task.function] in str(engine)
+    assert engine.differences[task.function] in engine.report
     apart = np.abs(run.positions - simulate_small(demo(), SECONDS).positions)
     assert np.isnan(apart.max()) or apart.max() > 1e-3
+
+
+@EVERY_SCENE
+def test_wrong_function_is_named_in_every_scene_that_shows_it(scene: str, solved: Path) -> None:
+    """Moved apart by the whole depth each: the demo and the pool show it; a wall never moves."""
+
+    def too_far(p1: Any, m1: float, p2: Any, m2: float, normal: Any, depth: float) -> Any:
+        apart = depth * normal
+        return p1 - apart * np.isfinite(m1), p2 + apart * np.isfinite(m2)
+
+    engine = with_function(OwnEngine(solved), "separate", too_far)
+    engine.simulate(*SCENES[scene])
+    shown = "no function of yours" if scene == "billiards" else "4.3 separate differs first at 0."
+    assert engine.report.startswith(shown)
+    engine.simulate(Scene([Body(Circle(1), mass=1.0)]), 0.1)
+    assert engine.report == "no function of yours answered otherwise"
 
 
 @pytest.mark.parametrize(
@@ -136,6 +165,7 @@ def test_function_that_fails_is_named_and_lent_from_there_on(
     assert not own.is_own
     assert own.said.startswith("failed at 0.4")
     assert said in own.said
+    assert engine.report == f"4.3 separate {own.said}\nlent: separate"
     np.testing.assert_allclose(
         run.positions, simulate_small(demo(), SECONDS).positions, atol=ROUNDING
     )
@@ -155,28 +185,78 @@ def test_function_may_change_what_it_is_given(solved: Path) -> None:
     assert engine.differences == {}
 
 
-def test_wall_without_thickness_is_refused() -> None:
-    """Task 6.6 is about polygons, and a line is none."""
+def test_wall_that_is_a_segment_is_refused() -> None:
+    """Task 6.6 is about polygons, and a segment is none."""
     scene = Scene([Body(Segment((0, 0), (1, 0))), Body(Circle(1), mass=1.0)])
-    with pytest.raises(ValueError, match="no segment of radius 0"):
+    with pytest.raises(ValueError, match="no segments"):
         OwnEngine(home()).simulate(scene, 1.0)
 
 
-def test_marks_and_first_reason_are_told(tmp_path: Path, solved: Path) -> None:
+def test_marks_and_first_reason_are_told(solved: Path) -> None:
     """A wrong answer is called all the same, and its line says what is wrong."""
-    shutil.copytree(solved, tmp_path, dirs_exist_ok=True)
-    (tmp_path / "exercises" / "04_circles.ipynb").unlink()
-    (tmp_path / "exercises" / "05_spin_and_friction.ipynb").write_text("no notebook")
+    (solved / "exercises" / "04_circles.ipynb").unlink()
+    (solved / "exercises" / "05_spin_and_friction.ipynb").write_text("no notebook")
     half = "def near_pairs(boxes):\n    return []\n"
-    notebook = tmp_path / "exercises" / "11_the_small_engine.ipynb"
+    notebook = solved / "exercises" / "11_the_small_engine.ipynb"
     notebook.write_text(_notebook_of(half))
-    own = own_functions(["11.1", "4.1", "5.4"], tmp_path)
+    own = own_functions(["11.1", "4.1", "5.4"], solved)
     assert own["near_pairs"].said.startswith("0/3 points. apart in one direction: ")
     assert own["near_pairs"].is_own
     assert "no such file" in own["circle_contact"].said
     assert "is not a notebook" in own["friction_impulse"].said
     with pytest.raises(ValueError, match=r"numbers of tasks, got '99\.1'"):
-        own_functions(["99.1"], tmp_path)
+        own_functions(["99.1"], solved)
+
+
+def test_near_pairs_of_a_reader_is_timed_where_it_is_written_and_does_not_fail(
+    solved: Path,
+) -> None:
+    """It finds what the three ways find. One that fails is named; a stub is not timed."""
+    own = own_functions(["11.1"], solved)["near_pairs"]
+    places = near_places.crowd(50)
+    found, _ = near_places.own_way(own)["yours"](places, 1.0)
+    assert found == near_places.every_pair(places, 1.0)[0]
+    failing = replace(own, function=lambda boxes: boxes[99])
+    assert near_places.own_way(failing) == {}
+    assert "lent: failed with IndexError: index 99 is out of bounds" in failing.line
+    stub = own_functions(["11.1"], home())["near_pairs"]
+    assert near_places.own_way(stub) == {}
+    assert stub.line.endswith("lent: not written yet")
+
+
+WHOLE_DEPTH = """
+def separate(p1, m1, p2, m2, normal, depth):
+    return p1 - depth * normal, p2 + depth * normal
+"""
+"""What section 6 asks the reader to try: both discs move by the whole depth."""
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("is_wrong", [False, True])
+def test_notebook_11_runs_with_a_reader_s_exercises(is_wrong: bool, solved: Path) -> None:
+    """In a kernel of its own. All solved: nothing is lent, and the three scenes are the lesson's.
+
+    With `separate` as section 6 asks to break it, each scene names it; the notebook runs through.
+    """
+    if is_wrong:
+        exercise = solved / "exercises" / "04_circles.ipynb"
+        cells = json.loads(exercise.read_text(encoding="utf-8"))
+        cells["cells"] += json.loads(_notebook_of(WHOLE_DEPTH))["cells"]
+        exercise.write_text(json.dumps(cells), encoding="utf-8")
+    source = home() / "notebooks" / "source" / "11_the_small_engine.py"
+    notebook = executed(notebook_from(source), solved / "notebooks")
+    told = "\n".join(o.text for c in notebook.cells for o in c.get("outputs", ()) if "text" in o)
+    pipeline, _, scenes = told.partition("demo, your ")
+    assert pipeline.count("yours: ") == len(OwnEngine(solved).functions) + 1  # near_pairs is timed
+    assert "200 bodies, yours" in pipeline
+    assert "lent" not in told
+    if is_wrong:
+        assert "4.3 separate                     yours: 0/4 points" in pipeline
+        assert scenes.count("4.3 separate differs first at ") == len(SCENES)
+        assert "engine and the lesson's: the same" not in scenes
+    else:
+        assert scenes.count("engine and the lesson's: the same") == len(SCENES)
+        assert scenes.count("no function of yours answered otherwise") == len(SCENES)
 
 
 def _notebook_of(code: str) -> str:
