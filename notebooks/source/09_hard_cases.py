@@ -439,14 +439,14 @@ for engine in measured.engines:
 
 # %% tags=["plumbing"]
 missed = {hard_cases.family_by_name(name).theme.lower() for name in measured.not_held("ours")}
-but = " and ".join(sorted(missed)) or "none of them"
+but = f", or a hair below it: at {' and '.join(sorted(missed))}" if missed else ""
 fig, ax = style.figure(width=7, height=6)
 case_plots.shares_held(ax, measured)
 show(
     fig,
     "A row for each of fourteen themes of hard cases, with a mark for each engine over the share "
-    "of the draws in which it held the bound. Ours stands at 100 per cent in every row, or a hair "
-    f"below it: at {but}. The others are spread from 5 to 100.",
+    f"of the draws in which it held the bound. Ours stands at 100 per cent in every row{but}. The "
+    "others are spread from 5 to 100.",
 )
 
 # %% [markdown]
@@ -460,8 +460,8 @@ case_plots.over_the_bounds(ax, measured)
 show(
     fig,
     "The same rows, with a mark for each engine over the powers of ten by which its worst draw is "
-    f"over the bound or under it. Ours is over it at {but}; the others stand to the right of the "
-    "line, most of them five to fourteen powers over.",
+    f"over the bound or under it. Ours is over it at {' and '.join(sorted(missed)) or 'no theme'}; "
+    "the others stand to the right of the line, most of them five to fourteen powers over.",
 )
 
 # %% [markdown]
