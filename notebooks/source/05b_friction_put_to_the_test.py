@@ -46,12 +46,14 @@ from lesson_code.view.matplotlib import plots, style
 # - A **box** stays if $\mu \ge \tan\theta$. Otherwise it slides, and speeds up by $g(\sin\theta -
 #   \mu \cos\theta)$.
 # - A **round body** rolls down if friction can turn it fast enough. Then it speeds up by $g
-#   \sin\theta/(1 + k)$; k = I/(m r²) is 1/2 for a disc and 1 for a hoop. For this it needs less
-#   friction than the box: $\mu \ge \frac{k}{1 + k} \tan\theta$.
+#   \sin\theta/(1 + k)$; k = I/(m r²) is 1/2 for a disc and 1 for a hoop.
 # - A **tall box** that cannot slide tips over when its centre of mass is no longer above its
-#   base: $\tan\theta > \text{width}/\text{height}$.
+#   base.
 #
-# Write the smallest μ with which a round body rolls; `slope` is in radians.
+# How much friction does the round body need? Gravity pulls it down the slope with
+# $m g \sin\theta$, and that is more than m times its acceleration: friction holds back the rest.
+# At most it can give $\mu\, m g \cos\theta$. Write the smallest μ with which the body rolls;
+# `slope` is in radians.
 
 
 # %%
