@@ -190,6 +190,8 @@ check("two that will meet come nearer", come_nearer(d, v), True)
 check("two that part do not", come_nearer(d, -v), False)
 check("nor do they at the later root", come_nearer(d + v * later, v), False)
 check("nor side by side", come_nearer(d, 0 * v), False)
+t = wrong.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0) if come_nearer(d, -v) else None
+check("with your gate, those that part never meet", t, None)
 
 # %% [markdown]
 # ## 16 Quiz

@@ -137,12 +137,12 @@ predict("10-smooth-box")
 
 # %% tags=["answer"]
 # the verdicts
-for title, scene in {
-    "a rough disc on a smooth floor": scenes.thrown(Circle(0.5), 0.6),
-    "a smooth box on a smooth floor": scenes.thrown(Polygon.box(1, 1), 0.0),
-}.items():
-    print(title)
-    print(scenes.verdicts(scene, "friction", "rotation"))
+for title, shape, mu in (
+    ("a rough disc on a smooth floor", Circle(0.5), 0.6),
+    ("a smooth box on a smooth floor", Polygon.box(1, 1), 0.0),
+):
+    print(f"{title}: by your line, the mu of the pair is {friction_of_pair(mu, 0.0):g}")
+    print(scenes.verdicts(scenes.thrown(shape, mu), "friction", "rotation"))
 
 # %% [markdown]
 # ## 3 Put the plan to the test, bit by bit
