@@ -73,7 +73,7 @@ def swing_step(angle, rate, length, dt):
 
 
 def cradle(angles, rates, length, dt, steps):
-    """Task C.3: return angles and rates of a cradle after so many steps.
+    """Task C.3: return angles and rates of a cradle after `steps` steps.
 
     All balls are equal and elastic, and just touch at rest. So two neighbours touch when the left
     one's angle is the larger, or both are equal. In each step:

@@ -110,7 +110,7 @@ def pressure_forces(positions, area, stiffness):
 
 
 def drop(positions, velocities, length, area, steps):
-    """Task S.4: return a ring above a floor at y = 0 after so many steps of TIME_STEP.
+    """Task S.4: return a ring above a floor at y = 0 after `steps` steps of TIME_STEP.
 
     In each step:
 

@@ -72,7 +72,7 @@ def toppling_rate(width, height):
 
 
 def chain(angles, rates, height, spacing, dt, steps):
-    """Task D.3: return angles and rates of a row of thin dominoes after so many steps.
+    """Task D.3: return angles and rates of a row of thin dominoes after `steps` steps.
 
     In each step:
 

@@ -245,7 +245,7 @@ def left_after(arguments: Arguments, answer: Any) -> str:
     if not isinstance(answer, int | float) or not 0 <= answer < math.inf:
         return ""
     rest = math.exp(-answer * math.log1p(light / heavy))
-    return f"After so many sweeps {written(rest)} of the approach is left; wanted is {left}."
+    return f"After these sweeps {written(rest)} of the approach is left; wanted is {left}."
 
 
 def velocity_of_the_tip(arguments: Arguments, answer: Any) -> str:

@@ -53,7 +53,7 @@ def masses_swapped(light: float, heavy: float, left: float) -> int:
 
 @wrong_model("9.2", "Does every sweep take away the same amount, or the same part of what is left?")
 def same_amount_each_time(light: float, heavy: float, left: float) -> int:
-    """A sweep takes m/(M + m) away, and so many sweeps take so many times that."""
+    """A sweep takes m/(M + m) away, and n sweeps take n times that."""
     return math.ceil((1 - left) * (heavy + light) / light)
 
 

@@ -73,7 +73,7 @@ def _pass_by(angles: Vector, rates: Vector) -> None:
 
 
 def _run(state: Vector, height: float, dt: float, steps: float, touch: Any) -> Any:
-    """Return a row after so many steps; `touch(angles, rates)` does what a model does to pairs."""
+    """Return a row after `steps` steps; `touch(angles, rates)` does what a model does to pairs."""
     angles, rates = state[0].copy(), state[1].copy()
     for _ in range(int(steps)):
         rates += 3 * GRAVITY / (2 * height) * np.sin(angles) * dt
