@@ -461,6 +461,41 @@ def test_plank_on_two_corners_of_nearly_one_height_is_its_mirror_image(
     assert np.abs(here.angular_velocities + there.angular_velocities).max() <= MIRRORED
 
 
+def balls_beside_a_plank(moves: float, times: list[float], e: float) -> Scene:
+    """Return a plank on a floor that still moves, and balls that hit the floor after some times."""
+    elastic = Material(restitution=e, friction=0.5)
+    plank = Body(Polygon.box(1.5, 0.3), mass=1.0, position=(-4, 0.15), velocity=(0, -moves))
+    balls = [
+        Body(
+            Circle(0.5),
+            mass=1.0,
+            position=(2.0 * n, 0.5 + time + G * time**2 / 2),
+            velocity=(0.3, -1.0),
+            material=elastic,
+        )
+        for n, time in enumerate(times)
+    ]
+    return Scene([Body(Segment((-9, 0), (9, 0)), material=elastic), plank, *balls], gravity=(0, -G))
+
+
+@settings(max_examples=share(60))
+@given(
+    st.floats(-14.0, -8.0),
+    st.lists(st.floats(2e-5, 3e-4), min_size=3, max_size=3),
+    st.floats(0.1, 0.8),
+)
+def test_rounding_of_what_rests_changes_no_impact_elsewhere(
+    power: float, between: list[float], e: float
+) -> None:
+    """Balls bounce when they touch, whether or not rounding has left a plank a speed."""
+    times = np.cumsum(between).tolist()
+    still, moving = (
+        simulate(balls_beside_a_plank(moves, times, e), 2 * DT) for moves in (0.0, 10.0**power)
+    )
+    difference = np.abs(moving.positions[:, 2:] - still.positions[:, 2:]).max()
+    assert difference <= ROUNDING
+
+
 def test_box_that_falls_on_a_stack_does_not_pass_through() -> None:
     """Continuous detection is on: 1 m thick boxes, 200 m/s, 3.3 m in a step."""
     scene = stack([1.0] * 3)
