@@ -8,7 +8,7 @@ answer of one complementarity problem (``complementarity``), whatever the masses
 stage          what it does
 =============  ==============================================================================
 `warm_start`   recalls what each contact did in the last step: opened, stuck or slid
-`prepare`      lets impacts pass, by a law of impacts (``impact_rules``)
+`prepare`      lets impacts pass (``direct_impacts``)
 `solve`        finds the impulses that keep contacts closed against gravity, and gives them
 `correct`      finds the pushes that undo overlaps, and gives them
 `store`        stops what sticks, and remembers the impulses
@@ -35,18 +35,14 @@ time-integration methods for nonsmooth elastodynamics with contact (2016): theta
 
 from __future__ import annotations
 
-import math
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
-    FINE_LOOKS,
     FINE_SLOP,
     LOOKS_OF_AN_IMPACT,
-    MOST_FINE,
     SKIN,
 )
 from lesson_code.engine.core.islands import (
@@ -61,7 +57,7 @@ from lesson_code.engine.core.islands import (
 )
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import ContactRow, World
-from lesson_code.engine.core.skin import gap_of, touching_gap
+from lesson_code.engine.core.skin import gap_of
 from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import midpoint, midpoint_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
@@ -72,10 +68,18 @@ from lesson_code.engine.solvers.contact_problem import (
     BACKWARD,
     FORWARD,
     OPEN,
-    ROUNDING,
     STICK,
     UNKNOWN,
     Problem,
+)
+from lesson_code.engine.solvers.direct_impacts import (
+    impacts_of,
+    is_fine,
+    next_closing,
+    open_gap,
+    pairs_of,
+    quiet_of,
+    rounding_of,
 )
 from lesson_code.engine.solvers.impact_rules import (
     STRIKE_RULES,
@@ -93,18 +97,6 @@ ALMOST = 1.0 - 1e-9
 
 SIDE = {FORWARD: 1.0, BACKWARD: -1.0}
 """The sign of the friction impulse where a contact slides."""
-
-MOST_ROUNDS, MOST_IN_FEW = 8, 10_000
-"""Rounds of impacts at one time, in an island of m contacts: 8 m, or 10,000 / m if that is more.
-What still closes then stops without a bounce. A light elastic body hits two heavy ones that close
-as often as the root of the ratio of their masses, once a round."""
-
-QUIET = 1e-9
-"""Of the fastest approach: slower ones are stopped without a bounce."""
-
-STILL = 4e-12
-"""Of the fastest approach and the speed that gravity gives in a step: slower ones are none, so that
-what stands costs no impact in each step. At 1e-12 rounding in a stack of 64 is above it."""
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
@@ -128,9 +120,6 @@ def case_of(c: ContactRow) -> int:
     if abs(c.tangent_impulse) < c.friction * c.normal_impulse * ALMOST:
         return STICK
     return FORWARD if c.tangent_impulse > 0.0 else BACKWARD
-
-
-# Impacts
 
 
 def prepare(
@@ -161,121 +150,6 @@ def prepare(
             state.horizon = min(state.horizon, next_closing(world, island, gap, u[:m]))
     if state.horizon < state.left:
         state.impacts += LOOKS_OF_AN_IMPACT if has_impact else 1
-
-
-def is_fine(world: World, island: Island) -> bool:
-    """Return whether impacts in an island come exactly where its bodies touch."""
-    return len(island.contacts) <= MOST_FINE and world.state.impacts < FINE_LOOKS
-
-
-def open_gap(world: World, c: ContactRow) -> float:
-    """Return the gap that a contact has still to close, m; 0 if the bodies touch."""
-    gap = gap_of(c)
-    return gap if gap > touching_gap(world.bodies[c.a], world.bodies[c.b]) else 0.0
-
-
-def is_to_come(way: Floats, gap: Floats) -> NDArray[np.bool_]:
-    """Return which contacts have not closed yet, and do if they come nearer by so much, m."""
-    comes: NDArray[np.bool_] = (gap > 0.0) & (way > gap)
-    return comes
-
-
-def next_closing(world: World, island: Island, gap: Floats, un: Floats) -> float:
-    """Return when the next gap closes, s, at the earliest; infinite if none does in this step.
-
-    Where bodies bounce, gravity alone may close it: gap = -un t + g t^2 / 2.
-    """
-    left, g = world.state.left, gravity_of(world.state)
-    pulls = [pull(world, c) if c.restitution > 0.0 else 0.0 for c in island.contacts]
-    falls = np.maximum(pulls, 0.0) * left * left / 2
-    comes = is_to_come(falls - un * left, gap)
-    gap, approach = gap[comes], -un[comes]
-    times = 2.0 * gap / (approach + np.sqrt(approach * approach + 2.0 * g * gap))
-    return float(times.min(initial=math.inf))
-
-
-def pull(world: World, c: ContactRow) -> float:
-    """Return how gravity makes the bodies of a contact approach, m/s^2."""
-    state, a, b = world.state, world.bodies[c.a], world.bodies[c.b]
-    falls = float(a.inv_m > 0.0) - float(b.inv_m > 0.0)
-    return falls * (state.gravity_x * c.nx + state.gravity_y * c.ny)
-
-
-def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: StrikeRule) -> Floats:
-    """Return the impulses of the impacts of an island, shape (2m,), N s.
-
-    All contacts that touch take part; in a large island, and after too many impacts in this step,
-    those as well that would touch before its end. No law of impacts lets contacts close faster
-    than e times the speed at which they parted; where they do, no answer was found, and they are
-    stopped.
-    """
-    contacts, m = island.contacts, len(island.contacts)
-    touches = gap == 0.0
-    problem = Problem(island.delassus, u, island.friction, island.scale)
-    restitution = np.array([c.restitution for c in contacts])
-    speed, quiet = speed_of(world, island, u), quiet_of(world, island, u)
-    x, has_answer = np.zeros(2 * m), True
-    for rounds in reversed(range(max(MOST_ROUNDS * m, MOST_IN_FEW // m))):
-        if not is_fine(world, island):
-            touches |= is_to_come(-u[:m] * world.state.left, gap)
-        closes = touches & (u[:m] < -STILL * speed)
-        if not closes.any():
-            break
-        is_last = rounds == 0 or not has_answer or (u[:m][closes] >= -quiet).all()
-        points = np.flatnonzero(touches)
-        both = np.concatenate((points, m + points))
-        part = problem._replace(velocity=u).part(points)
-        if is_last:
-            y = solve_contacts(part).impulses
-        else:
-            y = rule(part, restitution[points], _pairs([contacts[k] for k in points]), quiet)
-        x[both] += y
-        least = -restitution[points] * np.maximum(u[points], 0.0) - quiet
-        u = u + island.delassus[:, both] @ y
-        has_answer = bool((u[points] >= least).all())
-        if is_last:
-            break
-    return x
-
-
-def quiet_of(world: World, island: Island, u: Floats) -> float:
-    """Return the speed of approach, m/s, that an island stops without a bounce."""
-    fastest = -float(u[: len(island.contacts)].min())
-    rounding = rounding_of(island, speed_of(world, island, u))
-    return max(quiet_speed(world.state), QUIET * fastest, rounding)
-
-
-def speed_of(world: World, island: Island, u: Floats) -> float:
-    """Return the fastest approach in an island and what gravity gives in a step, m/s."""
-    fastest = -float(u[: len(island.contacts)].min())
-    return fastest + gravity_of(world.state) * world.state.dt
-
-
-def rounding_of(island: Island, speed: float) -> float:
-    """Return what rounding leaves of the velocities of an island that stops from a speed, m/s.
-
-    A light body between heavy ones shows it most: the impulses that stop those add up to nothing
-    for it, but for their last digits.
-    """
-    load = speed * sum(1.0 / body.inv_m for body in island.bodies if body.inv_m > 0.0)
-    return ROUNDING * float(island.delassus.diagonal().max()) * load
-
-
-def _pairs(contacts: list[ContactRow]) -> list[list[int]]:
-    """Return the places of the contacts of each pair of bodies, which stand side by side."""
-    pairs: list[list[int]] = []
-    last = (-1, -1)
-    for k, c in enumerate(contacts):
-        if (c.a, c.b) != last:
-            pairs.append([])
-            last = (c.a, c.b)
-        pairs[-1].append(k)
-    return pairs
-
-
-def _width(world: World, c: ContactRow) -> float:
-    """Return the smaller width of the bodies of a contact, m."""
-    return min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
 
 
 # Forces
@@ -351,7 +225,7 @@ def settle(island: Island, quiet: float) -> None:
     for k, side in enumerate(sides):
         if island.friction[k] > 0.0 and side * u[m + k] > 0.0:  # friction has turned it round
             contacts[k].case, sides[k] = STICK, 0.0
-    stuck = [[m + k for k in pair if contacts[k].case == STICK] for pair in _pairs(contacts)]
+    stuck = [[m + k for k in pair if contacts[k].case == STICK] for pair in pairs_of(contacts)]
     held = [[k] for k in rests] + [places for places in stuck if places]
     of_held = np.zeros((2 * m, len(held)))
     for column, places in enumerate(held):
@@ -368,6 +242,11 @@ def settle(island: Island, quiet: float) -> None:
 
 
 # Pushes
+
+
+def _width(world: World, c: ContactRow) -> float:
+    """Return the smaller width of the bodies of a contact, m."""
+    return min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
 
 
 def has_overlap_to_undo(world: World, effects: Effects = EVERY_EFFECT) -> bool:
