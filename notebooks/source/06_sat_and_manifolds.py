@@ -51,7 +51,7 @@ from lesson_code.view.svg.animation import animate
 # %% [markdown]
 # ## 1 A gap between two shadows is proof
 #
-# Hold a lamp beside two shapes, so that both throw a shadow on a line. If there is a gap between
+# Hold a lamp beside two shapes, so that both cast a shadow on a line. If there is a gap between
 # the *shadows*, there is a gap between the *shapes*. The line is called an **axis**.
 #
 # An axis has a direction: a unit vector n. The dot product p · n says how far a point p lies
@@ -67,7 +67,7 @@ predict("06-diagonal")
 square = np.array([(0, 0), (2, 0), (2, 2), (0, 2)])
 diagonal = np.array([1, 1]) / np.sqrt(2)
 check("along x it is as long as a side", project(square, (1, 0)), (0, 2))
-check("along the diagonal, as long as that", project(square, diagonal), (0, np.sqrt(8)), 1e-12)
+check("along the diagonal, as long as it is", project(square, diagonal), (0, np.sqrt(8)), 1e-12)
 
 # %% [markdown]
 # No gap on *one* axis proves nothing. Here are two shapes that are apart, seen along two axes. On

@@ -386,7 +386,8 @@ check("and not the same", abs(kept[0] - kept[1]) > 0.05, True)
 # **callback** fires when two bodies *begin* to touch, not as long as they do: that is
 # `touch_changes`, task 11.4. An **effect** turns the event into light that fades alike for short
 # and for long steps: `glow`, 11.5. And an impact **rings**, the louder the larger its impulse:
-# `knock`, 11.6. Here the demo has gravity and dull bodies, which come to lie on the floor.
+# `knock`, 11.6. Here the demo has gravity and a restitution of 0.4, so its bodies come to rest on
+# the floor.
 
 # %%
 post = after_impacts.functions()
