@@ -19,6 +19,7 @@ from lesson_code.course.grading.gaps import all_gaps
 from lesson_code.course.quiz.bank import chapter_numbers, load_quiz
 
 ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
 CHAPTERS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 PARTS = {
     number: [path for path in CHAPTERS if path.stem.startswith(number)]
@@ -166,14 +167,23 @@ def test_minutes_are_counted(path: Path) -> None:
     assert minutes_stated(path) == 5 * math.ceil(count / 5)
 
 
-def test_first_notebook_names_both_tracks_and_their_hours() -> None:
+@pytest.mark.parametrize("text", [prose_of("00"), README], ids=["notebook 00", "README"])
+def test_both_tracks_are_named_with_their_hours(text: str) -> None:
     """They are the sums of the minutes, to half an hour."""
-    said = " ".join(prose_of("00").split())
+    said = " ".join(text.split())
     advanced = [path for path in CHAPTERS if path.stem[:2] in ("08", "09", "10")]
     for track, paths in (("core", set(CHAPTERS) - set(advanced)), ("advanced", advanced)):
         hours = re.search(rf"{track} track\b.*?about (\d+) hours", said)
         assert hours
         assert abs(int(hours[1]) - sum(map(minutes_stated, paths)) / 60) <= 0.5
+
+
+def test_readme_names_the_shortest_and_the_longest_notebook() -> None:
+    """In minutes."""
+    named = re.search(r"notebooks of (\d+) to (\d+) minutes", README)
+    assert named
+    minutes = sorted(map(minutes_stated, CHAPTERS))
+    assert [int(named[1]), int(named[2])] == [minutes[0], minutes[-1]]
 
 
 @whole_chapters
