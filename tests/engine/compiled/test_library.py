@@ -248,7 +248,7 @@ NO_NUMBA = """
 """
 
 
-def test_workbook_without_numba_runs_plain() -> None:
+def test_workbook_without_numba_runs_plain(place: Path) -> None:
     """Nothing of it is needed; only who asks for compiled code is refused, and told why."""
     assert printed(started(NO_NUMBA)) == [
         "solver: sequential (asked for); plain Python (a small run)",
