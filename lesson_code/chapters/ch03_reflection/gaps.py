@@ -6,6 +6,7 @@ from math import cos, pi, sin
 from random import Random
 from typing import Any, TypeAlias
 
+from lesson_code.chapters.ch02_restitution.stepped_ball import moved_out
 from lesson_code.chapters.ch03_reflection import wrong_answers as wrong
 from lesson_code.course.grading.gaps import Gap
 from lesson_code.course.grading.task import wrong_model
@@ -17,11 +18,6 @@ Vector: TypeAlias = Any
 def bounced(velocity: Vector, normal: Vector, restitution: float) -> Vector:
     """Return the velocity after a bounce off a smooth wall; one that leaves is left alone."""
     return bounce(velocity, normal, restitution)
-
-
-def moved_out(position: Vector, normal: Vector, depth: float) -> Vector:
-    """Return the position of a ball that was inside a wall by a depth."""
-    return position + depth * normal
 
 
 @wrong_model("03-out", "The normal points from the wall to the ball. Which way is out?")

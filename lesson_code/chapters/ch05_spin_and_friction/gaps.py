@@ -104,7 +104,7 @@ def the_tangent_itself(width: float, height: float) -> float:
 @wrong_model("05-tips", "The slope is wanted in radians. What is yours in?")
 def in_degrees(width: float, height: float) -> float:
     """Angles are in degrees."""
-    return math.degrees(math.atan(width / height))
+    return math.degrees(slope_to_tip(width, height))
 
 
 def box_on_a_slope(stream: Random) -> tuple[float, ...]:

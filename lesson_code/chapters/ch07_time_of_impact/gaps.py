@@ -64,33 +64,38 @@ def with_four_times_ac(a: float, b: float, c: float) -> float:
     return 2 * c / (-b + math.sqrt(b * b - 4 * a * c))
 
 
+def _turns(mass_ratio: float) -> float:
+    """Return how often the angle of the wedge fits into half a turn."""
+    return math.pi / math.atan(1 / math.sqrt(mass_ratio))
+
+
 def crossings(mass_ratio: float) -> int:
     """Return how often a straight line crosses the sides of an unfolded wedge, tan = 1/sqrt(M)."""
-    return math.ceil(math.pi / math.atan(1 / math.sqrt(mass_ratio))) - 1
+    return math.ceil(_turns(mass_ratio)) - 1
 
 
 @wrong_model("07-crossings", "Equal masses: the angle is pi/4. Is its fourth multiple below pi?")
 def with_the_last_side(mass_ratio: float) -> int:
     """A line that is parallel to a side crosses it."""
-    return math.floor(math.pi / math.atan(1 / math.sqrt(mass_ratio)))
+    return math.floor(_turns(mass_ratio))
 
 
 @wrong_model("07-crossings", "Half a crossing? Count the multiples of the angle that lie below pi.")
 def not_a_whole_number(mass_ratio: float) -> float:
     """The number of crossings is pi over the angle."""
-    return math.pi / math.atan(1 / math.sqrt(mass_ratio))
+    return _turns(mass_ratio)
 
 
 @wrong_model("07-crossings", "The tangent of the angle is 1 over the root of M. Where is the root?")
 def without_the_root(mass_ratio: float) -> int:
     """The tangent is 1/M."""
-    return math.ceil(math.pi / math.atan(1 / mass_ratio)) - 1
+    return crossings(mass_ratio * mass_ratio)
 
 
 @wrong_model("07-crossings", "Seen from the tip of the wedge, by which angle does the line turn?")
 def half_a_turn_is_a_right_angle(mass_ratio: float) -> int:
     """The line passes through a right angle."""
-    return math.ceil(math.pi / 2 / math.atan(1 / math.sqrt(mass_ratio))) - 1
+    return math.ceil(_turns(mass_ratio) / 2) - 1
 
 
 def fold(x: float, room: float) -> float:

@@ -31,25 +31,10 @@ def sheet(question: ArrowQuestion) -> str:
     arrows = "".join(_given(name, tip, unit) for name, tip in question.given.items())
     return (
         f'<svg class="sheet" viewBox="{-edge:g} {-edge:g} {2 * edge:g} {2 * edge:g}" '
-        f'data-unit="{unit:g}" role="img" aria-label="{escape(in_words(question))}">\n'
+        f'data-unit="{unit:g}" role="img" aria-label="{escape(question.in_words)}">\n'
         f'<path class="grid" d="{grid}"/>\n{_wall(question)}{arrows}'
         f'<path class="drawn" d=""/>\n</svg>'
     )
-
-
-def in_words(question: ArrowQuestion) -> str:
-    """Return what stands on a sheet, for who does not see it.
-
-    >>> from lesson_code.course.quiz.bank import load_asked
-    >>> (question,) = load_asked("03-bumper").questions
-    >>> in_words(question)
-    'Drawn: a wall with the normal (1, 1), the arrow v at (0, -2). The grid has a line every 1 m/s.'
-    """
-    drawn = [f"the arrow {name} at ({x:g}, {y:g})" for name, (x, y) in question.given.items()]
-    if question.wall is not None:
-        drawn.insert(0, "a wall with the normal ({:g}, {:g})".format(*question.wall))
-    grid = f"The grid has a line every {question.spacing:g} {question.unit}."
-    return f"Drawn: {', '.join(drawn)}. {grid}"
 
 
 def arrow_path(tip: Tip) -> str:

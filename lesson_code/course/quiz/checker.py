@@ -10,6 +10,7 @@ import math
 import numbers
 import re
 from dataclasses import dataclass
+from typing import Any
 
 from lesson_code.course.quiz.questions import (
     LETTERS,
@@ -18,6 +19,7 @@ from lesson_code.course.quiz.questions import (
     NumericQuestion,
     Question,
     Tip,
+    foreseen,
 )
 
 NUMBER_AND_UNIT = re.compile(
@@ -83,8 +85,8 @@ def check_answer(question: Question, answer: object) -> CheckedAnswer:
     if isinstance(question, ChoiceQuestion):
         return _check_choice(question, answer)
     if isinstance(question, ArrowQuestion):
-        return _check_arrow(question, answer)
-    return _check_number(question, answer)
+        return _check_value(question, _read_arrow(question, answer))
+    return _check_value(question, _read_number(question, answer))
 
 
 def expected_answer(question: Question) -> str:
@@ -120,25 +122,11 @@ def _check_choice(question: ChoiceQuestion, answer: object) -> CheckedAnswer:
     return CheckedAnswer(letter == question.answer, options[letter].feedback)
 
 
-def _check_number(question: NumericQuestion, answer: object) -> CheckedAnswer:
-    """Judge a number: right, a recognised mistake, or some other number."""
-    value = _read_number(question, answer)
-    if abs(value - question.value) <= question.tolerance:
-        return CheckedAnswer(True, question.right_feedback)
-    for wrong in question.wrong_values:
-        if abs(value - wrong.value) <= question.tolerance:
-            return CheckedAnswer(False, wrong.feedback)
-    return CheckedAnswer(False, question.wrong_feedback)
-
-
-def _check_arrow(question: ArrowQuestion, answer: object) -> CheckedAnswer:
-    """Judge an arrow by the crossing of the grid that is nearest to its tip."""
-    tip = question.crossing(_read_arrow(question, answer))
-    if tip == question.crossing(question.value):
-        return CheckedAnswer(True, question.right_feedback)
-    for wrong in question.wrong_values:
-        if tip == question.crossing(wrong.value):
-            return CheckedAnswer(False, wrong.feedback)
+def _check_value(question: NumericQuestion | ArrowQuestion, answer: Any) -> CheckedAnswer:
+    """Judge a number or a tip: right, a recognised mistake, or some other."""
+    for value, right, feedback in foreseen(question):
+        if question.fits(answer, value):
+            return CheckedAnswer(right, feedback)
     return CheckedAnswer(False, question.wrong_feedback)
 
 

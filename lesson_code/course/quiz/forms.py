@@ -7,8 +7,8 @@ A form does not hold its answers in the clear. What is said to an answer, and wh
 is sealed with that answer: the script can open it only when the answer is given. For a number,
 which has a tolerance, the key is the drawer it lies in, two tolerances wide; inside stands the
 exact value. For an arrow the key is the crossing of the grid at its tip. What is said to any other
-number or arrow is sealed with the question's id. So a look at the
-source gives nothing away. It is no protection against somebody who tries all answers.
+number or arrow is sealed with the question's id. So a look at the source gives nothing away. It is
+no protection against somebody who tries all answers.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ from lesson_code.course.quiz.questions import (
     ChoiceQuestion,
     NumericQuestion,
     Question,
+    foreseen,
 )
 
 Sealed: TypeAlias = dict[str, str]
@@ -150,27 +151,20 @@ def _foreseen(question: Question) -> Iterator[tuple[str, Any]]:
         for letter, option in question.lettered:
             yield letter, [{"right": letter == question.answer, "feedback": option.feedback}]
         return
-    if isinstance(question, ArrowQuestion):
-        for tip, right, feedback in _values(question):
-            lines = " ".join(map(str, question.crossing(tip)))
-            yield lines, [{"right": right, "feedback": feedback}]
-        yield OTHERWISE, [{"right": False, "feedback": question.wrong_feedback}]
-        return
-    drawers: dict[int, list[Any]] = {}
-    for value, right, feedback in _values(question):
-        said = {"value": value, "right": right, "feedback": feedback}
-        for drawer in _drawers(value, question.tolerance):
-            drawers.setdefault(drawer, []).append(said)
-    for drawer, verdicts in drawers.items():
-        yield str(drawer), verdicts
+    said: dict[str, list[Any]] = {}
+    for value, right, feedback in foreseen(question):
+        for key in _keys(question, value):
+            verdict = {"value": value, "right": right, "feedback": feedback}
+            said.setdefault(key, []).append(verdict)
+    yield from said.items()
     yield OTHERWISE, [{"right": False, "feedback": question.wrong_feedback}]
 
 
-def _values(question: NumericQuestion | ArrowQuestion) -> Iterator[tuple[Any, bool, str]]:
-    """Yield each value that is recognised, whether it is right, and what is said to it."""
-    yield question.value, True, question.right_feedback
-    for wrong in question.wrong_values:
-        yield wrong.value, False, wrong.feedback
+def _keys(question: NumericQuestion | ArrowQuestion, value: Any) -> list[str]:
+    """Return the keys of the answers that are a value: drawers, or the crossing of the grid."""
+    if isinstance(question, ArrowQuestion):
+        return [" ".join(map(str, question.crossing(value)))]
+    return [str(drawer) for drawer in _drawers(value, question.tolerance)]
 
 
 def _drawers(value: float, tolerance: float) -> range:

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from IPython.display import display
 
-from lesson_code.course.quiz.arrows import in_words
 from lesson_code.course.quiz.bank import Quiz, load_quiz
 from lesson_code.course.quiz.checker import expected_answer
 from lesson_code.course.quiz.forms import asleep, prediction_html, quiz_html
-from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion, Question
+from lesson_code.course.quiz.questions import ChoiceQuestion, Question, lines_below
 
 
 def show_quiz(chapter: str) -> None:
@@ -75,10 +74,10 @@ def quiz_as_text(quiz: Quiz) -> str:
 
 def _lines_below(question: Question) -> list[str]:
     """Return what stands below a question: its options, or what kind of number it wants."""
-    if isinstance(question, ChoiceQuestion):
-        return [f"   {letter}) {option.text}" for letter, option in question.lettered]
-    drawn = [f"   {in_words(question)}"] if isinstance(question, ArrowQuestion) else []
-    return [*drawn, f"   Answer: {expected_answer(question)}."]
+    lines = lines_below(question)
+    if not isinstance(question, ChoiceQuestion):
+        lines.append(f"Answer: {expected_answer(question)}.")
+    return [f"   {line}" for line in lines]
 
 
 def _display(html: str, text: str) -> None:

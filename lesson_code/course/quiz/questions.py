@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Generic, TypeAlias, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 LETTERS = "abcde"
 """Options are named by letter; no question has more of them."""
@@ -150,6 +150,10 @@ class NumericQuestion:
             apart = abs(a - b) > 2 * self.tolerance
             require(where, apart, "values must lie over two tolerances apart", (a, b))
 
+    def fits(self, answer: float, value: float) -> bool:
+        """Return whether an answer is a value that is recognised."""
+        return abs(answer - value) <= self.tolerance
+
 
 @dataclass(frozen=True, slots=True)
 class ArrowQuestion:
@@ -204,13 +208,18 @@ class ArrowQuestion:
         require_words(where, {name: getattr(self, name) for name in names})
         require(where, self.spacing > 0, "spacing must be > 0", self.spacing)
         lines = self.reach / self.spacing
-        require(where, lines == int(lines) > 0, "reach must be whole spacings, > 0", self.reach)
+        whole = lines.is_integer() and lines > 0
+        require(where, whole, "reach must be whole spacings, > 0", self.reach)
+        for name, tip in {**self.given, **({"wall": self.wall} if self.wall else {})}.items():
+            length = math.hypot(*tip)
+            has_way = length > 0 and math.isfinite(length)
+            require(where, has_way, f"{name} must have a length, > 0 and finite", tip)
         for wrong in self.wrong_values:
             require_words(f"{where}, wrong value {wrong.value}", {"feedback": wrong.feedback})
         tips = [self.value, *(wrong.value for wrong in self.wrong_values)]
         for tip in tips:
             on_sheet = all(abs(part) <= self.reach for part in tip)
-            crossing = all(part / self.spacing == int(part / self.spacing) for part in tip)
+            crossing = all((part / self.spacing).is_integer() for part in tip)
             require(where, on_sheet and crossing, "a tip must lie where lines cross", tip)
         require(where, len(set(tips)) == len(tips), "tips must differ", tips)
 
@@ -219,9 +228,41 @@ class ArrowQuestion:
         x, y = (math.floor(part / self.spacing + 0.5) for part in tip)
         return x, y
 
+    def fits(self, answer: Tip, value: Tip) -> bool:
+        """Return whether an answer is a tip that is recognised."""
+        return self.crossing(answer) == self.crossing(value)
+
+    @property
+    def in_words(self) -> str:
+        """What stands on the sheet, for who does not see it.
+
+        >>> from lesson_code.course.quiz.bank import load_asked
+        >>> (question,) = load_asked("04-angle").questions
+        >>> question.in_words
+        'Drawn: the arrow v1 at (4, 0), the arrow n at (1, 1). The grid has a line every 1 m/s.'
+        """
+        drawn = [f"the arrow {name} at ({x:g}, {y:g})" for name, (x, y) in self.given.items()]
+        if self.wall is not None:
+            drawn.insert(0, "a wall with the normal ({:g}, {:g})".format(*self.wall))
+        return f"Drawn: {', '.join(drawn)}. The grid has a line every {self.spacing:g} {self.unit}."
+
 
 Question: TypeAlias = ChoiceQuestion | NumericQuestion | ArrowQuestion
 """Anything the quiz can ask."""
+
+
+def foreseen(question: NumericQuestion | ArrowQuestion) -> Iterator[tuple[Any, bool, str]]:
+    """Yield each value that is recognised, whether it is right, and what is said to it."""
+    yield question.value, True, question.right_feedback
+    for wrong in question.wrong_values:
+        yield wrong.value, False, wrong.feedback
+
+
+def lines_below(question: Question) -> list[str]:
+    """Return what stands below a question as text: its options, or what is drawn."""
+    if isinstance(question, ChoiceQuestion):
+        return [f"{letter}) {option.text}" for letter, option in question.lettered]
+    return [question.in_words] if isinstance(question, ArrowQuestion) else []
 
 
 def require(where: str, holds: bool, rule: str, got: object) -> None:

@@ -16,7 +16,6 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from lesson_code.course.quiz.arrows import in_words
 from lesson_code.course.quiz.bank import Quiz, load_asked
 from lesson_code.course.quiz.checker import (
     CheckedAnswer,
@@ -24,7 +23,7 @@ from lesson_code.course.quiz.checker import (
     expected_answer,
     right_answer,
 )
-from lesson_code.course.quiz.questions import ArrowQuestion, ChoiceQuestion, Question
+from lesson_code.course.quiz.questions import Question, lines_below
 from lesson_code.course.quiz.result import QuestionResult, QuizResult
 
 TRIES = 2
@@ -139,16 +138,8 @@ def _print_question(place: str, question: Question, console: Console) -> None:
     """Print the question and its options."""
     console.print()
     console.print(Text.assemble((f"{place}. ", "bold"), question.text))
-    if isinstance(question, ChoiceQuestion):
-        for letter, option in question.lettered:
-            _print_below(f"{letter}) {option.text}", console)
-    if isinstance(question, ArrowQuestion):
-        _print_below(in_words(question), console)
-
-
-def _print_below(text: str, console: Console) -> None:
-    """Print a line that belongs to a question."""
-    console.print(Padding(Text(text), (0, 0, 0, 3), expand=False))
+    for line in lines_below(question):
+        console.print(Padding(Text(line), (0, 0, 0, 3), expand=False))
 
 
 def _print_verdict(verdict: CheckedAnswer, console: Console) -> None:

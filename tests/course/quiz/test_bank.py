@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import pytest
 
 from lesson_code.course.quiz.bank import chapter_numbers, load_bank, load_quiz, read_quiz
-from lesson_code.course.quiz.questions import ChoiceQuestion, NumericQuestion, Option
+from lesson_code.course.quiz.questions import (
+    ArrowQuestion,
+    ChoiceQuestion,
+    NumericQuestion,
+    Option,
+    WrongValue,
+)
 
 CHOICE = """
 [[question]]
@@ -150,3 +159,37 @@ def test_choice_answer_outside_the_options_is_refused() -> None:
         ValueError, match=r"question 07-x: answer must be one letter of ab, got 'c'"
     ):
         ChoiceQuestion("07-x", "Which?", options, "c")
+
+
+@pytest.mark.parametrize(
+    ("changed", "rule"),
+    [
+        ({"spacing": math.nan}, "spacing must be > 0"),
+        ({"reach": math.nan}, "reach must be whole spacings"),
+        ({"reach": 2.5}, "reach must be whole spacings"),
+        ({"value": (math.nan, 0.0)}, "a tip must lie where lines cross"),
+        ({"value": (0.5, 0.0)}, "a tip must lie where lines cross"),
+        ({"value": (4.0, 0.0)}, "a tip must lie where lines cross"),
+        ({"value": (1.0, 1.0)}, "tips must differ"),
+        ({"given": {"v": (0.0, 0.0)}}, "v must have a length"),
+        ({"wall": (0.0, 0.0)}, "wall must have a length"),
+        ({"wall": (math.nan, 1.0)}, "wall must have a length"),
+    ],
+)
+def test_arrow_that_breaks_a_rule_is_refused(changed: dict[str, Any], rule: str) -> None:
+    """The error names the question, the rule and the value."""
+    sound: dict[str, Any] = {
+        "id": "03-x",
+        "text": "Draw it.",
+        "unit": "m/s",
+        "spacing": 1.0,
+        "reach": 3.0,
+        "value": (2.0, 0.0),
+        "right_feedback": "Yes.",
+        "wrong_values": (WrongValue((1.0, 1.0), "No."),),
+        "wrong_feedback": "No.",
+        "given": {"v": (0.0, -2.0)},
+    }
+    assert ArrowQuestion(**sound).crossing((2.4, -0.5)) == (2, 0)
+    with pytest.raises(ValueError, match=f"question 03-x: {rule}.*, got "):
+        ArrowQuestion(**sound | changed)
