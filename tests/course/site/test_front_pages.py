@@ -38,8 +38,17 @@ def test_lab_stands_first_and_alone() -> None:
 def test_front_page_opens_with_the_promise_of_the_readme_and_its_hours() -> None:
     """The README's first paragraph stands above the lab, level and hours below it."""
     page = front_page([], lab="<div>lab</div>", readme=(ROOT / "README.md").read_text("utf-8"))
-    parts = ("You write the formulas", "<div>lab</div>", "**Level:**", "**Time:** fifteen notebooks")
-    places = [page.index(part) for part in (*parts, "## Chapters", "## For instructors")]
+    places = [
+        page.index(part)
+        for part in (
+            "You write the formulas",
+            "<div>lab</div>",
+            "**Level:**",
+            "**Time:** fifteen notebooks",
+            "## Chapters",
+            "## For instructors",
+        )
+    ]
     assert places == sorted(places)
     assert "Two commands" not in page
 
