@@ -203,21 +203,28 @@ def never_ends(*arguments: Any) -> Any:
         pass
 
 
+@pytest.mark.parametrize(
+    ("bad", "said", "whose"),
+    [
+        (never_ends, "no answer within 0.1 s", "the lesson's"),
+        (raises, "ZeroDivisionError: division by zero", "yours, and not the lesson's"),
+    ],
+)
 @pytest.mark.parametrize("name", EXERCISES)
-def test_program_goes_on_when_a_function_never_ends_and_names_its_call(
-    name: str, monkeypatch: pytest.MonkeyPatch
+def test_program_goes_on_by_the_lesson_where_a_function_gives_no_answer(
+    name: str, bad: Callable[..., Any], said: str, whose: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Each of the seven plays its tour on as the lesson's, bit for bit; the call is named.
 
-    The picture names it, and so does the panel; it is called once.
+    The picture says what it was, and so does the panel. What never ends is called once.
     """
     monkeypatch.setattr(programs.LIMIT, "seconds", 0.1)
     program = load_own(name).program
     assert program.with_own is not None
     watched = []
     for one in program.own:
-        never_ends.__name__ = one.__name__
-        watched.append(Watched(never_ends, one))
+        bad.__name__ = one.__name__
+        watched.append(Watched(bad, one))
     settings = program.with_own(*watched)
     game = play(program, frames=60, headless=True, tour=True, settings=settings).game
     lesson = program.with_own(*program.own)
@@ -226,12 +233,11 @@ def test_program_goes_on_when_a_function_never_ends_and_names_its_call(
     assert game.missing
     for one in watched:
         if one in game.missing:
-            call = f"{one.__name__}("
-            assert game.missing[one].startswith(f"{one.__name__} failed: {call}")
-            assert game.missing[one].endswith("no answer within 0.1 s; the lesson's runs now")
-            assert one.difference.startswith(call)
-            assert one.difference.endswith("gives no answer within 0.1 s")
-            assert one.reading()[1] == "the lesson's"
+            assert game.missing[one].startswith(f"{one.__name__} failed: ")
+            assert game.missing[one].endswith(f"{said}; the lesson's runs now")
+            assert one.difference.startswith(f"{one.__name__}(")
+            assert one.difference.endswith(said)
+            assert one.reading()[1] == whose
 
 
 @pytest.mark.parametrize("is_bare", [False, True])

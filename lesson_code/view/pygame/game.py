@@ -265,8 +265,8 @@ class Game:
     ) -> Any:
         """Return what a rule says that a player may write; `otherwise` where that is nothing.
 
-        It is nothing where a player's rule fails or gives what is of no use. For one that is not
-        written or never ends, the lesson's own answers, where it is at hand. As in a check, it is
+        It is nothing where a player's rule is not written, fails, never ends, or gives what is of
+        no use. The lesson's answers in its place, where it is at hand. As in a check, a rule is
         given vectors as NumPy arrays of its own.
 
         Parameters
@@ -290,8 +290,7 @@ class Game:
         except Exception as error:  # a player's code may raise anything
             if isinstance(error, UnreadableError) or not hasattr(rule, "is_own"):
                 raise
-            self.missing[rule] = f"{rule.__name__} failed: {type(error).__name__}: {error}"
-            return otherwise
+            said = f"{rule.__name__} failed: {type(error).__name__}: {error}"
         else:
             self.missing.pop(rule, None)
             return answer
