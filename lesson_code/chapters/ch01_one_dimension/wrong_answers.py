@@ -135,3 +135,9 @@ def energy_for_impulse(m1: float, v1: float, m2: float, v2: float) -> float:
     """The impulse is the energy that body 2 receives."""
     after = v2 + 2 * m1 * (v1 - v2) / (m1 + m2)
     return m2 * (after**2 - v2**2) / 2
+
+
+@wrong_model("1.1", "Your bodies exchange their energies. Is the momentum still what it was?")
+def energies_change_hands(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """In an elastic collision the bodies exchange their kinetic energies."""
+    return v2 * (m2 / m1) ** 0.5, v1 * (m1 / m2) ** 0.5
