@@ -180,3 +180,13 @@ def a_direction_alone(incident: Vector, normal: Vector) -> Vector:
     """The mirror image is a direction, so its length is 1."""
     image = incident - 2 * np.dot(incident, normal) * normal
     return image / np.hypot(*image)
+
+
+@wrong_model("3.3", "By how much does the ball overlap the wall, and by how much do you move it?")
+def mirrored_at_the_wall(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """The ball went too far by the depth, so it comes back by that, and then e times that more."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    factor = 1 + restitution
+    return position + factor * depth * normal, velocity - factor * v_n * normal
