@@ -6,7 +6,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.ch04_circles.right_answers import first_places_then_velocities
+from lesson_code.chapters.ch04_circles.right_answers import (
+    first_places_then_velocities,
+    from_2_to_1_and_turned,
+    seen_from_the_centre_of_mass,
+)
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
@@ -388,3 +392,36 @@ def left_in_the_frame_of_the_normal(
     centre = (m1 * a + m2 * b) / (m1 + m2)
     ends = [centre - restitution * (part - centre) for part in (a, b)]
     return [ends[0], v1 @ along], [ends[1], v2 @ along]
+
+
+@wrong_model("4.1", "Two circles overlap deeply. How long is the way between their centres then?")
+@edited(
+    from_2_to_1_and_turned,
+    {"return (-x / distance, -y / distance)": "return (-x / (r1 + r2), -y / (r1 + r2))"},
+)
+def divided_by_the_reach() -> None:
+    """The centres of circles in contact are r1 + r2 apart, so that makes the normal a unit."""
+
+
+@wrong_model("4.2", "Circle 1 stands still, and circle 2 runs into it. Does nothing happen?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {"np.dot(v1 - v2, normal) <= 0": "min(np.dot(v1, normal), np.dot(v1 - v2, normal)) <= 0"},
+)
+def circle_1_has_to_come() -> None:
+    """There is a hit only if circle 1 itself moves towards circle 2."""
+
+
+@wrong_model("4.4", "Throw a ball at a slant against a pillar. Does it come back into your hand?")
+@edited(
+    first_places_then_velocities,
+    {
+        "    if (v2": (
+            "    if (v2 - v1) @ normal < 0 and w1 * w2 == 0:\n"
+            "        v1, v2 = -restitution * v1, -restitution * v2\n"
+            "    elif (v2"
+        )
+    },
+)
+def straight_back_from_a_fixed_one() -> None:
+    """A circle that hits a fixed one goes back the way it came."""
