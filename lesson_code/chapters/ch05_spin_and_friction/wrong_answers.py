@@ -294,3 +294,19 @@ def box_around_it(mass: float, vertices: Vector) -> float:
     """A polygon turns as the rectangle around it: m (w^2 + h^2) / 12."""
     sides = np.max(vertices, axis=0) - np.min(vertices, axis=0)
     return float(mass * (sides @ sides) / 12)
+
+
+@wrong_model("5.2", "How fast is the point now, and how far has it come after one second?")
+def the_way_of_one_second(v: Vector, w: float, r: Vector) -> Vector:
+    """The velocity of a turning point is the way from where it is to where it is in a second."""
+    x, y = np.cos(w) * r[0] - np.sin(w) * r[1], np.sin(w) * r[0] + np.cos(w) * r[1]
+    return v + np.array([x - r[0], y - r[1]])
+
+
+@wrong_model("5.5", "A ball without spin hits a rough floor at a slant. Can it begin to turn?")
+@edited(
+    along_and_across_the_wall,
+    {"w - 2 * jt / radius": "w - 2 * np.sign(w) * abs(jt) / radius"},
+)
+def friction_brakes_the_spin() -> None:
+    """Friction can only brake the spin, and never starts it or speeds it up."""
