@@ -210,3 +210,55 @@ def moved_by_half_the_height(width: float, height: float) -> float:
     """The axis lies half the height below the centre: I = m (w^2 + h^2) / 12 + m (h / 2)^2."""
     inertia = (width**2 + height**2) / 12 + height**2 / 4
     return math.sqrt(GRAVITY * (math.hypot(width, height) - height) / inertia)
+
+
+def _at_once(a: Vector, r: Vector, reach: float) -> list[tuple[int, float]]:
+    """Return who touches the next one, and the mean of both rates: all before any has changed."""
+    touching = [k for k in range(len(a) - 1) if a[k] > reach and r[k] > r[k + 1]]
+    return [(k, (r[k] + r[k + 1]) / 2) for k in touching]
+
+
+OF_THE_OLD_RATES = "The first has just braked against the second. Which rate meets the third?"
+
+
+@wrong_model("D.3", OF_THE_OLD_RATES)
+def all_at_once(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """All that touch do so at once, each pair with its rates from before the step's touches."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        for k, mean in _at_once(a, r, math.asin(spacing / height)):
+            r[k] = r[k + 1] = mean
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", OF_THE_OLD_RATES)
+def all_at_once_the_pushed_last(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """All that touch do so at once, and who pushes and is pushed has the mean of the latter."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        found = _at_once(a, r, math.asin(spacing / height))
+        for shift in (0, 1):
+            for k, mean in found:
+                r[k + shift] = mean
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", OF_THE_OLD_RATES)
+def all_at_once_added_up(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """All that touch do so at once, and what each gives to the next one is added up at the end."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        given = [(k, r[k] - mean) for k, mean in _at_once(a, r, math.asin(spacing / height))]
+        for k, part in given:
+            r[k] -= part
+            r[k + 1] += part
+
+    return _run((angles, rates), height, dt, steps, touch)
