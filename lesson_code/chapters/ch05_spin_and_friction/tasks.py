@@ -171,10 +171,12 @@ def gripping(stream: Random) -> Iterator[Arguments]:
 
 
 def slipping(stream: Random) -> Iterator[Arguments]:
-    """Draw contacts that slide on, either way."""
+    """Draw contacts that slide on, either way; the last one is rough, but hardly pressed."""
     for way in (1, -1):
         vt, k = draws.speed(stream), _yielding(stream)
         yield way * vt, *_pressed(stream, stream.uniform(0.2, 0.7) * vt / k), k
+    vt, k = draws.speed(stream), _yielding(stream)
+    yield vt, *_pressed(stream, stream.uniform(0.1, 0.2) * vt / k, smoothest=0.7), k
 
 
 def creeping(stream: Random) -> Iterator[Arguments]:
@@ -189,9 +191,9 @@ def _yielding(stream: Random) -> float:
     return round(stream.uniform(1.5, 4.0), 2)
 
 
-def _pressed(stream: Random, limit: float) -> tuple[float, float]:
+def _pressed(stream: Random, limit: float, smoothest: float = 0.2) -> tuple[float, float]:
     """Return jn, N s, and mu whose product is about `limit`."""
-    friction = round(stream.uniform(0.2, 0.8), 2)
+    friction = round(stream.uniform(smoothest, 0.8), 2)
     return round(limit / friction, 2), friction
 
 
