@@ -38,12 +38,15 @@ def overlapping(stream: Random) -> Iterator[Arguments]:
 def near_each_other(stream: Random) -> Iterator[Arguments]:
     """Draw circles that miss each other although their boxes overlap, and two that meet.
 
-    Two small ones meet as well: of a distance below 1 m the square is less than the distance.
+    Two small ones meet as well: of a distance below 1 m the square is less than the distance. And
+    two meet whose distance lies between the larger radius and the root of r1^2 + r2^2.
     """
     yield _circles(stream, DIAGONAL, stream.uniform(1.1, 1.3))
     yield _circles(stream, DIAGONAL, stream.uniform(0.8, 0.9))
     (x1, y1), r1, (x2, y2), r2 = _circles(stream, DIAGONAL, stream.uniform(0.8, 0.9))
     yield (x1 / 4, y1 / 4), r1 / 4, (x2 / 4, y2 / 4), r2 / 4
+    p1, (r1, r2) = draws.position(stream), draws.unequal_radii(stream)
+    yield p1, r1, draws.at_distance(p1, (max(r1, r2) + math.hypot(r1, r2)) / 2, DIAGONAL), r2
 
 
 def just_touching(stream: Random) -> Iterator[Arguments]:

@@ -353,7 +353,7 @@ def too_slow_to_bounce() -> None:
         )
     },
 )
-def only_head_on() -> None:
+def towards_each_other() -> None:
     """There is a hit only if each circle moves towards the other."""
 
 

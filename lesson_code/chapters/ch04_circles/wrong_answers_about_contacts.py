@@ -146,3 +146,9 @@ def nearly_the_same_centre() -> None:
 )
 def too_near_for_a_direction() -> None:
     """Centres that are nearly the same have no direction, though they have a distance."""
+
+
+@wrong_model("4.1", "Two circles of 1 m touch. What is r1^2 + r2^2, and what the distance squared?")
+@edited(from_2_to_1_and_turned, {"(r2 + r1) * (r2 + r1)": "r1**2 + r2**2"})
+def radii_squared_apart() -> None:
+    """The square of r1 + r2 is r1^2 + r2^2."""
