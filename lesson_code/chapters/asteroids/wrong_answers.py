@@ -226,3 +226,111 @@ def equal_shares_of_the_momentum(
     """Each piece gives back an equal share of the surplus of momentum."""
     apart = _apart(masses, speed, heading)
     return velocity + apart - masses @ apart / (len(masses) * np.array(masses)[:, None])
+
+
+@wrong_model("A.1", "All pieces fly apart as fast in the task. Which of yours does not?")
+def the_last_piece_pays(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """The last piece gets the velocity that makes the momentum right; the others keep theirs."""
+    apart = _apart(masses, speed, heading)
+    apart[-1] -= masses @ apart / masses[-1]
+    return velocity + apart
+
+
+@wrong_model("A.1", "Is the speed of the task that of a piece, or its momentum?")
+def equal_momenta(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """Each piece has as much momentum as the others, so the light ones are faster."""
+    return velocity + _apart(masses, speed, heading) * np.mean(masses) / masses[:, None]
+
+
+@wrong_model("A.1", "Two pieces: by which angle do their directions differ, and by which in yours?")
+def first_and_last_alike(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """The directions are spread from the heading all the way round to the heading again."""
+    turns = heading + np.linspace(0, 2 * np.pi, len(masses))
+    apart = speed * np.column_stack([np.cos(turns), np.sin(turns)])
+    return velocity + apart - masses @ apart / np.sum(masses)
+
+
+@wrong_model("A.1", "A full turn in radians: how much is it?")
+def a_turn_of_360_radians(velocity: Vector, masses: Vector, speed: float, heading: float) -> Any:
+    """A full turn is 360, also for the sine and the cosine."""
+    turns = heading + 360 * np.arange(len(masses)) / len(masses)
+    apart = speed * np.column_stack([np.cos(turns), np.sin(turns)])
+    return velocity + apart - masses @ apart / np.sum(masses)
+
+
+@wrong_model("A.1", "Before it burst, how fast did each part of the asteroid move?")
+def the_velocity_is_shared_out(
+    velocity: Vector, masses: Vector, speed: float, heading: float
+) -> Any:
+    """Each piece takes its share, by mass, of the asteroid's velocity along."""
+    apart = _apart(masses, speed, heading)
+    apart = apart - masses @ apart / np.sum(masses)
+    return apart + velocity * (masses / np.sum(masses))[:, None]
+
+
+@wrong_model("A.2", "A heavy cannon fires a light ball. Do both fly off equally fast?")
+def as_fast_backwards(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The ship is thrown back as fast as the shot flies forward."""
+    relative = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+    return velocity - relative, velocity + relative
+
+
+@wrong_model("A.2", "The ship moves before the shot. Did the shot not move with it?")
+def the_shot_starts_from_rest(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """The ship keeps its velocity, less the recoil; the shot has only what the cannon gives it."""
+    relative = muzzle_speed * np.array([np.cos(heading), np.sin(heading)])
+    part = shot_mass / (ship_mass + shot_mass)
+    return velocity - part * relative, (1 - part) * relative
+
+
+@wrong_model("A.2", "From which axis is a heading measured, and which way has heading 0?")
+def heading_from_the_vertical(
+    velocity: Vector, ship_mass: float, shot_mass: float, muzzle_speed: float, heading: float
+) -> Any:
+    """A heading of 0 is up: x goes with the sine and y with the cosine."""
+    relative = muzzle_speed * np.array([np.sin(heading), np.cos(heading)])
+    part = shot_mass / (ship_mass + shot_mass)
+    return velocity - part * relative, velocity + (1 - part) * relative
+
+
+def _with_impulses(
+    velocities: Vector, masses: Vector, pairs: Any, restitution: float, rounds: int = 1
+) -> Any:
+    """Return the velocities after the impulses of some pairs, each as often as there are rounds."""
+    v, found = velocities.copy(), list(pairs)
+    for a, b, n in rounds * found:
+        approach = max(0.0, np.dot(v[a] - v[b], n))
+        impulse = (1 + restitution) * approach / (1 / masses[a] + 1 / masses[b]) * n
+        v[a] -= impulse / masses[a]
+        v[b] += impulse / masses[b]
+    return v
+
+
+@wrong_model("A.3", "What is the restitution for, if all collisions of yours are elastic?")
+def always_elastic(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Collisions in space lose no energy."""
+    return _with_impulses(velocities, masses, _pairs(positions, radii), 1.0)
+
+
+@wrong_model("A.3", "How often does each pair have its turn in the task?")
+def until_nothing_approaches(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Pairs collide again and again, until none approaches."""
+    return _with_impulses(velocities, masses, _pairs(positions, radii), restitution, rounds=100)
+
+
+@wrong_model("A.3", "Which pairs does your inner loop visit twice?")
+def each_pair_from_both_sides(
+    positions: Vector, velocities: Vector, masses: Vector, radii: Vector, restitution: float
+) -> Any:
+    """Each asteroid collides with each other one: 1 with 2, and later 2 with 1."""
+    found = list(_pairs(positions, radii))
+    both = sorted([*found, *((b, a, -n) for a, b, n in found)], key=lambda pair: pair[:2])
+    return _with_impulses(velocities, masses, both, restitution)

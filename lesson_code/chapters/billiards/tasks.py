@@ -154,9 +154,13 @@ def _velocity(stream: Random, x: float, y: float) -> draws.Vector:
 
 
 def whole_seconds(stream: Random) -> Iterator[Arguments]:
-    """Draw frames of one second, and of a half as the sum of 30 steps, which lacks 1e-16 s."""
+    """Draw frames of one second, and of a half as the sum of 30 steps, which lacks 1e-16 s.
+
+    In the last one a fast ball meets the bottom and the top twice.
+    """
     for elapsed in (1.0, sum(30 * [TIME_STEP], 0.0)):
         yield LAUNCH[0], _velocity(stream, 1, -1), elapsed
+    yield (100.0, 200.0), (20.0, round(stream.uniform(1600, 1800), 1)), 1.0
 
 
 def frames_with_a_rest(stream: Random) -> Iterator[Arguments]:

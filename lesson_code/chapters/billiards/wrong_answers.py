@@ -27,6 +27,13 @@ BUMPER_START, BUMPER_END = np.array(TABLE.bumper_start), np.array(TABLE.bumper_e
 BUMPER_HALF_THICKNESS = TABLE.bumper_half_thickness
 
 
+def _depths(position: Vector, reach: float) -> dict[str, Any]:
+    """Return how far what reaches so far from a place is in each of the cushions."""
+    x, y = position
+    beyond = x - (WIDTH - reach), y - (HEIGHT - reach)
+    return {"top": reach - y, "bottom": beyond[1], "left": reach - x, "right": beyond[0]}
+
+
 @wrong_model("B.1", "A ball has a size. How far is its centre from the cushion when it touches?")
 def forgets_the_radius(position: Vector) -> Any:
     """A ball meets the cushion when its centre does."""
@@ -38,26 +45,14 @@ def forgets_the_radius(position: Vector) -> Any:
 @wrong_model("B.1", "Send a ball into a corner. How many cushions does it touch there?")
 def one_cushion_at_a_time(position: Vector) -> Any:
     """A ball can touch only one cushion at a time."""
-    x, y = position
-    depths = {
-        "top": RADIUS - y,
-        "bottom": y - (HEIGHT - RADIUS),
-        "left": RADIUS - x,
-        "right": x - (WIDTH - RADIUS),
-    }
+    depths = _depths(position, RADIUS)
     return [(name, NORMALS[name], depth) for name, depth in depths.items() if depth > 0][:1]
 
 
 @wrong_model("B.1", "y grows downward here. Which way does the top cushion push the ball?")
 def outward_normals(position: Vector) -> Any:
     """A cushion's normal points out of the table."""
-    x, y = position
-    depths = {
-        "top": RADIUS - y,
-        "bottom": y - (HEIGHT - RADIUS),
-        "left": RADIUS - x,
-        "right": x - (WIDTH - RADIUS),
-    }
+    depths = _depths(position, RADIUS)
     return [(name, -NORMALS[name], depth) for name, depth in depths.items() if depth > 0]
 
 
@@ -70,11 +65,11 @@ def endless_half_plane(position: Vector) -> Any:
     return (normal, depth) if depth > 0 else None
 
 
-def _beside(position: Vector, nearest: Vector) -> Any:
+def _beside(position: Vector, nearest: Vector, half: float = BUMPER_HALF_THICKNESS) -> Any:
     """Return normal and depth of a ball at the point of the bumper that is taken as nearest."""
     offset = position - nearest
     distance = np.hypot(offset[0], offset[1])
-    depth = RADIUS + BUMPER_HALF_THICKNESS - distance
+    depth = RADIUS + half - distance
     return (offset / distance, depth) if depth > 0 else None
 
 
@@ -193,25 +188,26 @@ def one_long_step(position: Vector, velocity: Vector, elapsed: float) -> Any:
     return (*step(position, velocity, elapsed), 0.0)
 
 
+def _stepped(position: Vector, velocity: Vector, count: int) -> Any:
+    """Return position, velocity and hits after some steps."""
+    hits: list[str] = []
+    for _ in range(count):
+        position, velocity, new_hits = step(position, velocity, TIME_STEP)
+        hits += new_hits
+    return position, velocity, hits
+
+
 @wrong_model("B.5", "A frame of 0.11 s holds 6 steps. What becomes of the time that is left over?")
 def drops_the_rest(position: Vector, velocity: Vector, elapsed: float) -> Any:
     """What is left over is too short to matter."""
-    hits = []
-    for _ in range(int(elapsed / TIME_STEP + 1e-9)):
-        position, velocity, new_hits = step(position, velocity, TIME_STEP)
-        hits += new_hits
-    return position, velocity, hits, 0.0
+    return *_stepped(position, velocity, int(elapsed / TIME_STEP + 1e-9)), 0.0
 
 
 @wrong_model("B.5", "A frame of 0.11 s holds 6.6 steps. How many whole ones is that?")
 def rounds_up(position: Vector, velocity: Vector, elapsed: float) -> Any:
     """A step that has begun is made whole."""
-    hits = []
-    steps = int(np.ceil(elapsed / TIME_STEP - 1e-9))
-    for _ in range(steps):
-        position, velocity, new_hits = step(position, velocity, TIME_STEP)
-        hits += new_hits
-    return position, velocity, hits, elapsed - steps * TIME_STEP
+    count = int(np.ceil(elapsed / TIME_STEP - 1e-9))
+    return *_stepped(position, velocity, count), elapsed - count * TIME_STEP
 
 
 @wrong_model("B.5", "Take 1/60 from 1.0 sixty times. Does exactly nothing remain, in floats?")
@@ -300,3 +296,104 @@ def flies_on_from_the_wall(position: Vector, velocity: Vector, dt: float) -> Any
     for contact in wall_contacts(position):
         one(*contact)
     return position, velocity, hits
+
+
+@wrong_model("B.1", "A ball in a corner: does it touch the other cushion less, or not at all?")
+def only_the_deepest(position: Vector) -> Any:
+    """The cushion that is overlapped most is the one that counts."""
+    return sorted(wall_contacts(position), key=lambda contact: -contact[2])[:1]
+
+
+@wrong_model("B.1", "A ball just touches a cushion. How deep does it overlap?")
+def touching_is_overlapping(position: Vector) -> Any:
+    """A ball that touches a cushion, with depth 0, overlaps it."""
+    depths = _depths(position, RADIUS)
+    return [(name, NORMALS[name], depth) for name, depth in depths.items() if depth >= 0]
+
+
+@wrong_model("B.1", "How far is it from the centre of a ball to its rim?")
+def diameter_for_radius(position: Vector) -> Any:
+    """A ball overlaps a cushion that is nearer than its diameter."""
+    depths = _depths(position, 2 * RADIUS)
+    return [(name, NORMALS[name], depth) for name, depth in depths.items() if depth > 0]
+
+
+@wrong_model("B.2", "From the bumper's middle line to its edge: is that all of its thickness?")
+def twice_as_thick(position: Vector) -> Any:
+    """The bumper reaches as far from its line as it is thick."""
+    along = BUMPER_END - BUMPER_START
+    part = np.dot(position - BUMPER_START, along) / np.dot(along, along)
+    nearest = BUMPER_START + min(max(part, 0.0), 1.0) * along
+    return _beside(position, nearest, 2 * BUMPER_HALF_THICKNESS)
+
+
+@wrong_model("B.2", "A ball meets the middle of the bumper's side. How far is that from both ends?")
+def ends_alone(position: Vector) -> Any:
+    """The bumper is its two ends."""
+    nearest = min((BUMPER_START, BUMPER_END), key=lambda end: float(np.hypot(*(position - end))))
+    return _beside(position, nearest)
+
+
+@wrong_model("B.3", "A ball inside the cushion, but leaving it: does it not have to be moved out?")
+def leaves_what_leaves(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """A ball that is leaving needs nothing at all, not even to be moved out."""
+    v_n = np.dot(velocity, normal)
+    if v_n >= 0:
+        return position, velocity
+    return position + depth * normal, velocity - (1 + RESTITUTION) * v_n * normal
+
+
+@wrong_model("B.3", "The ball is already leaving. What takes away a part of its speed in yours?")
+def slows_what_leaves(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """Whichever way the ball moves, it leaves with e times its normal speed."""
+    v_n = np.dot(velocity, normal)
+    return position + depth * normal, velocity + (RESTITUTION * abs(v_n) - v_n) * normal
+
+
+@wrong_model("B.3", "A ball comes in slowly. Is its restitution another one?")
+def too_slow_to_bounce(position: Vector, velocity: Vector, normal: Vector, depth: float) -> Any:
+    """A slow ball does not bounce: it stays at the cushion."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    e = RESTITUTION if v_n < -1 else 0.0
+    return position + depth * normal, velocity - (1 + e) * v_n * normal
+
+
+@wrong_model("B.3", "By how much does the ball overlap, and by how much do you move it?")
+def mirrored_at_the_cushion(
+    position: Vector, velocity: Vector, normal: Vector, depth: float
+) -> Any:
+    """The ball went too far by the depth, so it comes back by that, and then e times that more."""
+    factor, v_n = 1 + RESTITUTION, min(0.0, np.dot(velocity, normal))
+    return position + factor * depth * normal, velocity - factor * v_n * normal
+
+
+@wrong_model("B.4", "Which of the table's obstacles does your ball fly through?")
+def passes_the_bumper(position: Vector, velocity: Vector, dt: float) -> Any:
+    """A step looks at the cushions."""
+    position, hits = position + velocity * dt, []
+    for name, normal, depth in wall_contacts(position):
+        hits += [name] if np.dot(velocity, normal) < 0 else []
+        position, velocity = resolve(position, velocity, normal, depth)
+    return position, velocity, hits
+
+
+@wrong_model("B.5", "30 steps, added up, lack 1e-16 s of a half. How many whole steps are that?")
+def loses_a_step_to_rounding(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """A quotient of floats that should be whole is whole."""
+    count = int(elapsed / TIME_STEP)
+    return *_stepped(position, velocity, count), elapsed - count * TIME_STEP
+
+
+@wrong_model("B.5", "A frame of 6.6 steps: is what is left over 0.6, or 0.6 of a step?")
+def rest_in_steps(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """What is left over is counted in steps."""
+    count = int(elapsed / TIME_STEP + 1e-9)
+    return *_stepped(position, velocity, count), max(0.0, elapsed / TIME_STEP - count)
+
+
+@wrong_model("B.5", "A ball meets the same cushion twice. How many hits are that?")
+def each_name_once(position: Vector, velocity: Vector, elapsed: float) -> Any:
+    """What has been hit is listed once, however often."""
+    count = int(elapsed / TIME_STEP + 1e-9)
+    position, velocity, hits = _stepped(position, velocity, count)
+    return position, velocity, [*dict.fromkeys(hits)], max(0.0, elapsed - count * TIME_STEP)

@@ -87,12 +87,17 @@ def single_bricks(stream: Random) -> Iterator[Arguments]:
 
 
 def walls_of_bricks(stream: Random) -> Iterator[Arguments]:
-    """Draw flights between two rows of bricks, the far one first in the list."""
+    """Draw flights between two rows of bricks, the far one first in the list.
+
+    The last ball flies to and fro, and comes to where a brick was that it has broken.
+    """
     for _ in range(2):
         rows = [(0.02 + 0.78 * k, y, *BOX) for y in (2.0, 1.0) for k in range(6)]
         rows += [(0.02 + 0.78 * k, -0.5, *BOX) for k in range(6)]
         velocity = (stream.uniform(1.5, 2.5), stream.uniform(7.0, 9.0))
         yield (stream.uniform(0.5, 1.0), 0.3), velocity, RADIUS, tuple(rows), 0.6
+    column = tuple((0.0, y, *BOX) for y in (2.0, 1.0, -0.5))
+    yield (0.4, 0.3), (0.0, round(stream.uniform(4.5, 5.0), 2)), RADIUS, column, 0.95
 
 
 def fast_flights(stream: Random) -> Iterator[Arguments]:

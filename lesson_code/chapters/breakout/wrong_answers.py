@@ -7,8 +7,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lesson_code.chapters.breakout.right_answers import by_recursion
 from lesson_code.chapters.breakout.rules import STEEPEST, brick_impact
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -216,3 +217,75 @@ def corners_push_along_an_axis(
     normal, axis = np.zeros(2), int(np.argmax(np.abs(hit[1])))
     normal[axis] = np.sign(hit[1][axis])
     return hit[0], normal
+
+
+@wrong_model("K.1", "How fast is the ball after your paddle, and how fast was it before?")
+def offset_for_the_tangent(offset: float, speed: float) -> Any:
+    """The paddle adds the part `offset` of the speed sideways; the upward part stays."""
+    offset = min(max(offset, -1.0), 1.0)
+    return offset * speed, speed
+
+
+@wrong_model("K.1", "At the end of the paddle: does the ball leave along the paddle?")
+def offset_for_the_sine(offset: float, speed: float) -> Any:
+    """The offset is the sideways part of the speed."""
+    offset = min(max(offset, -1.0), 1.0)
+    return offset * speed, math.sqrt(1 - offset**2) * speed
+
+
+@wrong_model("K.1", "Which unit do sine and cosine take?")
+def sixty_radians(offset: float, speed: float) -> Any:
+    """Sine and cosine take degrees."""
+    angle = 60 * min(max(offset, -1.0), 1.0)
+    return speed * math.sin(angle), speed * math.cos(angle)
+
+
+@wrong_model("K.1", "A ball that hits beyond the end: what does the task count it as?")
+def straight_up_beyond_the_ends(offset: float, speed: float) -> Any:
+    """What does not hit the paddle is not turned aside."""
+    angle = offset * STEEPEST if abs(offset) <= 1 else 0.0
+    return speed * math.sin(angle), speed * math.cos(angle)
+
+
+@wrong_model("K.2", "A ball meets a face at a slant. Which way does the face push it?")
+def pushes_straight_back(position: Vector, velocity: Vector, radius: float, box: Vector) -> Any:
+    """A brick pushes the ball back the way it came."""
+    hit = brick_impact(position, velocity, radius, box)
+    return hit and (hit[0], -velocity / np.hypot(*velocity))
+
+
+@wrong_model("K.2", "A ball meets the left part of a wide brick's top. Which way is it pushed?")
+def away_from_the_middle(position: Vector, velocity: Vector, radius: float, box: Vector) -> Any:
+    """A brick pushes away from its middle, as a disc does."""
+    hit = brick_impact(position, velocity, radius, box)
+    if hit is None:
+        return None
+    away = position + velocity * hit[0] - (box[:2] + box[2:] / 2)
+    return hit[0], away / np.hypot(*away)
+
+
+@wrong_model("K.3", "A ball meets a face at a slant. Does it come back into your hand?")
+@edited(by_recursion, {"mirror @ v": "-v"})
+def straight_back() -> None:
+    """A brick sends the ball back the way it came."""
+
+
+@wrong_model("K.3", "A brick stops the ball along the normal. Does it give nothing back?")
+@edited(by_recursion, {"2 * np.outer(n, n)": "np.outer(n, n)"})
+def slides_along() -> None:
+    """A brick takes the normal part of the velocity away."""
+
+
+@wrong_model("K.3", "In which order were the bricks broken?")
+def places_in_order_of_size(
+    position: Vector, velocity: Vector, radius: float, bricks: Vector, duration: float
+) -> Any:
+    """The bricks are told in the order of their places in the list."""
+    end, after, broken = by_recursion(position, velocity, radius, bricks, duration)
+    return end, after, sorted(broken)
+
+
+@wrong_model("K.3", "A ball comes back to where a brick was. Is it still there?")
+@edited(by_recursion, {"if name != k": "if name != -1"})
+def bricks_do_not_break() -> None:
+    """Bricks that were met stay where they are."""

@@ -135,3 +135,23 @@ def energy_for_impulse(m1: float, v1: float, m2: float, v2: float) -> float:
     """The impulse is the energy that body 2 receives."""
     after = v2 + 2 * m1 * (v1 - v2) / (m1 + m2)
     return m2 * (after**2 - v2**2) / 2
+
+
+@wrong_model("1.1", "Your bodies exchange their energies. Is the momentum still what it was?")
+def energies_change_hands(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """In an elastic collision the bodies exchange their kinetic energies."""
+    return v2 * (m2 / m1) ** 0.5, v1 * (m1 / m2) ** 0.5
+
+
+@wrong_model("1.1", "A ball hits one that is twice as heavy. Does that one feel nothing?")
+def the_heavier_is_a_wall(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """The heavier body goes on as it was, and the lighter one bounces off it as off a wall."""
+    if m1 == m2:
+        return v2, v1
+    return (v1, 2 * v1 - v2) if m1 > m2 else (2 * v2 - v1, v2)
+
+
+@wrong_model("1.2", "A truck and a bicycle meet head on and stick together. Does the truck stop?")
+def sticking_is_stopping(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Bodies that stick together stop."""
+    return 0.0, 0.0

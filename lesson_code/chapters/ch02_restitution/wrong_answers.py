@@ -186,3 +186,70 @@ def each_as_from_a_wall(
 def always_on_earth(height: float, restitution: float, gravity: float) -> float:
     """Gravity is 9.81 m/s^2."""
     return float((2 * height / 9.81) ** 0.5 * (1 + restitution) / (1 - restitution))
+
+
+@wrong_model("2.1", "Two carts roll on, equally fast. Do they approach each other?")
+def sums_with_their_signs(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution is the sum of the velocities after, over the sum of those before."""
+    return (v1_after + v2_after) / (v1 + v2)
+
+
+@wrong_model("2.1", "Two carts meet head on, both at 2 m/s. How fast do they approach?")
+def differences_of_speeds(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Approach and separation are differences of speeds, whichever way each body goes."""
+    return abs((abs(v2_after) - abs(v1_after)) / (abs(v1) - abs(v2)))
+
+
+@wrong_model("2.1", "A perfect bounce has e = 1. What has it by your formula?")
+def the_part_that_is_lost(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Restitution is the part of the speed that is lost."""
+    return 1 - (v2_after - v1_after) / (v1 - v2)
+
+
+@wrong_model("2.1", "A fly bounces off a train. Does either speed alone tell how they part?")
+def mean_of_both_ratios(v1: float, v2: float, v1_after: float, v2_after: float) -> float:
+    """Each body has a ratio of its speeds, and restitution is the mean of both."""
+    return (abs(v1_after / v1) + abs(v2_after / v2)) / 2
+
+
+@wrong_model("2.2", "With e = 0, do your bodies stick together? And is the momentum kept?")
+def scaled_by_the_root(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """Restitution is the part of all energy that is left, so each speed is less by its root."""
+    v, part = (m1 * v1 + m2 * v2) / (m1 + m2), restitution**0.5
+    return part * (2 * v - v1), part * (2 * v - v2)
+
+
+@wrong_model("2.2", "A light ball and a heavy one: is the momentum kept in yours?")
+def exchanged_and_slowed(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """The bodies exchange their velocities, and e is left of them."""
+    return restitution * v2, restitution * v1
+
+
+@wrong_model("2.3", "How many heights were asked for, and is the drop a bounce?")
+def begins_with_the_drop_besides(height: float, restitution: float, count: int) -> list[float]:
+    """The height of the drop stands in front of the heights after the bounces."""
+    return [height * restitution ** (2 * n) for n in range(int(count) + 1)]
+
+
+@wrong_model("2.3", "A ball with e = 1 loses nothing. How high does yours rise then?")
+def what_is_lost(height: float, restitution: float, count: int) -> list[float]:
+    """Each height is what the bounce takes away: the part 1 - e^2 of the one before."""
+    return [height * (1 - restitution**2) ** n for n in range(1, int(count) + 1)]
+
+
+@wrong_model("2.3", "Which unit have the numbers that you return: m/s, or m?")
+def speeds_for_heights(height: float, restitution: float, count: int) -> list[float]:
+    """What is asked for is how fast the ball leaves the floor."""
+    speed = (2 * 9.81 * height) ** 0.5
+    return [float(speed * restitution**n) for n in range(1, int(count) + 1)]
+
+
+@wrong_model("2.4", "Ten falls of 1 m, one after the other: do they last as long as one of 10 m?")
+def one_fall_of_the_whole_way(height: float, restitution: float, gravity: float) -> float:
+    """All ways up and down together take as long as one fall of that length."""
+    way = height * (1 + restitution**2) / (1 - restitution**2)
+    return float((2 * way / gravity) ** 0.5)

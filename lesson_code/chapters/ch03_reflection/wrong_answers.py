@@ -180,3 +180,72 @@ def a_direction_alone(incident: Vector, normal: Vector) -> Vector:
     """The mirror image is a direction, so its length is 1."""
     image = incident - 2 * np.dot(incident, normal) * normal
     return image / np.hypot(*image)
+
+
+@wrong_model("3.3", "By how much does the ball overlap the wall, and by how much do you move it?")
+def mirrored_at_the_wall(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """The ball went too far by the depth, so it comes back by that, and then e times that more."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    factor = 1 + restitution
+    return position + factor * depth * normal, velocity - factor * v_n * normal
+
+
+@wrong_model("3.1", "A mirror has two sides. What does yours do with what comes from behind?")
+def only_from_the_front(incident: Vector, normal: Vector) -> Vector:
+    """What moves the way the normal points is not turned round."""
+    return incident - 2 * min(0.0, np.dot(incident, normal)) * normal
+
+
+@wrong_model("3.1", "A ball comes in at a slant. Does it leave straight along the normal?")
+def leaves_along_the_normal(incident: Vector, normal: Vector) -> Vector:
+    """A wall throws the ball straight out, as fast as it came."""
+    return np.hypot(*incident) * normal
+
+
+@wrong_model("3.2", "A smooth wall pushes along its normal. What slows the tangent part?")
+def whole_mirror_by_the_root(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """Restitution is the part of the energy that is left, and its root scales the mirror image."""
+    v_n = np.dot(velocity, normal)
+    return velocity if v_n >= 0 else restitution**0.5 * (velocity - 2 * v_n * normal)
+
+
+@wrong_model("3.2", "A ball leaves the wall slowly. What takes away a part of its speed in yours?")
+def slows_what_leaves(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """Whichever way the ball moves, it leaves with e times its normal speed."""
+    v_n = np.dot(velocity, normal)
+    return velocity + (restitution * abs(v_n) - v_n) * normal
+
+
+@wrong_model("3.2", "A ball comes in at 5 cm/s. Is that no bounce? At which speed does it begin?")
+def too_slow_to_bounce(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """A slow ball does not bounce: it stays at the wall."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    return velocity - (1 + restitution if v_n < -0.1 else 1) * v_n * normal
+
+
+@wrong_model("3.2", "A ball comes in at 5 cm/s. Does it go on into the wall?")
+def too_slow_to_count(velocity: Vector, normal: Vector, restitution: float) -> Vector:
+    """A ball that comes in slowly is as good as at rest, and nothing happens to it."""
+    v_n = np.dot(velocity, normal)
+    return velocity - (1 + restitution) * (v_n if v_n < -0.1 else 0) * normal
+
+
+@wrong_model("3.3", "The normal points out. Which is the shortest way out of the wall?")
+def out_along_the_new_velocity(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """The ball goes out the way it flies after the bounce, by the depth."""
+    v_n = min(0.0, np.dot(velocity, normal))
+    velocity = velocity - (1 + restitution) * v_n * normal
+    return position + depth * velocity / np.hypot(*velocity), velocity
+
+
+@wrong_model("3.3", "The ball is already leaving. What takes away a part of its speed in yours?")
+def slows_what_leaves_the_wall(
+    position: Vector, velocity: Vector, normal: Vector, depth: float, restitution: float
+) -> Vector:
+    """Whichever way the ball moves, it leaves with e times its normal speed."""
+    v_n = np.dot(velocity, normal)
+    return position + depth * normal, velocity + (restitution * abs(v_n) - v_n) * normal

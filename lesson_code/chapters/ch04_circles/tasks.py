@@ -36,9 +36,20 @@ def overlapping(stream: Random) -> Iterator[Arguments]:
 
 
 def near_each_other(stream: Random) -> Iterator[Arguments]:
-    """Draw circles that miss each other although their boxes overlap, and two that meet."""
+    """Draw circles that miss each other although their boxes overlap, and some that meet.
+
+    Two small ones meet as well: of a distance below 1 m the square is less than the distance. And
+    two meet whose distance lies between the larger radius and the root of r1^2 + r2^2, and two
+    whose distance is more than 1 m, but its square less than r1 + r2.
+    """
     yield _circles(stream, DIAGONAL, stream.uniform(1.1, 1.3))
     yield _circles(stream, DIAGONAL, stream.uniform(0.8, 0.9))
+    (x1, y1), r1, (x2, y2), r2 = _circles(stream, DIAGONAL, stream.uniform(0.8, 0.9))
+    yield (x1 / 5, y1 / 5), r1 / 5, (x2 / 5, y2 / 5), r2 / 5
+    p1, (r1, r2) = draws.position(stream), draws.unequal_radii(stream)
+    yield p1, r1, draws.at_distance(p1, (max(r1, r2) + math.hypot(r1, r2)) / 2, DIAGONAL), r2
+    p1, (r1, r2) = draws.position(stream), draws.unequal_radii(stream)
+    yield p1, r1, draws.at_distance(p1, stream.uniform(1.1, 1.3), DIAGONAL), r2
 
 
 def just_touching(stream: Random) -> Iterator[Arguments]:

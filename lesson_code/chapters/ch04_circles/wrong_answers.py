@@ -6,91 +6,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.ch04_circles.right_answers import first_places_then_velocities
+from lesson_code.chapters.ch04_circles.right_answers import (
+    first_places_then_velocities,
+    seen_from_the_centre_of_mass,
+)
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
-
-
-@wrong_model("4.1", "Circle 1 pushes circle 2 along the normal. Which way does yours push it?")
-def normal_from_2_to_1(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """The normal points from circle 2 to circle 1."""
-    distance = np.hypot(*(p2 - p1))
-    if distance >= r1 + r2:
-        return None
-    normal = (p1 - p2) / distance if distance > 0 else np.array([-1.0, 0.0])
-    return normal, r1 + r2 - distance
-
-
-@wrong_model("4.1", "How long is your normal when the centres are 3 m apart?")
-def not_normalised(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """The normal is the way from one centre to the other."""
-    distance = np.hypot(*(p2 - p1))
-    if distance >= r1 + r2:
-        return None
-    return p2 - p1 if distance > 0 else np.array([1.0, 0.0]), r1 + r2 - distance
-
-
-@wrong_model("4.1", "Two circles overlap by 0.2 m. Is your depth +0.2 or -0.2?")
-def gap_as_depth(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """The depth is the distance of the rims: negative while the circles overlap."""
-    distance = np.hypot(*(p2 - p1))
-    if distance >= r1 + r2:
-        return None
-    normal = (p2 - p1) / distance if distance > 0 else np.array([1.0, 0.0])
-    return normal, distance - (r1 + r2)
-
-
-@wrong_model("4.1", "Put a coin into each corner of a box. Do coins touch whenever their boxes do?")
-def boxes_for_circles(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """Circles overlap if they do so along x and along y."""
-    if np.any(np.abs(p2 - p1) >= r1 + r2):
-        return None
-    distance = np.hypot(*(p2 - p1))
-    normal = (p2 - p1) / distance if distance > 0 else np.array([1.0, 0.0])
-    return normal, r1 + r2 - distance
-
-
-@wrong_model("4.1", "Two circles touch at a slant. Which way does each push the other there?")
-def out_along_an_axis(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """Circles are moved apart as their boxes are: along x or y, whichever is shorter."""
-    way, reach = p2 - p1, r1 + r2
-    if np.hypot(*way) >= reach:
-        return None
-    axis = int(np.argmax(np.abs(way)))
-    normal = np.zeros(2)
-    normal[axis] = 1.0 if way[axis] >= 0 else -1.0
-    return normal, reach - abs(way[axis])
-
-
-@wrong_model("4.1", "You squared the distance. What else has to be squared in the comparison?")
-def only_one_side_squared(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """Circles overlap if the squared distance is less than the sum of the radii."""
-    squared = np.dot(p2 - p1, p2 - p1)
-    if squared >= r1 + r2:
-        return None
-    distance = np.sqrt(squared)
-    normal = (p2 - p1) / distance if distance > 0 else np.array([1.0, 0.0])
-    return normal, r1 + r2 - distance
-
-
-@wrong_model("4.1", "Two circles just touch. How deep do they overlap, and is that an overlap?")
-def touching_counts(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """Circles that touch in a point are in contact already, with depth 0."""
-    distance = np.hypot(*(p2 - p1))
-    if distance > r1 + r2:
-        return None
-    normal = (p2 - p1) / distance if distance > 0 else np.array([1.0, 0.0])
-    return normal, r1 + r2 - distance
-
-
-@wrong_model("4.1", "Two circles lie on the same centre. How deep do they overlap?")
-def same_centre_is_no_contact(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """Without a direction between the centres there is no contact."""
-    distance = np.hypot(*(p2 - p1))
-    if distance == 0 or distance >= r1 + r2:
-        return None
-    return (p2 - p1) / distance, r1 + r2 - distance
 
 
 @wrong_model("4.2", "Roll a ball past another so that they barely graze. Does it turn round?")
@@ -105,34 +27,23 @@ def one_dimension_on_each_axis(
 
 
 @wrong_model("4.2", "Momentum is kept. What about the energy, with e = 1?")
-def doubled_impulse(
-    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
-) -> Any:
+@edited(seen_from_the_centre_of_mass, {"v1 - (1": "v1 - 2 * (1", "v2 - (1": "v2 - 2 * (1"})
+def doubled_impulse() -> None:
     """The 2 of the elastic impulse is kept, and 1 + e multiplies it."""
-    vn = min(0.0, np.dot(v2 - v1, normal))
-    impulse = -2 * (1 + restitution) * vn / (1 / m1 + 1 / m2)
-    return v1 - impulse / m1 * normal, v2 + impulse / m2 * normal
 
 
 @wrong_model("4.2", "These circles already move apart. What does your impulse do to them?")
-def without_gate(
-    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
-) -> Any:
+@edited(seen_from_the_centre_of_mass, {"if np.dot(v1 - v2, normal) <= 0": "if False"})
+def without_gate() -> None:
     """Circles in contact always bounce, whichever way they move."""
-    impulse = -(1 + restitution) * np.dot(v2 - v1, normal) / (1 / m1 + 1 / m2)
-    return v1 - impulse / m1 * normal, v2 + impulse / m2 * normal
 
 
 @wrong_model(
     "4.2", "The normal points from 1 to 2. If 2 moves along it faster than 1, do they approach?"
 )
-def gate_inverted(
-    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
-) -> Any:
+@edited(seen_from_the_centre_of_mass, {"<= 0": ">= 0"})
+def gate_inverted() -> None:
     """Circles approach when (v2 - v1) . n is positive."""
-    vn = max(0.0, np.dot(v2 - v1, normal))
-    impulse = -(1 + restitution) * vn / (1 / m1 + 1 / m2)
-    return v1 - impulse / m1 * normal, v2 + impulse / m2 * normal
 
 
 @wrong_model("4.2", "Only equal masses exchange their velocities. Where did m1 and m2 go?")
@@ -284,39 +195,27 @@ def returns_before_separating(
 
 
 @wrong_model("4.4", "Where are the circles after your call: still inside each other?")
-def velocities_alone(
-    p1: Vector, v1: Vector, m1: float, p2: Vector, v2: Vector, m2: float,
-    normal: Vector, depth: float, restitution: float,
-) -> Any:  # fmt: skip
+@edited(
+    first_places_then_velocities,
+    {"- w1 / (w1 + w2) * depth * normal": "", "+ w2 / (w1 + w2) * depth * normal": ""},
+)
+def velocities_alone() -> None:
     """Once the velocities are right, the positions take care of themselves."""
-    w1, w2 = 1 / m1, 1 / m2
-    vn = min(0.0, np.dot(v2 - v1, normal))
-    impulse = -(1 + restitution) * vn / (w1 + w2) * normal
-    return p1, v1 - w1 * impulse, p2, v2 + w2 * impulse
 
 
 @wrong_model("4.4", "The circles overlap, but they already part. What does your impulse do then?")
-def bounces_when_separating(
-    p1: Vector, v1: Vector, m1: float, p2: Vector, v2: Vector, m2: float,
-    normal: Vector, depth: float, restitution: float,
-) -> Any:  # fmt: skip
+@edited(first_places_then_velocities, {"(v2 - v1) @ normal < 0": "True"})
+def bounces_when_separating() -> None:
     """Whatever overlaps is bounced, whichever way it moves."""
-    w1, w2 = 1 / m1, 1 / m2
-    way = depth / (w1 + w2) * normal
-    impulse = -(1 + restitution) * np.dot(v2 - v1, normal) / (w1 + w2) * normal
-    return p1 - w1 * way, v1 - w1 * impulse, p2 + w2 * way, v2 + w2 * impulse
 
 
 @wrong_model("4.4", "The velocities know of the masses. Do the positions in yours?")
-def half_each_and_bounced(
-    p1: Vector, v1: Vector, m1: float, p2: Vector, v2: Vector, m2: float,
-    normal: Vector, depth: float, restitution: float,
-) -> Any:  # fmt: skip
+@edited(
+    first_places_then_velocities,
+    {"w1 / (w1 + w2) * depth": "depth / 2", "w2 / (w1 + w2) * depth": "depth / 2"},
+)
+def half_each_and_bounced() -> None:
     """Masses matter for velocities; of the way apart each circle takes half."""
-    w1, w2 = 1 / m1, 1 / m2
-    vn = min(0.0, np.dot(v2 - v1, normal))
-    impulse = -(1 + restitution) * vn / (w1 + w2) * normal
-    return p1 - depth / 2 * normal, v1 - w1 * impulse, p2 + depth / 2 * normal, v2 + w2 * impulse
 
 
 @wrong_model("4.4", "Compare the energy before and after. Where does the extra speed come from?")
@@ -331,28 +230,10 @@ def pushed_apart_by_velocity(
     return p1, v1 - w1 * impulse, p2, v2 + w2 * impulse
 
 
-@wrong_model("4.1", "Two circles of 1 m almost touch. How deep is the overlap by your formula?")
-def root_of_the_squares(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
-    """The depth is the root of the difference of the squares, as in a right triangle."""
-    distance = np.hypot(*(p2 - p1))
-    if distance >= r1 + r2:
-        return None
-    normal = (p2 - p1) / distance if distance > 0 else np.array([1.0, 0.0])
-    return normal, np.sqrt((r1 + r2) ** 2 - distance**2)
-
-
 @wrong_model("4.4", "By which mass is the change of the velocity of circle 2 divided in yours?")
-def one_mass_for_both(
-    p1: Vector, v1: Vector, m1: float, p2: Vector, v2: Vector, m2: float,
-    normal: Vector, depth: float, restitution: float,
-) -> Any:  # fmt: skip
+@edited(first_places_then_velocities, {"* w2 * normal,": "* w1 * normal,"})
+def one_mass_for_both() -> None:
     """The same impulse gives both circles the same change of velocity."""
-    w1, w2 = 1 / m1, 1 / m2
-    p1_after = p1 - depth * w1 / (w1 + w2) * normal
-    p2_after = p2 + depth * w2 / (w1 + w2) * normal
-    approach = max((v1 - v2) @ normal, 0.0)
-    change = (1 + restitution) * approach / (w1 + w2) * w1 * normal
-    return p1_after, v1 - change, p2_after, v2 + change
 
 
 @wrong_model("4.3", "Add up how far both circles move. Is it the depth?")
@@ -388,3 +269,119 @@ def left_in_the_frame_of_the_normal(
     centre = (m1 * a + m2 * b) / (m1 + m2)
     ends = [centre - restitution * (part - centre) for part in (a, b)]
     return [ends[0], v1 @ along], [ends[1], v2 @ along]
+
+
+@wrong_model("4.2", "Circle 1 stands still, and circle 2 runs into it. Does nothing happen?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {"np.dot(v1 - v2, normal) <= 0": "min(np.dot(v1, normal), np.dot(v1 - v2, normal)) <= 0"},
+)
+def circle_1_has_to_come() -> None:
+    """There is a hit only if circle 1 itself moves towards circle 2."""
+
+
+@wrong_model("4.4", "Throw a ball at a slant against a pillar. Does it come back into your hand?")
+@edited(
+    first_places_then_velocities,
+    {
+        "    if (v2": (
+            "    if (v2 - v1) @ normal < 0 and w1 * w2 == 0:\n"
+            "        v1, v2 = -restitution * v1, -restitution * v2\n"
+            "    elif (v2"
+        )
+    },
+)
+def straight_back_from_a_fixed_one() -> None:
+    """A circle that hits a fixed one goes back the way it came."""
+
+
+@wrong_model("4.2", "A light circle hits a heavy one: is the momentum kept in yours?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {
+        "v1 - centre": "(v1 - restitution * v2) / (1 + restitution)",
+        "v2 - centre": "(v2 - restitution * v1) / (1 + restitution)",
+    },
+)
+def exchanged_and_slowed() -> None:
+    """The circles exchange their velocities along the normal, and e is left of them."""
+
+
+@wrong_model("4.2", "Circle 2 stands still. Along which direction alone can it be pushed?")
+def whole_velocities_exchanged(
+    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
+) -> Any:
+    """In a hit the circles exchange their velocities, as they are."""
+    return (v2, v1) if np.dot(v1 - v2, normal) > 0 else (v1, v2)
+
+
+@wrong_model("4.2", "With e = 0: do the circles go on together along the normal, or stop?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {
+        "v1 - centre": "v1 - 2 * restitution / (1 + restitution) * centre",
+        "v2 - centre": "v2 - 2 * restitution / (1 + restitution) * centre",
+    },
+)
+def elastic_then_scaled_along() -> None:
+    """Along the normal the velocities are e times those of an elastic hit."""
+
+
+@wrong_model(
+    "4.2", "Two circles meet at 5 cm/s. Is that no hit, and at which speed does one begin?"
+)
+@edited(seen_from_the_centre_of_mass, {"<= 0": "<= 0.1"})
+def too_slow_to_count() -> None:
+    """Circles that approach slowly are as good as at rest against each other."""
+
+
+@wrong_model("4.2", "Two circles meet at 5 cm/s. What is their restitution then?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {"    centre =": "    restitution *= np.dot(v1 - v2, normal) > 0.1\n    centre ="},
+)
+def too_slow_to_bounce() -> None:
+    """Circles that meet slowly go on together: a slow hit is inelastic."""
+
+
+@wrong_model("4.2", "One car runs into the back of another. Is that no hit?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {
+        "np.dot(v1 - v2, normal) <= 0": (
+            "np.dot(v1, normal) <= max(0, np.dot(v2, normal)) or np.dot(v2, normal) >= 0"
+        )
+    },
+)
+def towards_each_other() -> None:
+    """There is a hit only if each circle moves towards the other."""
+
+
+@wrong_model("4.2", "The circles already part. What makes them part more slowly in yours?")
+@edited(
+    seen_from_the_centre_of_mass,
+    {
+        "if np.dot(v1 - v2, normal) <= 0": "if False",
+        "    return v1 - (1": (
+            "    restitution *= np.sign(np.dot(v1 - v2, normal))\n    return v1 - (1"
+        ),
+    },
+)
+def slows_what_parts() -> None:
+    """Whichever way the circles move, they part with e times that speed."""
+
+
+@wrong_model("4.4", "How far does a circle go along the wall while you turn back the time?")
+@edited(
+    first_places_then_velocities,
+    {
+        "    p1 = p1 - w1": (
+            "    if (v1 - v2) @ normal > 0:\n"
+            "        time = depth / ((v1 - v2) @ normal)\n"
+            "        p1, p2, depth = p1 - time * v1, p2 - time * v2, 0.0\n"
+            "    p1 = p1 - w1"
+        )
+    },
+)
+def back_in_time() -> None:
+    """The circles go back along their ways, to where they were when they first touched."""

@@ -171,10 +171,12 @@ def gripping(stream: Random) -> Iterator[Arguments]:
 
 
 def slipping(stream: Random) -> Iterator[Arguments]:
-    """Draw contacts that slide on, either way."""
+    """Draw contacts that slide on, either way; the last one is rough, but hardly pressed."""
     for way in (1, -1):
         vt, k = draws.speed(stream), _yielding(stream)
         yield way * vt, *_pressed(stream, stream.uniform(0.2, 0.7) * vt / k), k
+    vt, k = draws.speed(stream), _yielding(stream)
+    yield vt, *_pressed(stream, stream.uniform(0.1, 0.2) * vt / k, smoothest=0.7), k
 
 
 def creeping(stream: Random) -> Iterator[Arguments]:
@@ -189,9 +191,9 @@ def _yielding(stream: Random) -> float:
     return round(stream.uniform(1.5, 4.0), 2)
 
 
-def _pressed(stream: Random, limit: float) -> tuple[float, float]:
+def _pressed(stream: Random, limit: float, smoothest: float = 0.2) -> tuple[float, float]:
     """Return jn, N s, and mu whose product is about `limit`."""
-    friction = round(stream.uniform(0.2, 0.8), 2)
+    friction = round(stream.uniform(smoothest, 0.8), 2)
     return round(limit / friction, 2), friction
 
 
@@ -208,16 +210,29 @@ def limit_and_need(arguments: Arguments, _answer: Any) -> str:
 
 
 def rough_walls(stream: Random) -> Iterator[Arguments]:
-    """Draw hits at which the disc does not slide afterwards, with slip of either sign."""
+    """Draw hits at which the disc does not slide afterwards, with slip of either sign.
+
+    Then one at which friction makes the disc spin faster, and one, with top spin, at which it
+    makes the disc itself faster: it brakes the sliding of the rim, and nothing else.
+    """
     for way in (1, -1):
         yield _disc_at_wall(stream, way, slip=0.5, friction=stream.uniform(0.7, 1.0))
+    for slip in (0.2, -0.5):
+        way = stream.choice((1, -1))
+        yield _disc_at_wall(stream, way, slip=slip, friction=stream.uniform(0.7, 1.0))
 
 
 def smooth_walls(stream: Random) -> Iterator[Arguments]:
-    """Draw hits at which the disc goes on sliding, with slip of either sign, the last one slow."""
-    for way, how_fast in ((1, draws.speed), (-1, draws.speed), (1, draws.creep)):
+    """Draw hits at which the disc goes on sliding, with slip of either sign.
+
+    The third one is slow, and the last one has top spin, with which friction makes it faster.
+    """
+    for way, slip, how_fast in (
+        (1, 3.0, draws.speed), (-1, 3.0, draws.speed), (1, 3.0, draws.creep),
+        (stream.choice((1, -1)), -3.0, draws.speed),
+    ):  # fmt: skip
         friction = stream.uniform(0.05, 0.2)
-        yield _disc_at_wall(stream, way, slip=3.0, friction=friction, how_fast=how_fast)
+        yield _disc_at_wall(stream, way, slip=slip, friction=friction, how_fast=how_fast)
 
 
 def leaving_discs(stream: Random) -> Iterator[Arguments]:

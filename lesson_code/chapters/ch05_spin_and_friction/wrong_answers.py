@@ -76,102 +76,6 @@ def mass_left_out(mass: float, vertices: Vector) -> Number:
     return abs(np.sum(twice_area * squares) / 12 - np.sum(twice_area) / 2 * (c @ c))
 
 
-@wrong_model(
-    "5.2", "A pencil turns counter-clockwise about its middle: which way goes its right end?"
-)
-def turns_clockwise(v: Vector, w: float, r: Vector) -> Vector:
-    """A positive angular velocity turns clockwise."""
-    return v + w * np.array([r[1], -r[0]])
-
-
-@wrong_model("5.2", "Does a point of a spinning wheel move away from the axle, or around it?")
-def along_the_lever(v: Vector, w: float, r: Vector) -> Vector:
-    """The spin adds w r, in the direction of r."""
-    return v + w * r
-
-
-@wrong_model("5.2", "A wheel spins on the spot. Are the points of its rim at rest?")
-def centre_only(v: Vector, w: float, r: Vector) -> Vector:
-    """Every point of a body moves as its centre does."""
-    return v
-
-
-@wrong_model("5.2", "Take r = (1, 1). Is your turned vector at right angles to it?")
-def swapped_without_sign(v: Vector, w: float, r: Vector) -> Vector:
-    """To turn a vector by a right angle, exchange its components."""
-    return v + w * np.array([r[1], r[0]])
-
-
-@wrong_model("5.2", "Two points of a wheel, one twice as far out: do they move equally fast?")
-def distance_forgotten(v: Vector, w: float, r: Vector) -> Vector:
-    """All points of a spinning body go round with the speed w."""
-    return v + w * np.array([-r[1], r[0]]) / np.hypot(*r)
-
-
-@wrong_model("5.3", "Push a door near its hinge and at its edge. Is it equally hard to move?")
-def levers_ignored(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """Only the masses resist a push, wherever it acts."""
-    return 1 / m_a + 1 / m_b
-
-
-@wrong_model("5.3", "A push through the centre, r along n: does it turn the body?")
-def dot_for_cross(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """The lever arm of a push is the part of r along the push."""
-    turning = np.dot(r_a, direction) ** 2 / i_a + np.dot(r_b, direction) ** 2 / i_b
-    return 1 / m_a + 1 / m_b + turning
-
-
-@wrong_model("5.3", "A push at the rim, straight at the centre: does its whole distance count?")
-def full_distance(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """The lever arm is the distance from the centre to the contact."""
-    return 1 / m_a + 1 / m_b + np.dot(r_a, r_a) / i_a + np.dot(r_b, r_b) / i_b
-
-
-@wrong_model("5.3", "Which unit does your second term have? The lever arm makes w, and w makes v.")
-def lever_not_squared(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """The lever arm counts once."""
-    arm_a = abs(r_a[0] * direction[1] - r_a[1] * direction[0])
-    arm_b = abs(r_b[0] * direction[1] - r_b[1] * direction[0])
-    return 1 / m_a + 1 / m_b + arm_a / i_a + arm_b / i_b
-
-
-@wrong_model("5.3", "Your number is in kg. What is the unit of a velocity divided by an impulse?")
-def the_mass_itself(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """The effective mass is asked for, not its inverse."""
-    arm_a = r_a[0] * direction[1] - r_a[1] * direction[0]
-    arm_b = r_b[0] * direction[1] - r_b[1] * direction[0]
-    return 1 / (1 / m_a + 1 / m_b + arm_a**2 / i_a + arm_b**2 / i_b)
-
-
-@wrong_model("5.3", "The ground never turns. Does a ball on it stop turning for that?")
-def turn_as_one(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """Both bodies resist turning together, so their moments of inertia add."""
-    arm_a = r_a[0] * direction[1] - r_a[1] * direction[0]
-    arm_b = r_b[0] * direction[1] - r_b[1] * direction[0]
-    return 1 / m_a + 1 / m_b + (arm_a - arm_b) ** 2 / (i_a + i_b)
-
-
-@wrong_model("5.3", "Both bodies can turn. Where is the lever arm of body B?")
-def first_body_only(
-    m_a: float, i_a: float, r_a: Vector, m_b: float, i_b: float, r_b: Vector, direction: Vector
-) -> Number:
-    """Only the body that hits is turned by the hit."""
-    arm_a = r_a[0] * direction[1] - r_a[1] * direction[0]
-    return 1 / m_a + 1 / m_b + arm_a**2 / i_a
-
-
 @wrong_model("5.4", "The surfaces are pressed together by jn. Can they hold on to any sliding?")
 def without_clamp(vt: float, jn: float, friction: float, k: float) -> Number:
     """Friction always stops the sliding."""
@@ -294,3 +198,85 @@ def box_around_it(mass: float, vertices: Vector) -> float:
     """A polygon turns as the rectangle around it: m (w^2 + h^2) / 12."""
     sides = np.max(vertices, axis=0) - np.min(vertices, axis=0)
     return float(mass * (sides @ sides) / 12)
+
+
+@wrong_model("5.5", "A ball without spin hits a rough floor at a slant. Can it begin to turn?")
+@edited(
+    along_and_across_the_wall,
+    {"w - 2 * jt / radius": "w - 2 * np.sign(w) * abs(jt) / radius"},
+)
+def friction_brakes_the_spin() -> None:
+    """Friction can only brake the spin, and never starts it or speeds it up."""
+
+
+@wrong_model("5.1", "Is a long, thin plate as easy to turn as a round one of the same area?")
+def disc_of_the_same_area(mass: float, vertices: Vector) -> Number:
+    """A polygon turns as the disc of its area: m r^2 / 2."""
+    (x, y), (x2, y2) = vertices.T, np.roll(vertices, -1, axis=0).T
+    return mass * abs(np.sum(x * y2 - x2 * y)) / 2 / np.pi / 2
+
+
+@wrong_model("5.1", "Is a long, thin plate as easy to turn as a square one of the same area?")
+def square_of_the_same_area(mass: float, vertices: Vector) -> Number:
+    """A polygon turns as the square of its area: m a^2 / 6."""
+    (x, y), (x2, y2) = vertices.T, np.roll(vertices, -1, axis=0).T
+    return mass * abs(np.sum(x * y2 - x2 * y)) / 2 / 6
+
+
+@wrong_model("5.1", "A plate and balls at its corners: is all of the plate as far out?")
+def vertex_masses_about_the_centroid(mass: float, vertices: Vector) -> Number:
+    """About the right centroid, but with the mass in equal parts at the vertices."""
+    (x, y), (x2, y2) = vertices.T, np.roll(vertices, -1, axis=0).T
+    w = x * y2 - x2 * y
+    c = np.array([np.sum(w * sums) for sums in (x + x2, y + y2)]) / np.sum(w) / 3
+    return mass * np.mean(np.sum((vertices - c) ** 2, axis=1))
+
+
+@wrong_model("5.1", "A frame of wire and a full plate: which of them has mass in the middle?")
+def a_frame_of_wire(mass: float, vertices: Vector) -> Number:
+    """The mass lies along the edges, evenly."""
+    ways = np.roll(vertices, -1, axis=0) - vertices
+    squares = np.sum(ways**2, axis=1)
+    masses = mass * np.sqrt(squares) / np.sum(np.sqrt(squares))
+    middles = vertices + ways / 2
+    from_centre = middles - masses @ middles / mass
+    return masses @ (squares / 12 + np.sum(from_centre**2, axis=1))
+
+
+@wrong_model("5.4", "A box slides twice as fast. Is the pull of dry friction twice as strong?")
+def the_faster_the_more(vt: float, jn: float, friction: float, k: float) -> Number:
+    """Friction is in proportion to the sliding: mu jn times vt, against it."""
+    return -friction * jn * vt
+
+
+@wrong_model("5.4", "A rougher floor: does it take more of an impulse to stop a box?")
+def part_of_what_stops_it(vt: float, jn: float, friction: float, k: float) -> Number:
+    """Of the impulse that would stop the sliding, friction gives the part mu."""
+    return np.clip(-friction * vt / k, -friction * jn, friction * jn)
+
+
+@wrong_model("5.4", "Friction could stop the sliding. Does it do nothing at all then?")
+def nothing_while_it_holds(vt: float, jn: float, friction: float, k: float) -> Number:
+    """Where friction can hold nothing slides, so there is no friction; else it is mu jn."""
+    return 0.0 if abs(vt) / k <= friction * jn else -np.sign(vt) * friction * jn
+
+
+@wrong_model("5.4", "A box slides on ice. Is the friction on it almost what would stop it?")
+def what_friction_leaves(vt: float, jn: float, friction: float, k: float) -> Number:
+    """The impulse is what would stop the sliding, less what friction can give."""
+    return -np.sign(vt) * max(abs(vt) / k - friction * jn, 0.0)
+
+
+@wrong_model("5.5", "A disc and a ball: which of them has more of its mass far out?")
+@edited(
+    along_and_across_the_wall,
+    {"-v_t / 3": "-2 * v_t / 7", "w - 2 * jt": "w - 2.5 * jt"},
+)
+def as_a_ball() -> None:
+    """The disc turns as a ball does: I = 2/5 m r^2."""
+
+
+@wrong_model("5.5", "A ball of rubber has spin. Does friction do more than stop the sliding here?")
+@edited(along_and_across_the_wall, {"-v_t / 3": "-(1 + restitution) * v_t / 3"})
+def the_rim_bounces_back() -> None:
+    """Restitution turns the sliding round as well, as far as friction can."""

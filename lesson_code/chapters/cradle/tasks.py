@@ -16,8 +16,9 @@ BALLS, PULL = 5, 0.5
 OUT = 0.6
 """Of the pull: a ball that is farther out counts as out."""
 
-DT, ACROSS = 1 / 100, 90
-"""s; steps in which balls pulled out on a string of 0.8 m reach the other side: 0.9 s."""
+DT, ACROSS, DOWN = 1 / 100, 90, 46
+"""s; steps in which balls pulled out on a string of 0.8 m reach the other side: 0.9 s; and steps to
+the one in which they meet the others, from 0.5 to 0.54 rad."""
 
 
 def equal_rows(stream: Random) -> Iterator[Arguments]:
@@ -78,8 +79,9 @@ def pulled_out(stream: Random) -> Iterator[Arguments]:
 
 
 def half_way(stream: Random) -> Iterator[Arguments]:
-    """Draw two balls that are let go, just after the impact."""
+    """Draw two balls that are let go, just after the impact, and three in whose last step it is."""
     yield _cradle(2, PULL + stream.uniform(-0.05, 0.05), 3 * ACROSS // 4)
+    yield _cradle(3, PULL + stream.uniform(0.0, 0.04), DOWN)
 
 
 def _cradle(pulled: int, angle: float, steps: int) -> Arguments:

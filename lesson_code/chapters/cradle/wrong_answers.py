@@ -7,8 +7,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lesson_code.chapters.cradle.right_answers import in_the_frame_of_each_pair
 from lesson_code.chapters.cradle.rules import GRAVITY, swing_step
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -188,3 +189,114 @@ def mean_of_both_rates(angle: float, rate: float, length: float, dt: float) -> A
     """The ball moves by the mean of the old and the new rate."""
     after = rate - GRAVITY / length * math.sin(angle) * dt
     return angle + (rate + after) / 2 * dt, after
+
+
+@wrong_model("C.1", "Which pair goes first in the task: the leftmost, or the one that is fastest?")
+@edited(in_the_frame_of_each_pair, {"pairs[0]": "max(pairs, key=lambda q: v[q] - v[q + 1])"})
+def fastest_approach_first() -> None:
+    """The two that approach fastest collide first."""
+
+
+@wrong_model("C.1", "Pair 2 makes pair 1 approach again. Which of them is next in the task?")
+def sweep_after_sweep(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """The row is gone through from left to right, again and again, until nothing approaches."""
+    v = velocities
+    for _ in range(200):
+        v = one_pass.function(masses, v, restitution)
+    return v
+
+
+@wrong_model("C.1", "A row in which nobody has collided: do velocities change places?")
+def turned_end_for_end(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """As many balls fly out as come in, so the velocities stand in the reverse order."""
+    return velocities[::-1]
+
+
+@wrong_model("C.1", "After the first collision another pair approaches. Who looks at it?")
+@edited(
+    in_the_frame_of_each_pair,
+    {"    while True:": "    for turn in (0, 1):", "not pairs": "turn or not pairs"},
+)
+def one_collision_alone() -> None:
+    """The leftmost pair that approaches collides, and that is all."""
+
+
+@wrong_model("C.1", "A ball between two that approach it: how fast is it in the second hit?")
+def all_pairs_at_once(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """All pairs that approach collide at once, with their velocities from before."""
+    v = velocities.copy()
+    for _ in range(1000):
+        approach = v[:-1] - v[1:]
+        if np.all(approach <= SLOWEST):
+            break
+        impulses = (1 + restitution) * approach / (1 / masses[:-1] + 1 / masses[1:])
+        impulses[approach <= SLOWEST] = 0.0
+        v[:-1] -= impulses / masses[:-1]
+        v[1:] += impulses / masses[1:]
+    return v
+
+
+@wrong_model("C.2", "Is a ball on a string as hard to turn as a rod that is fixed at its end?")
+def as_a_rod(angle: float, rate: float, length: float, dt: float) -> Any:
+    """The string turns like a rod: by 3/2 g / length."""
+    after = rate - 1.5 * GRAVITY / length * math.sin(angle) * dt
+    return angle + after * dt, after
+
+
+@wrong_model("C.2", "Is the rate that of the angle, or that of the ball along its arc?")
+def rate_along_the_arc(angle: float, rate: float, length: float, dt: float) -> Any:
+    """The angle changes by the rate over the length."""
+    after = rate - GRAVITY / length * math.sin(angle) * dt
+    return angle + after / length * dt, after
+
+
+@wrong_model("C.2", "Which part of the weight acts along the arc: where is it in your triangle?")
+def tangent_for_sine(angle: float, rate: float, length: float, dt: float) -> Any:
+    """Gravity turns a ball by the tangent of its angle."""
+    after = rate - GRAVITY / length * math.tan(angle) * dt
+    return angle + after * dt, after
+
+
+@wrong_model("C.2", "In which order does the task want angle and rate?")
+def rate_in_front(angle: float, rate: float, length: float, dt: float) -> Any:
+    """The rate is worked out first, so it is returned first."""
+    after = rate - GRAVITY / length * math.sin(angle) * dt
+    return after, angle + after * dt
+
+
+@wrong_model("C.3", "Balls that touch: does one jump to the place of the other?")
+def places_change_hands(
+    angles: Vector, rates: Vector, length: float, dt: float, steps: float
+) -> Any:
+    """Balls that collide exchange their rates and their angles."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        for k in len(angles) * [*range(len(angles) - 1)]:
+            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+                rates[[k, k + 1]], angles[[k, k + 1]] = rates[[k + 1, k]], angles[[k + 1, k]]
+    return angles, rates
+
+
+@wrong_model("C.3", "Two balls touch after the last swing. Do they collide in yours?")
+def collides_before_the_swing(
+    angles: Vector, rates: Vector, length: float, dt: float, steps: float
+) -> Any:
+    """In a step the balls collide first, and then they swing."""
+    rates = rates.copy()
+    for _ in range(int(steps)):
+        for k in len(angles) * [*range(len(angles) - 1)]:
+            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+                rates[[k, k + 1]] = rates[[k + 1, k]]
+        angles, rates = _swung(angles, rates, length, dt)
+    return angles, rates
+
+
+@wrong_model("C.3", "Two equal balls collide, one at rest. Does it stay at rest?")
+def both_turn_round(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+    """Balls that collide turn round, each as fast as it was."""
+    for _ in range(int(steps)):
+        angles, rates = _swung(angles, rates, length, dt)
+        for k in len(angles) * [*range(len(angles) - 1)]:
+            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
+                rates[k : k + 2] *= -1
+    return angles, rates

@@ -36,12 +36,12 @@ def _size(stream: Random, share: float) -> Arguments:
 def short_runs(stream: Random) -> Iterator[Arguments]:
     """Draw rows in any state, for a few steps; in some of them dominoes touch.
 
-    In the first one the fastest does not quite touch the next: its angle lies between the arc
-    tangent of spacing over height, 0.464, and the arc sine, 0.524, before the step and after it.
+    In the first one the fastest does not quite touch the next: its angle lies between spacing over
+    height, 0.5, of which the arc tangent is 0.464, and the arc sine, 0.524, after the step.
     In the second one each pushes the next, and in the third only the second one does.
     """
-    almost = tuple(round(stream.uniform(0.47, 0.49) - 0.15 * k, 3) for k in range(4))
-    yield almost, (round(stream.uniform(1.0, 1.5), 2), 0.4, 0.3, 0.2), HEIGHT, SPACING, DT, 1
+    almost = tuple(round(stream.uniform(0.485, 0.495) - 0.15 * k, 3) for k in range(4))
+    yield almost, (round(stream.uniform(1.0, 1.3), 2), 0.4, 0.3, 0.2), HEIGHT, SPACING, DT, 1
     for first in (1.56, 0.2):
         angles = (first, *(round(stream.uniform(a, a + 0.1), 3) for a in (0.75, 0.6, 0.1)))
         rates = tuple(round(stream.uniform(r, r + 0.5), 2) for r in (3.0, 1.5, 0.3, 0.0))

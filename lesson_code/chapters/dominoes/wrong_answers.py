@@ -210,3 +210,149 @@ def moved_by_half_the_height(width: float, height: float) -> float:
     """The axis lies half the height below the centre: I = m (w^2 + h^2) / 12 + m (h / 2)^2."""
     inertia = (width**2 + height**2) / 12 + height**2 / 4
     return math.sqrt(GRAVITY * (math.hypot(width, height) - height) / inertia)
+
+
+def _at_once(a: Vector, r: Vector, reach: float) -> list[tuple[int, float]]:
+    """Return who touches the next one, and the mean of both rates: all before any has changed."""
+    touching = [k for k in range(len(a) - 1) if a[k] > reach and r[k] > r[k + 1]]
+    return [(k, (r[k] + r[k + 1]) / 2) for k in touching]
+
+
+OF_THE_OLD_RATES = "The first has just braked against the second. Which rate meets the third?"
+
+
+@wrong_model("D.3", OF_THE_OLD_RATES)
+def all_at_once(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """All that touch do so at once, each pair with its rates from before the step's touches."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        for k, mean in _at_once(a, r, math.asin(spacing / height)):
+            r[k] = r[k + 1] = mean
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", OF_THE_OLD_RATES)
+def all_at_once_the_pushed_last(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """All that touch do so at once, and who pushes and is pushed has the mean of the latter."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        found = _at_once(a, r, math.asin(spacing / height))
+        for shift in (0, 1):
+            for k, mean in found:
+                r[k + shift] = mean
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.3", OF_THE_OLD_RATES)
+def all_at_once_added_up(
+    angles: Vector, rates: Vector, height: float, spacing: float, dt: float, steps: float
+) -> Any:
+    """All that touch do so at once, and what each gives to the next one is added up at the end."""
+
+    def touch(a: Vector, r: Vector) -> None:
+        given = [(k, r[k] - mean) for k, mean in _at_once(a, r, math.asin(spacing / height))]
+        for k, part in given:
+            r[k] -= part
+            r[k + 1] += part
+
+    return _run((angles, rates), height, dt, steps, touch)
+
+
+@wrong_model("D.2", "Is all of a domino as far from its edge as its centre is?")
+def all_at_the_centre(width: float, height: float) -> float:
+    """The mass is at the centre, half a diagonal from the edge: I = m d^2."""
+    d = math.hypot(width, height) / 2
+    return math.sqrt(2 * GRAVITY * (d - height / 2)) / d
+
+
+@wrong_model("D.2", "How high is the centre of the standing domino, and how far does that tilt up?")
+def lowered_by_the_tilt(width: float, height: float) -> float:
+    """The centre moves by h / 2 (1 - cos a): it is right above the edge from the beginning."""
+    rise = height / 2 * (1 - math.cos(math.atan2(width, height)))
+    return math.sqrt(6 * GRAVITY * rise) / math.hypot(width, height)
+
+
+@wrong_model("D.3", "Do two equal dominoes that lean together turn as fast as the one before?")
+@edited(
+    as_a_list_of_pairs,
+    {
+        "one[1] = following[1] = 0.5 * (one[1] + following[1])": (
+            "one[1], following[1] = 0.0, one[1] + following[1]"
+        )
+    },
+)
+def hands_all_on() -> None:
+    """A domino that touches the next one stops, and adds its rate to that one's."""
+
+
+@wrong_model("D.3", "Add up the rates before and after a touch. Where is the next one's old rate?")
+@edited(
+    as_a_list_of_pairs,
+    {
+        "one[1] = following[1] = 0.5 * (one[1] + following[1])": (
+            "one[1], following[1] = 0.0, one[1]"
+        )
+    },
+)
+def hands_its_rate_on() -> None:
+    """A domino that touches the next one stops, and that one goes on at its rate."""
+
+
+@wrong_model("D.3", "Which of the two is new in the task when the angle grows: which rate is it?")
+@edited(
+    as_a_list_of_pairs,
+    {
+        "            domino[0] += domino[1] * dt\n": "",
+        "            domino[1] +=": (
+            "            domino[0], angle = domino[0] + domino[1] * dt, domino[0]\n"
+            "            domino[1] +="
+        ),
+        "math.sin(domino[0])": "math.sin(angle)",
+    },
+)
+def grows_by_the_old_rate() -> None:
+    """The angle grows by the rate from before the step."""
+
+
+@wrong_model("D.3", "Is a domino as easy to turn about its foot as a ball on a string?")
+@edited(as_a_list_of_pairs, {"1.5 * 9.81": "9.81"})
+def as_a_pendulum() -> None:
+    """Gravity turns a domino by g / height, as it does a ball on a string."""
+
+
+@wrong_model("D.3", "A domino leans by 80 degrees. Is the pull on it as large as its angle?")
+@edited(as_a_list_of_pairs, {"math.sin(domino[0])": "domino[0]"})
+def pull_by_the_angle() -> None:
+    """Gravity pulls by the angle, of which the sine is nearly the same."""
+
+
+@wrong_model("D.3", "Is spacing over height an angle, or the sine of one?")
+@edited(
+    as_a_list_of_pairs,
+    {"height * math.sin(min(one[0], math.pi / 2)) > spacing": "one[0] > spacing / height"},
+)
+def ratio_for_the_touch() -> None:
+    """Two dominoes touch at the angle spacing over height."""
+
+
+@wrong_model("D.3", "Which comes first in the task: the floor, or the touches?")
+@edited(
+    as_a_list_of_pairs,
+    {
+        "        for one, following": (
+            "        for domino in row:\n"
+            "            if domino[0] > math.pi / 2:\n"
+            "                domino[:] = [math.pi / 2, 0.0]\n"
+            "        for one, following"
+        ),
+        "[math.pi / 2, 0]": "[a, r]",
+    },
+)
+def stopped_by_the_floor_first() -> None:
+    """What is beyond the floor is stopped first, and then the touches are looked at."""

@@ -51,11 +51,14 @@ def centre_strokes(stream: Random) -> Iterator[Arguments]:
 
 
 def two_balls(stream: Random) -> Iterator[Arguments]:
-    """Draw two balls that touch, meeting at an angle; and two that touch and part."""
-    for sign in (1, -1):
+    """Draw two balls that touch, meeting at an angle; and two that touch and part.
+
+    Then two that only just count as touching, and two that approach and do not touch yet.
+    """
+    for sign, apart in ((1, 2.0), (-1, 2.0), (1, 2.0005), (1, 2.2)):
         x, y = draws.oblique_normal(stream)
         speed = sign * draws.speed(stream)
-        places = ((0.0, 0.0), (2 * RADIUS * x, 2 * RADIUS * y))
+        places = ((0.0, 0.0), (apart * RADIUS * x, apart * RADIUS * y))
         yield places, ((speed * x + 0.4, speed * y), (0.4, 0.3)), RADIUS, draws.restitution(stream)
 
 

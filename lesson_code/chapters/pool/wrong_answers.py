@@ -254,3 +254,86 @@ def by_both_counts_together(
 def turns_about_the_cloth(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
     """A ball turns about the point where it lies on the cloth."""
     return impulse / mass, -offset * np.hypot(*impulse) / (1.4 * mass * radius**2)
+
+
+@wrong_model("P.1", "Which way does the rack open: away from the apex to the right, or upward?")
+def opens_upwards(apex: Vector, radius: float, gap: float) -> Any:
+    """The rows lie above each other, and a row runs along x."""
+    step = 2 * radius + gap
+    return [
+        (apex[0] + (k - row / 2) * step, apex[1] + row * step * np.sqrt(3) / 2)
+        for row in range(5)
+        for k in range(row + 1)
+    ]
+
+
+@wrong_model("P.1", "In which direction does y grow within a row of the task?")
+def rows_from_the_top(apex: Vector, radius: float, gap: float) -> Any:
+    """Each row begins with its uppermost ball."""
+    step = 2 * radius + gap
+    return [
+        (apex[0] + row * step * np.sqrt(3) / 2, apex[1] + (row / 2 - k) * step)
+        for row in range(5)
+        for k in range(row + 1)
+    ]
+
+
+@wrong_model("P.1", "Neighbours of different rows: how far are they apart with a gap, in yours?")
+def gap_within_rows_alone(apex: Vector, radius: float, gap: float) -> Any:
+    """The gap is between balls of a row; the rows lie as they do without one."""
+    step = 2 * radius + gap
+    return [
+        (apex[0] + row * radius * np.sqrt(3), apex[1] + (k - row / 2) * step)
+        for row in range(5)
+        for k in range(row + 1)
+    ]
+
+
+@wrong_model("P.2", "A stroke just beside the centre and one at the rim: which makes more spin?")
+def lever_of_a_radius(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """The stroke acts at the rim, so its lever is the radius."""
+    spin = -np.sign(offset) * radius * np.hypot(*impulse) / (0.4 * mass * radius**2)
+    return impulse / mass, spin
+
+
+@wrong_model("P.2", "Does a ball that slides, or is hit at its centre, turn as if it rolled?")
+def rolls_at_once(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A ball that moves rolls: its spin is v / r."""
+    return impulse / mass, -np.hypot(*impulse) / mass / radius
+
+
+@wrong_model("P.2", "Is a billiard ball hollow?")
+def a_hollow_ball(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """A ball has the moment of inertia of its surface: 2/3 m r^2."""
+    return impulse / mass, -offset * np.hypot(*impulse) / (2 / 3 * mass * radius**2)
+
+
+@wrong_model("P.2", "About which point does a ball turn that lies free: where the cue hits?")
+def turns_about_the_cue(impulse: Vector, offset: float, mass: float, radius: float) -> Any:
+    """The ball turns about the line of the stroke: I = 2/5 m r^2 + m offset^2."""
+    inertia = 0.4 * mass * radius**2 + mass * offset**2
+    return impulse / mass, -offset * np.hypot(*impulse) / inertia
+
+
+@wrong_model("P.3", "A ball with six neighbours and one with one: which of them sets the limit?")
+def by_the_smaller_count(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """A pair's impulse is divided by the count of its less busy ball."""
+    touching = _touching(positions, radius)
+    return _shared(velocities, touching, restitution, ROUNDS, lambda a, b: 2 * (min(a, b),))
+
+
+@wrong_model("P.3", "A busy ball and a free one: is the busy one given too much in yours?")
+def by_the_mean_count(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """A pair's impulse is divided by the mean of the counts of its balls."""
+    touching = _touching(positions, radius)
+    return _shared(velocities, touching, restitution, ROUNDS, lambda a, b: 2 * ((a + b) / 2,))
+
+
+@wrong_model("P.3", "What is the restitution for, if all collisions of yours are elastic?")
+def always_elastic(positions: Vector, velocities: Vector, radius: float, restitution: float) -> Any:
+    """Billiard balls lose nothing when they collide."""
+    return _shared(velocities, _touching(positions, radius), 1.0, ROUNDS, _larger)

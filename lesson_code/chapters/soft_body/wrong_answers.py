@@ -284,3 +284,107 @@ def pressure_by_the_loss_of_area(positions: Vector, area: float, stiffness: floa
     pressure = stiffness * (1 - ring_area(positions) / area)
     push = pressure * np.column_stack([along[:, 1], -along[:, 0]])
     return (push + np.roll(push, 1, axis=0)) / 2
+
+
+@wrong_model("S.1", "A square and a long strip of the same girth: do they enclose the same area?")
+def circle_of_the_same_girth(positions: Vector) -> Any:
+    """A ring encloses what a circle of its length does."""
+    return np.sum(_directions(positions)[0]) ** 2 / (4 * np.pi)
+
+
+@wrong_model("S.1", "Is the area under one edge that of a rectangle, or of a trapezium?")
+def rectangles_under_the_edges(positions: Vector) -> Any:
+    """The area is the sum of y times the way along x, over all edges."""
+    return -np.sum((_next(positions) - positions)[:, 0] * positions[:, 1])
+
+
+@wrong_model("S.1", "List the masses counter-clockwise. Has your area the sign that is asked for?")
+def clockwise_counts(positions: Vector) -> Any:
+    """The area below the edges counts as it comes: clockwise is positive."""
+    return -ring_area(positions)
+
+
+@wrong_model("S.2", "Stiffness is in N/m. Which unit has your force?")
+def stiffness_of_the_stretch(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """A spring pulls with its stiffness times how much longer it is in parts of its length."""
+    return np.asarray(ring_forces(positions, velocities, length, stiffness / length, damping))
+
+
+@wrong_model("S.2", "The longer a spring, the larger your u. How long should a direction be?")
+def direction_is_the_whole_way(
+    positions: Vector, velocities: Vector, length: float, stiffness: float, damping: float
+) -> Any:
+    """The direction of a spring is the way from one mass to the next."""
+    distance, u = _directions(positions)
+    faster = np.sum((_next(velocities) - velocities) * u, axis=1)
+    pull = (stiffness * (distance - length) + damping * faster)[:, None] * u * distance[:, None]
+    return pull - np.roll(pull, 1, axis=0)
+
+
+@wrong_model("S.3", "The ring is larger than its gas wants. Which way does the task push it then?")
+def never_pulls(positions: Vector, area: float, stiffness: float) -> Any:
+    """A gas can only push, so the pressure is never less than 0."""
+    return pressure_forces(positions, area, stiffness) * (area > ring_area(positions))
+
+
+@wrong_model("S.3", "A gas pushes at right angles to a wall. Which way do yours push?")
+def along_the_edges(positions: Vector, area: float, stiffness: float) -> Any:
+    """The gas pushes each edge the way it runs."""
+    push = stiffness * (area / ring_area(positions) - 1) * (_next(positions) - positions) / 2
+    return push + np.roll(push, 1, axis=0)
+
+
+@wrong_model("S.3", "Which two edges end in a mass: its own and the one before, or the one after?")
+def edge_of_the_next_mass(positions: Vector, area: float, stiffness: float) -> Any:
+    """A mass shares the push of its own edge with the edge that begins at the next mass."""
+    edges = _next(positions) - positions
+    pressure = stiffness * (area / ring_area(positions) - 1)
+    push = pressure * np.column_stack([edges[:, 1], -edges[:, 0]]) / 2
+    return push + _next(push)
+
+
+@wrong_model("S.3", "Does each edge feel the whole pressure, or a part of it?")
+def pressure_shared_out(positions: Vector, area: float, stiffness: float) -> Any:
+    """The pressure is shared out among the masses."""
+    return np.asarray(pressure_forces(positions, area, stiffness)) / len(positions)
+
+
+@wrong_model("S.4", "A force of 1 N on 0.1 kg: which acceleration is that?")
+@edited(force_by_force, {"forces / BLOB.mass": "forces"})
+def force_for_acceleration() -> None:
+    """Forces change the velocity as they are."""
+
+
+@wrong_model("S.4", "Does the air's 1.5 have the unit 1/s, or kg/s?")
+@edited(force_by_force, {"BLOB.air * v": "BLOB.air * v / BLOB.mass"})
+def air_as_a_force() -> None:
+    """What the air takes is a force, so it is divided by the mass."""
+
+
+@wrong_model("S.4", "A wet floor: does a mass that slides on it stop at once?")
+@edited(force_by_force, {"v[below, 0] *= BLOB.grip": "v[below, 0] = 0.0"})
+def floor_holds_at_once() -> None:
+    """A mass that is on the floor stands still."""
+
+
+@wrong_model("S.4", "Which masses does the floor brake?")
+@edited(force_by_force, {"v[below, 0] *=": "v[:, 0] *="})
+def floor_brakes_all() -> None:
+    """On the floor the whole ring is slowed along it, also where it does not touch."""
+
+
+@wrong_model("S.4", "A mass that was put onto the floor: which way does it still move?")
+@edited(force_by_force, {"v[below, 1] = np.maximum(v[below, 1], 0.0)": "pass"})
+def still_falls_on_the_floor() -> None:
+    """Once the position is right, the velocity takes care of itself."""
+
+
+@wrong_model("S.4", "What pulls two neighbours back that have come too far apart?")
+@edited(
+    force_by_force,
+    {"ring_forces(p, v, length, BLOB.stiffness, BLOB.damping)": "np.zeros(p.shape)"},
+)
+def without_springs() -> None:
+    """The gas alone keeps the shape."""

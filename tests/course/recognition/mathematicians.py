@@ -177,7 +177,7 @@ def resolve_wall(position, velocity, normal, depth, restitution):
         "4.1",
         "Compares the squared distance with r1^2 + r2^2 instead of (r1 + r2)^2, so circles "
         "that overlap a little are missed",
-        ("only_one_side_squared",),
+        ("radii_squared_apart",),
         """
 import numpy as np
 

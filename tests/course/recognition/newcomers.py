@@ -1248,7 +1248,7 @@ def fire(velocity, ship_mass, shot_mass, muzzle_speed, heading):
     Wrong(
         "B.5",
         "what lacks less than a billionth of a step is no whole step",
-        ("term",),
+        ("term", "loses_a_step_to_rounding"),
         """
 def wall_contacts(position):
     found = []

@@ -163,7 +163,7 @@ def resolve_wall(position, velocity, normal, depth, restitution):
         "4.1",
         "To avoid the square root the squared distance is compared with r1**2 + r2**2 instead "
         "of (r1 + r2)**2, so shallow overlaps are missed",
-        ("only_one_side_squared",),
+        ("radii_squared_apart",),
         """
 import numpy as np
 

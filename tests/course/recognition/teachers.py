@@ -1238,7 +1238,7 @@ def fly(position, velocity, radius, bricks, duration):
         "C.1",
         "after a strike the shock simply runs on to the right; the row is swept left to "
         "right again and again, instead of going back to the leftmost pair",
-        (),
+        ("sweep_after_sweep",),
         """
 import numpy as np
 

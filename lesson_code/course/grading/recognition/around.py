@@ -113,6 +113,13 @@ ALONG: tuple[tuple[str, Callable[[Any, float], Any]], ...] = (
 )
 """What may become of the part of a velocity along the normal, or along the wall."""
 
+AS_IT_SHOULD_BE = "is as it should be"
+ACROSS = (*ALONG, (AS_IT_SHOULD_BE, None))
+"""What may become of the part along the normal: it may also be right."""
+
+BOTH = ((2, 0, 1), (4, 1, 3))
+"""Values in an answer that holds the velocities of both bodies, and the places of these."""
+
 
 def slips_by_parts(right: Function, task: str, parameters: Sequence[str]) -> Iterator[WrongModel]:
     """Yield answers in which the parts of one velocity are treated each in a way of its own.
@@ -125,8 +132,15 @@ def slips_by_parts(right: Function, task: str, parameters: Sequence[str]) -> Ite
         return
     places = [None, *((count, k) for count in range(2, LARGEST_ORDER + 1) for k in range(count))]
     for name in {"velocity", "incident", "v1", "v2"} & {*names}:
-        for place, across, along in product(places, ALONG, ALONG):
+        for place, across, along in product(places, ACROSS, ALONG):
             changed = _by_parts(right, names, name, place, across[1], along[1])
+            said = {"normal": across[0], "along": along[0]}
+            yield model(task, "parts", changed, said)
+    if {"v1", "v2"} <= {*names}:
+        for (count, *two), across, along in product(BOTH, ACROSS, ALONG):
+            changed = right
+            for name, k in zip(("v1", "v2"), two, strict=True):
+                changed = _by_parts(changed, names, name, (count, k), across[1], along[1])
             said = {"normal": across[0], "along": along[0]}
             yield model(task, "parts", changed, said)
 
@@ -136,7 +150,7 @@ def _by_parts(
     names: list[str],
     velocity: str,
     place: tuple[int, int] | None,
-    across: Callable[[Any, float], Any],
+    across: Callable[[Any, float], Any] | None,
     along: Callable[[Any, float], Any],
 ) -> Function:
     """Return a function that changes both parts of one velocity of an answer."""
@@ -150,7 +164,8 @@ def _by_parts(
             raise ValueError("value must hold a velocity in that place")
         if max(map(abs, plain(vector(after) - before))) > 1e-12:
             part = before @ n * n
-            after = plain(across(part, e) + along(before - part, e))
+            normal_part = vector(after) @ n * n if across is None else across(part, e)
+            after = plain(normal_part + along(before - part, e))
         return after if place is None else [*value[: place[1]], after, *value[place[1] + 1 :]]
 
     return answer

@@ -21,6 +21,9 @@ FEWEST_CALLS = 2
 
 DIMENSIONS = 2
 
+DIRECTIONS = ("normal", "direction")
+"""Arguments that are directions: other vectors are changed along them, they never are."""
+
 Given: TypeAlias = dict[str, Any]
 """The arguments of a call by their names."""
 
@@ -51,15 +54,25 @@ def direction_of(task: Task, names: Sequence[str], calls: Sequence[TriedCall]) -
         if not all(_is_vector(got) and _is_vector(wanted) for got, wanted, _ in moved):
             continue
         off = [each for each in moved if math.dist(each[0], each[1]) > PARALLEL]
-        for start in vectors if len(off) >= FEWEST_CALLS else ():
+        if len(off) < FEWEST_CALLS or any(_tells_nothing(*each) for each in off):
+            continue
+        for start in (name for name in vectors if name not in DIRECTIONS):
             for said, along in _directions(vectors):
                 mine = [_parallel(got, each[start], along(each)) for got, _, each in off]
-                right = [_parallel(wanted, each[start], along(each)) for _, wanted, each in off]
-                if all(mine) and not all(right):
+                right = (
+                    all(_parallel(wanted, each[name], along(each)) for _, wanted, each in off)
+                    for name in vectors
+                )
+                if all(mine) and not any(right):
                     return model(
                         task.id, "direction", lambda *_: None, {"name": start, "along": said}
                     )
     return None
+
+
+def _tells_nothing(got: list[float], wanted: list[float], given: Given) -> bool:
+    """Return whether an argument came back as it was, or should have: that is no direction."""
+    return any(vector in (got, wanted) for vector in given.values() if _is_vector(vector))
 
 
 def _directions(vectors: Sequence[str]) -> Iterator[Direction]:
