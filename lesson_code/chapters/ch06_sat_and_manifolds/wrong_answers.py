@@ -85,6 +85,13 @@ def about_its_own_middle(vertices: Vector, axis: Vector) -> Any:
     return values.min(), values.max()
 
 
+@wrong_model("6.2", "Which place has the first vertex in its own shadow? Must that always be 0?")
+def from_the_first_vertex(vertices: Vector, axis: Vector) -> Any:
+    """A shadow is measured from the first vertex."""
+    values = (vertices - vertices[0]) @ axis
+    return values.min(), values.max()
+
+
 @wrong_model("6.2", "For the axis (1, 0), the shadow holds the x of every vertex. Does yours?")
 def across_the_axis(vertices: Vector, axis: Vector) -> Any:
     """The shadow falls on the line at right angles to the axis."""
