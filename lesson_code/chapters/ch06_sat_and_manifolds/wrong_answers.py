@@ -152,6 +152,20 @@ def direction_from_the_centres(vertices_a: Vector, vertices_b: Vector) -> Any:
     return ((normal if towards_b else -normal), depth) if depth > 0 else None
 
 
+@wrong_model("6.4", "A brick lies near the end of a plank. Does the plank push it up, or along?")
+@edited(
+    both_ways_along_each_axis,
+    {
+        "return best": (
+            "way = vertices_b.mean(axis=0) - vertices_a.mean(axis=0)\n"
+            "    return best and (way / np.hypot(*way), best[1])"
+        )
+    },
+)
+def along_the_line_of_the_middles() -> None:
+    """Polygons push each other along the line of their middles, as circles do."""
+
+
 @wrong_model("6.4", "Let a corner of A point at a side of B. Whose edge has the axis you need?")
 @edited(
     both_ways_along_each_axis,
