@@ -12,6 +12,7 @@ import numpy as np
 from lesson_code.chapters.ch11_the_small_engine.right_answers import (
     one_loop_for_both_directions,
     pair_by_pair_and_wall_by_wall,
+    swept_in_order,
 )
 from lesson_code.course.grading.task import edited, wrong_model
 
@@ -87,6 +88,15 @@ def neighbours_in_a_row(boxes: Table) -> Any:
         if other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]:
             found.append((min(first, second), max(first, second)))
     return found
+
+
+@wrong_model("11.1", "The next box hangs high above. May the one after it still touch yours?")
+@edited(
+    swept_in_order,
+    {"if other[0] > one[1]": "if other[0] > one[1] or one[2] > other[3] or other[2] > one[3]"},
+)
+def stops_at_the_first_miss() -> None:
+    """Sorted by their left sides, all boxes after the first that misses are too far away."""
 
 
 @wrong_model(
