@@ -110,6 +110,15 @@ def yields_by_moving_alone() -> None:
     """The effective mass is that of the masses."""
 
 
+@wrong_model("11.2", "Both centres are at rest, and one body spins. Can its corner strike?")
+@edited(
+    one_loop_for_both_directions,
+    {"w[1] * r[1] - w[0] * r[0]": "(w[1] * r[1] - w[0] * r[0]) * turn"},
+)
+def centres_approach() -> None:
+    """How fast two bodies come together is how fast their centres do, however they spin."""
+
+
 @wrong_model(
     "11.2", "Friction stops the sliding as far as it can. How far can it, with a small mu?"
 )
