@@ -173,6 +173,15 @@ def falls_before_it_moves() -> None:
     """Gravity comes first, and the new velocity moves the discs."""
 
 
+@wrong_model("11.3", "Read step 1 of the task again. With which velocity do the discs move?")
+@edited(
+    pair_by_pair_and_wall_by_wall,
+    {"positions + velocities * dt": "positions + velocities * dt + gravity * dt**2 / 2"},
+)
+def falls_as_it_moves() -> None:
+    """In a step a disc moves by v t + g t^2 / 2, as in free fall."""
+
+
 @wrong_model(
     "11.3",
     "A disc beyond the wall is on its way in already. Which way does it fly after your step?",
