@@ -66,6 +66,15 @@ class Chapter:
         """Return one of the chapter's modules, imported."""
         return import_module(f"{PACKAGE}.{self.folder}.{name}")
 
+    def modules(self, start: str) -> tuple[ModuleType, ...]:
+        """Return a module, and after it those by whose names they are further parts of it.
+
+        ``wrong_answers`` may have a part ``wrong_answers_at_contacts``.
+        """
+        files = (file.name for file in resources.files(PACKAGE).joinpath(self.folder).iterdir())
+        names = sorted(name.removesuffix(".py") for name in files if name.endswith(".py"))
+        return tuple(self.module(name) for name in names if is_part(name, start))
+
 
 @cache
 def chapters() -> tuple[Chapter, ...]:
@@ -89,6 +98,15 @@ def chapters_with(file: str) -> tuple[Chapter, ...]:
     '00_start_here'
     """
     return tuple(chapter for chapter in chapters() if chapter.has(file))
+
+
+def is_part(name: str, start: str) -> bool:
+    """Return whether a module is another one, or a part of it: by its name.
+
+    >>> is_part("wrong_answers", "wrong_answers"), is_part("wrong_answers_at_contacts", "tasks")
+    (True, False)
+    """
+    return name == start or name.startswith(f"{start}_")
 
 
 def _is_numbered(folder: str) -> bool:

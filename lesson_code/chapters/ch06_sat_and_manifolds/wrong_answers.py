@@ -62,50 +62,6 @@ def x_and_y_only(vertices: Vector) -> Any:
     return [(1.0, 0.0), (0.0, 1.0)]
 
 
-@wrong_model("6.2", "Move the polygon far from the origin. Does its shadow still reach back to 0?")
-def starts_from_zero(vertices: Vector, axis: Vector) -> Any:
-    """Smallest and largest are found by starting from 0."""
-    low = high = 0.0
-    for value in vertices @ axis:
-        low, high = min(low, value), max(high, value)
-    return low, high
-
-
-@wrong_model("6.2", "Which vertices lie farthest out along the axis: always the same two?")
-def first_and_last_vertex(vertices: Vector, axis: Vector) -> Any:
-    """The shadow reaches from the first vertex to the last."""
-    values = vertices @ axis
-    return min(values[0], values[-1]), max(values[0], values[-1])
-
-
-@wrong_model("6.2", "Move the polygon along the axis. Does your interval move with it?")
-def about_its_own_middle(vertices: Vector, axis: Vector) -> Any:
-    """A shadow is measured from the middle of the polygon."""
-    values = (vertices - vertices.mean(axis=0)) @ axis
-    return values.min(), values.max()
-
-
-@wrong_model("6.2", "Which place has the first vertex in its own shadow? Must that always be 0?")
-def from_the_first_vertex(vertices: Vector, axis: Vector) -> Any:
-    """A shadow is measured from the first vertex."""
-    values = (vertices - vertices[0]) @ axis
-    return values.min(), values.max()
-
-
-@wrong_model("6.2", "For the axis (1, 0), the shadow holds the x of every vertex. Does yours?")
-def across_the_axis(vertices: Vector, axis: Vector) -> Any:
-    """The shadow falls on the line at right angles to the axis."""
-    values = vertices @ np.array([-axis[1], axis[0]])
-    return values.min(), values.max()
-
-
-@wrong_model("6.2", "Which sign has the dot product of a vertex that lies behind the origin?")
-def distances_from_the_origin(vertices: Vector, axis: Vector) -> Any:
-    """A place on the axis is a distance from the origin, so it is never negative."""
-    values = np.abs(vertices @ axis)
-    return values.min(), values.max()
-
-
 @wrong_model("6.3", "A small interval inside a large one: moved by what you return, is it out?")
 def common_part(interval_a: Vector, interval_b: Vector) -> Any:
     """The overlap is the length of the part that both intervals have in common."""
@@ -215,52 +171,6 @@ def touching_is_a_hit() -> None:
     """Polygons that touch overlap."""
 
 
-@wrong_model("6.5", "One end is outside. Where does the segment cross the line: is a point kept?")
-def drops_the_end_outside(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """Clipping leaves out the ends that lie outside."""
-    return [point for point in (start, end) if np.dot(point, normal) <= offset] or None
-
-
-@wrong_model("6.5", "Take a point far along the normal. Is its dot product above the offset?")
-def keeps_the_other_side(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """What lies beyond the line, where the normal points, is kept."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    if s < 0 and e < 0:
-        return None
-    if s >= 0 and e >= 0:
-        return [start, end]
-    crossing = start + s / (s - e) * (end - start)
-    return [start, crossing] if s >= 0 else [crossing, end]
-
-
-@wrong_model("6.5", "Draw the point that you put on the line. Does it still lie on the segment?")
-def moved_along_the_normal(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """An end outside is moved straight back to the line."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    if s > 0 and e > 0:
-        return None
-    return [start - max(s, 0.0) * normal, end - max(e, 0.0) * normal]
-
-
-@wrong_model("6.5", "If the start is just outside, is the crossing near the start or near the end?")
-def counts_from_the_wrong_end(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """The crossing divides the segment by the distance of the end over the sum of both."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    if s > 0 and e > 0:
-        return None
-    if s <= 0 and e <= 0:
-        return [start, end]
-    crossing = start + e / (e - s) * (end - start)
-    return [crossing, end] if s > 0 else [start, crossing]
-
-
-@wrong_model("6.5", "A segment lies half outside. How much of it do you give back?")
-def all_or_nothing(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """A segment with one end inside is kept as it is."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    return None if s > 0 and e > 0 else [start, end]
-
-
 @wrong_model("6.6", "The ball lies flat upon a long edge. Which vertex does it touch?")
 def corners_only(centre: Vector, radius: float, vertices: Vector) -> Any:
     """The closest point of a polygon is one of its vertices."""
@@ -346,17 +256,6 @@ def from_middle_to_middle(centre: Vector, radius: float, vertices: Vector) -> An
     return (way / np.hypot(*way), depth) if depth > 0 else None
 
 
-@wrong_model("6.5", "The segment comes in from outside. Which of its ends has to be cut off?")
-def cuts_the_end_always(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """What lies outside is the part behind the cut."""
-    at_start, at_end = start @ normal - offset, end @ normal - offset
-    if at_start > 0 and at_end > 0:
-        return None
-    if at_start <= 0 and at_end <= 0:
-        return start, end
-    return start, start + at_start / (at_start - at_end) * (end - start)
-
-
 @wrong_model("6.4", "Your loop has ended. Of which axis is the depth that you still hold?")
 @edited(
     both_ways_along_each_axis,
@@ -375,16 +274,6 @@ def from_the_middle_to_the_edges(vertices: Vector) -> Any:
     return [
         axis / np.hypot(*axis) for axis, has_length in zip(axes, edges, strict=True) if has_length
     ]
-
-
-@wrong_model("6.5", "The segment comes in from outside. Which of your two points comes first?")
-def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """First the ends that are inside, then the cut."""
-    at_start, at_end = start @ normal - offset, end @ normal - offset
-    if at_start > 0 and at_end > 0:
-        return None
-    cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
-    return (end, cut) if at_start > 0 else (start, cut)
 
 
 @wrong_model("6.3", "B may leave A at either end. Which two ends have to pass each other?")

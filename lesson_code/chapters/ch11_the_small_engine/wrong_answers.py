@@ -1,4 +1,4 @@
-"""Wrong models of chapter 11: a broad phase, a hit, a step; callbacks, an effect, a sound.
+"""Wrong models of chapter 11: a broad phase, a hit, a step.
 
 Each stands alone, as a student would hand it in: it calls no helper.
 """
@@ -224,129 +224,6 @@ def half_each() -> None:
     """Each disc is moved by half of the overlap."""
 
 
-@wrong_model("11.4", "A box has lain on the floor for a minute. Does it begin to touch it again?")
-def everything_that_touches(before: Table, now: Table) -> Any:
-    """What touches now has begun to touch."""
-    return [tuple(pair) for pair in now], [tuple(p) for p in before if list(p) not in now.tolist()]
-
-
-@wrong_model("11.4", "Which of your two lists should a door use that opens when it is pressed?")
-def begun_and_parted_swapped(before: Table, now: Table) -> Any:
-    """What was there before and is no more has begun."""
-    earlier, later = {tuple(p) for p in before}, {tuple(p) for p in now}
-    return list(earlier - later), list(later - earlier)
-
-
-@wrong_model("11.4", "A ball lies on the floor and now meets a second ball. Is that a new touch?")
-def only_bodies_that_touched_nothing(before: Table, now: Table) -> Any:
-    """A body that touches something already cannot begin to."""
-    busy = {body for pair in before for body in pair}
-    still = {body for pair in now for body in pair}
-    return (
-        [tuple(pair) for pair in now if not busy & set(pair)],
-        [tuple(pair) for pair in before if not still & set(pair)],
-    )
-
-
-@wrong_model("11.4", "One pair parts and another one begins. Which of them is in which list?")
-def all_changes_in_both(before: Table, now: Table) -> Any:
-    """Whatever has changed is both."""
-    changed = list({tuple(p) for p in before} ^ {tuple(p) for p in now})
-    return changed, changed
-
-
-@wrong_model("11.5", "Half of it is left after one half-life. What is left after two? Nothing?")
-def fades_by_a_fixed_amount(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
-    """The light goes down evenly, to one half in a half-life."""
-    return np.where(hit, 1.0, np.maximum(brightness * (1 - dt / (2 * half_life)), 0))
-
-
-@wrong_model("11.5", "exp(-1) is 0.37. How much is left after one half-life by your formula?")
-def e_in_place_of_two(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
-    """A half-life is the time constant of the exponential."""
-    return np.where(hit, 1.0, brightness * np.exp(-dt / half_life))
-
-
-@wrong_model("11.5", "A slow computer makes half as many steps. Does its light last twice as long?")
-def half_in_every_step(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
-    """Every step takes one half."""
-    return np.where(hit, 1.0, brightness / 2)
-
-
-@wrong_model("11.5", "A body is hit just now. Should anyone see it at full brightness?")
-def fades_at_once(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
-    """What is hit is lit, and then everything fades."""
-    return np.where(hit, 1.0, brightness) * 0.5 ** (dt / half_life)
-
-
-@wrong_model("11.5", "A body that is bright already is hit again. Can it be brighter than full?")
-def light_adds_up(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
-    """A hit adds its light to what is there."""
-    return brightness * 0.5 ** (dt / half_life) + hit
-
-
-@wrong_model("11.6", "The sine takes radians. How many does one period have?")
-def without_two_pi(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
-    """The sine's argument is f t."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.sin(frequency * t)
-
-
-@wrong_model("11.6", "At the instant of the blow the membrane is at rest. What do you hear there?")
-def begins_with_a_jump(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
-    """The sound is loudest where it begins: a cosine."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.cos(2 * np.pi * frequency * t)
-
-
-@wrong_model("11.6", "Strike a bell. Does it ring for ever?")
-def never_dies_away(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
-    """A tone keeps its loudness."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * np.sin(2 * np.pi * frequency * t)
-
-
-@wrong_model("11.6", "exp(-1) is 0.37. How loud is the tone after one half-life by your formula?")
-def fades_by_e(loudness: float, frequency: float, half_life: float, rate: float, count: int) -> Any:
-    """After one half-life a tone has faded by the factor e."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * np.exp(-t / half_life) * np.sin(2 * np.pi * frequency * t)
-
-
-@wrong_model("11.6", "Sample a tone of 1,100 per second 1,000 times a second. Which tone is heard?")
-def any_tone_can_be_sampled(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
-    """The samples of a tone are heard as that tone, however high it is."""
-    t = np.arange(count) / rate
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
-
-
-@wrong_model("11.6", "Sample number k is heard at which time?")
-def a_sample_a_second(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
-    """The samples are numbered in seconds for the loudness."""
-    k = np.arange(count)
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (k / half_life) * np.sin(2 * np.pi * frequency * k / rate)
-
-
 @wrong_model("11.1", "You sorted the boxes. In which order do the two numbers of a pair stand?")
 def pairs_as_they_were_sorted(boxes: Any) -> list[tuple[int, int]]:
     """The pairs come out in the order of the sweep."""
@@ -357,34 +234,6 @@ def pairs_as_they_were_sorted(boxes: Any) -> list[tuple[int, int]]:
         for j in order[place + 1 :]
         if boxes[j][0] <= boxes[i][1] and boxes[j][2] <= boxes[i][3] and boxes[i][2] <= boxes[j][3]
     ]
-
-
-@wrong_model("11.4", "1 and 2 touched, and 3 and 4. Now 1 and 3 do: is that pair an old one?")
-def numbers_in_place_of_pairs(before: Any, now: Any) -> Any:
-    """A pair is known if both of its numbers are."""
-    was, stays = ({int(n) for pair in pairs for n in pair} for pairs in (before, now))
-    begun = [(int(i), int(j)) for i, j in now if not {int(i), int(j)} <= was]
-    parted = [(int(i), int(j)) for i, j in before if not {int(i), int(j)} <= stays]
-    return begun, parted
-
-
-@wrong_model("11.4", "A pair moves up a row, as one above it has parted. Does it touch anew?")
-def row_against_row(before: Any, now: Any) -> Any:
-    """A pair that touches keeps its row in the table."""
-    old, new = ([(int(i), int(j)) for i, j in pairs] for pairs in (before, now))
-    begun = [pair for k, pair in enumerate(new) if old[k : k + 1] != [pair]]
-    return begun, [pair for k, pair in enumerate(old) if new[k : k + 1] != [pair]]
-
-
-@wrong_model("11.6", "The samples are 1/rate apart. Between ten samples, how many gaps are there?")
-def with_the_end_of_the_time(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
-    """The samples divide the whole time, its end included."""
-    if frequency >= rate / 2:
-        return np.zeros(int(count))
-    t = np.linspace(0, count / rate, int(count))
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.1", "You have sorted the boxes. Whose numbers are asked for: the sorted ones?")

@@ -20,7 +20,7 @@ from typing import Any
 from lesson_code.course.class_run.answers import LONGEST_ANSWER
 from lesson_code.course.class_run.student import MOST_COMPARED, Student
 from lesson_code.course.fresh_copies import fresh_exercise
-from lesson_code.course.grading.exercises import Exercise
+from lesson_code.course.grading.exercises import Exercise, marks_answers
 from lesson_code.course.grading.submission import Submission
 from lesson_code.course.isolation.inside.winnowing import fingerprints
 from lesson_code.course.notebooks.root import home
@@ -40,7 +40,8 @@ MOST_HANDS = 3
 """Whose function may be the same: what more students write is what one writes."""
 
 LESSON = ("formulas", "geometry", "reference", "chapters")
-NOT_THE_LESSON = ("tasks", "draws", "wrong_answers", "right_answers")
+NOT_THE_LESSON = ("tasks", "draws")
+"""Modules of a chapter, beside those that mark answers, that a student has not read."""
 
 
 @dataclass(frozen=True)
@@ -140,13 +141,18 @@ def _marks(worded: Iterable[Mapping[str, Any]]) -> Iterator[str]:
         yield from (f"{found['words']} {name}" for name in found["own"] if len(name) > 1)
 
 
+def _is_secret(module: str) -> bool:
+    """Return whether a module of a chapter is kept from students."""
+    return module in NOT_THE_LESSON or marks_answers(module)
+
+
 @cache
 def _lesson() -> tuple[Passage, ...]:
     """Return the lesson's functions that are long enough to tell."""
     package = Path(__file__).parents[2]
     paths = [path for wing in LESSON for path in sorted((package / wing).rglob("*.py"))]
     found = []
-    for path in (path for path in paths if path.stem not in NOT_THE_LESSON):
+    for path in (path for path in paths if not _is_secret(path.stem)):
         source = path.read_text(encoding="utf-8")
         for each in fingerprints(ast.parse(source).body):
             if len(each["prints"]) >= FEWEST:

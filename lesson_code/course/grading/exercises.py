@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
 
-from lesson_code.course.chapters import Chapter, chapters_with
+from lesson_code.course.chapters import Chapter, chapters_with, is_part
 from lesson_code.course.grading.submission import Submission
 from lesson_code.course.grading.task import Alternative, KnownAnswer, Task, WrongModel
 
@@ -15,7 +15,12 @@ KNOWN_ANSWERS: dict[str, type[KnownAnswer]] = {
     "wrong_answers": WrongModel,
     "right_answers": Alternative,
 }
-"""The modules of a chapter that mark answers, and what each marks."""
+"""The modules of a chapter that mark answers, with their parts, and what each marks."""
+
+
+def marks_answers(name: str) -> bool:
+    """Return whether a module of a chapter marks answers: by its name."""
+    return any(is_part(name, start) for start in KNOWN_ANSWERS)
 
 
 @dataclass(frozen=True)
@@ -54,8 +59,9 @@ class Exercise:
         """The answers that the chapter marks, wrong and right, in the order of their modules."""
         return tuple(
             mark
-            for module, kind in KNOWN_ANSWERS.items()
-            for mark in vars(self.chapter.module(module)).values()
+            for start, kind in KNOWN_ANSWERS.items()
+            for module in self.chapter.modules(start)
+            for mark in vars(module).values()
             if isinstance(mark, kind)
         )
 

@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path, PurePath, PurePosixPath
 
 from lesson_code.course.fresh_copies import KEPT_EXERCISES, Files, zipped
-from lesson_code.course.grading.exercises import KNOWN_ANSWERS, Exercise, exercises
+from lesson_code.course.grading.exercises import Exercise, exercises, marks_answers
 from lesson_code.course.grading.gaps import GAPS
 from lesson_code.course.grading.practice import practice_of, reference
 from lesson_code.course.grading.task import Task
@@ -91,7 +91,7 @@ def holds_checks(path: PurePath) -> bool:
 
 def holds_answers(path: PurePath) -> bool:
     """Return whether a file of the workbook holds known answers, right or wrong."""
-    return path.is_relative_to(CHAPTERS) and path.suffix == ".py" and path.stem in KNOWN_ANSWERS
+    return path.is_relative_to(CHAPTERS) and path.suffix == ".py" and marks_answers(path.stem)
 
 
 def holds_rules(path: PurePath) -> bool:
