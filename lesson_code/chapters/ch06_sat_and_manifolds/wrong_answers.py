@@ -295,3 +295,84 @@ def far_from_the_outline_is_apart() -> None:
 @edited(shift_by_shift, {"abs(shift) < abs(best)": "shift < best"})
 def most_negative_shift() -> None:
     """The smallest shift is the one with the smallest number, its sign included."""
+
+
+@wrong_model("6.1", "Which edge of a triangle is parallel to another one of its edges?")
+def half_of_the_edges(vertices: Vector) -> Any:
+    """Opposite edges are parallel, so half of them give all the axes."""
+    corners = list(dict.fromkeys(map(tuple, vertices)))
+    edges = np.roll(corners, -1, axis=0) - np.array(corners)
+    return [np.array([y, -x]) / np.hypot(x, y) for x, y in edges[: (len(corners) + 1) // 2]]
+
+
+@wrong_model("6.1", "Draw a diagonal of a square. Is there a gap along it beside the square?")
+def axes_of_diagonals_too(vertices: Vector) -> Any:
+    """Any two vertices have a line between them, and each line has an axis."""
+    count = len(vertices)
+    ways = [vertices[k] - vertices[i] for i in range(count) for k in range(i + 1, count)]
+    return [np.array([y, -x]) / np.hypot(x, y) for x, y in ways if x or y]
+
+
+@wrong_model("6.1", "A vertex is listed twice. How many corners does the polygon have there?")
+def vertices_listed_twice_left_out(vertices: Vector) -> Any:
+    """A vertex that is listed twice does not count."""
+    points = list(map(tuple, vertices))
+    corners = np.array([point for point in points if points.count(point) == 1])
+    return [np.array([y, -x]) / np.hypot(x, y) for x, y in np.roll(corners, -1, axis=0) - corners]
+
+
+@wrong_model("6.1", "Which edge of a leaning triangle is level, so that it needs an upright axis?")
+def x_and_y_besides(vertices: Vector) -> Any:
+    """The x axis and the y axis are tried with every shape, besides those of its edges."""
+    edges = np.roll(vertices, -1, axis=0) - vertices
+    normals = [np.array([y, -x]) / np.hypot(x, y) for x, y in edges if x or y]
+    return [np.array([1.0, 0.0]), np.array([0.0, 1.0]), *normals]
+
+
+@wrong_model("6.3", "A small interval lies inside a large one. Which of its ends is outside?")
+def none_inside_another(interval_a: Vector, interval_b: Vector) -> Any:
+    """Intervals overlap where an end of each is inside the other."""
+    (low_a, high_a), (low_b, high_b) = interval_a, interval_b
+    if low_a < low_b < high_a < high_b:
+        return high_a - low_b
+    return high_b - low_a if low_b < low_a < high_b < high_a else None
+
+
+@wrong_model("6.3", "You have moved it until its near end is at the border. Is it outside now?")
+def to_the_nearer_end(interval_a: Vector, interval_b: Vector) -> Any:
+    """An interval inside another one leaves it by the gap to the nearer end."""
+    (low_a, high_a), (low_b, high_b) = interval_a, interval_b
+    if high_a <= low_b or high_b <= low_a:
+        return None
+    if (low_a < low_b) != (high_a < high_b):
+        return min(abs(low_b - low_a), abs(high_a - high_b))
+    return min(high_a - low_b, high_b - low_a)
+
+
+@wrong_model("6.4", "Two planks cross like a T. On which axis do their shadows part first?")
+def the_line_of_the_middles_alone(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The axis that counts is the line of the middles, as with circles."""
+    way = vertices_b.mean(axis=0) - vertices_a.mean(axis=0)
+    normal = way / np.hypot(*way)
+    depth = project(vertices_a, normal)[1] - project(vertices_b, normal)[0]
+    return (normal, depth) if depth > 0 else None
+
+
+@wrong_model("6.4", "On one axis there is a gap between the shadows. Can the polygons overlap?")
+@edited(both_ways_along_each_axis, {"return None": "continue"})
+def a_gap_is_passed_over() -> None:
+    """An axis with a gap tells nothing: the next one may have an overlap."""
+
+
+@wrong_model(
+    "6.6", "A ball touches a corner. Does a corner have the direction of one of its edges?"
+)
+def a_corner_pushes_like_an_edge(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The normal is always that of the nearest edge, at its ends too."""
+    edges = list(zip(vertices, np.roll(vertices, -1, axis=0), strict=True))
+    points = [closest_point_on_segment(centre, a, b) for a, b in edges]
+    distances = [np.hypot(*(centre - point)) for point in points]
+    x, y = np.subtract(*edges[int(np.argmin(distances))][::-1])
+    inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
+    depth = radius + min(distances) if inside else radius - min(distances)
+    return (np.array([y, -x]) / np.hypot(x, y), depth) if depth > 0 else None

@@ -76,3 +76,56 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
         return None
     cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
     return (end, cut) if at_start > 0 else (start, cut)
+
+
+@wrong_model("6.5", "Is the line halfway between the ends? Which of your numbers says where it is?")
+def cut_in_the_middle(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """A segment with one end outside is cut in its middle."""
+    s, e = start @ normal > offset, end @ normal > offset
+    if s and e:
+        return None
+    return ((start + end) / 2 if s else start), ((start + end) / 2 if e else end)
+
+
+@wrong_model("6.5", "One end is inside. Is there nothing left of the segment?")
+def none_with_an_end_outside(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """A segment with an end outside is left out."""
+    return None if max(start @ normal, end @ normal) > offset else (start, end)
+
+
+@wrong_model("6.5", "A segment crosses at a flat angle. Is its way outside as long as its height?")
+def height_along_the_segment(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """An end moves back along the segment by as much as it lies beyond the line."""
+    s, e = start @ normal - offset, end @ normal - offset
+    if s > 0 and e > 0:
+        return None
+    way = (end - start) / np.hypot(*(end - start))
+    return start + max(s, 0.0) * way, end - max(e, 0.0) * way
+
+
+@wrong_model("6.5", "A segment crosses at a flat angle. Is its way inside as long as its depth?")
+def depth_along_the_segment(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """From the end inside, the cut is as far along the segment as the line is away."""
+    s, e = start @ normal - offset, end @ normal - offset
+    if max(s, e) <= 0 or min(s, e) > 0:
+        return None if s > 0 else (start, end)
+    way = (end - start) / np.hypot(*(end - start))
+    return (end + e * way, end) if s > 0 else (start, start - s * way)
+
+
+@wrong_model("6.5", "Where on the line you cut is the dot product with the normal: 0, or offset?")
+def cut_at_the_origin(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """The cut is where the dot product with the normal is 0."""
+    s, e = start @ normal, end @ normal
+    if s > offset and e > offset:
+        return None
+    cut = start + s / (s - e) * (end - start)
+    return (cut if s > offset else start), (cut if e > offset else end)
+
+
+@wrong_model("6.5", "The whole segment is outside. What is left of it, and what do you return?")
+def shrinks_to_a_point(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """Of a segment that is all outside its nearer end is left."""
+    s, e = start @ normal - offset, end @ normal - offset
+    cut = start + np.clip(s / (s - e), 0, 1) * (end - start)
+    return (cut if s > 0 else start), (cut if e > 0 else end)

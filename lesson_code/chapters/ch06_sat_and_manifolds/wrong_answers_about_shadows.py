@@ -53,3 +53,44 @@ def distances_from_the_origin(vertices: Vector, axis: Vector) -> Any:
     """A place on the axis is a distance from the origin, so it is never negative."""
     values = np.abs(vertices @ axis)
     return values.min(), values.max()
+
+
+@wrong_model("6.2", "The axis points up. Which vertices are the ends of the shadow then?")
+def leftmost_and_rightmost(vertices: Vector, axis: Vector) -> Any:
+    """The ends of the shadow are those of the vertices farthest to the left and to the right."""
+    across = vertices[:, 0]
+    return vertices[across.argmin()] @ axis, vertices[across.argmax()] @ axis
+
+
+@wrong_model("6.2", "Turn a long plank. Does its shadow stay as long as it was?")
+def shadow_of_a_circle(vertices: Vector, axis: Vector) -> Any:
+    """The shadow reaches from the middle as far as the farthest vertex does, either way."""
+    middle = vertices.mean(axis=0)
+    reach = max(np.hypot(*(vertex - middle)) for vertex in vertices)
+    return middle @ axis - reach, middle @ axis + reach
+
+
+@wrong_model("6.2", "The first vertex is the highest one. Does your loop ever ask it for that?")
+def either_lower_or_higher(vertices: Vector, axis: Vector) -> Any:
+    """A value that is the lowest so far need not be asked whether it is the highest."""
+    low, high = np.inf, -np.inf
+    for value in vertices @ axis:
+        if value < low:
+            low = value
+        elif value > high:
+            high = value
+    return low, high
+
+
+@wrong_model("6.2", "An interval from 3 to 5: which two numbers do you return for it?")
+def low_and_length(vertices: Vector, axis: Vector) -> Any:
+    """An interval is its beginning and its length."""
+    values = vertices @ axis
+    return values.min(), values.max() - values.min()
+
+
+@wrong_model("6.2", "Draw a leaning triangle and its box. Are its corners where the box has its?")
+def shadow_of_the_box(vertices: Vector, axis: Vector) -> Any:
+    """The smallest x and the smallest y make the beginning of the shadow, the largest its end."""
+    parts = vertices * axis
+    return parts.min(axis=0).sum(), parts.max(axis=0).sum()
