@@ -284,3 +284,106 @@ def nearest_approach_if_near_enough() -> None:
 )
 def the_gap_closes_evenly() -> None:
     """The gap closes along the line of the centres, as fast as it does at the beginning."""
+
+
+@wrong_model("7.1", "Two circles fly side by side, both fast. How fast does their gap close?")
+def gap_over_both_speeds(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """The gap closes as fast as both circles fly together."""
+    if (p2 - p1) @ (v2 - v1) >= 0:
+        return None
+    t = max(np.hypot(*(p2 - p1)) - r1 - r2, 0.0) / (np.hypot(*v1) + np.hypot(*v2))
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "The circles pass through each other in the step. What do you see at its end?")
+@edited(ten_samples, {"for k in range(11):": "for k in [10]:"})
+def looks_at_the_end_alone() -> None:
+    """Circles hit in a step if they overlap at its end, and the time of the hit is dt."""
+
+
+@wrong_model("7.1", "How large may the error of your time be: one part in a thousand of the step?")
+@edited(
+    ten_samples,
+    {
+        "for k in range(11):": "for k in range(1001 if (p2 - p1) @ (v2 - v1) < 0 else 0):",
+        "k / 10 * dt": "k * dt / 1000",
+    },
+)
+def a_thousand_samples() -> None:
+    """With steps that are small enough, the first look that sees an overlap tells the time."""
+
+
+@wrong_model(
+    "7.1", "Draw a circle and the square around it. Is what is in the square in the circle?"
+)
+def as_squares(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circles meet when they are less than both radii apart along x and along y."""
+    d, v, first, last = p2 - p1, v2 - v1, 0.0, dt
+    if d @ v >= 0:
+        return None
+    for x, u in zip(d, v, strict=True):
+        times = sorted([(-r1 - r2 - x) / u, (r1 + r2 - x) / u])
+        first, last = max(first, times[0]), min(last, times[1])
+    return first if first <= last else None
+
+
+@wrong_model(
+    "7.1", "Your b: is it all that stands before t, or half of it? And what is 4 a c then?"
+)
+@edited(
+    with_the_quadratic_formula,
+    {
+        "b * b - a * c < 0": "c > 0 and b * b - 4 * a * c < 0",
+        ROOT: "(-b - sqrt(b * b - 4 * a * c)) / (2 * a) if c > 0 else 0.0",
+    },
+)
+def half_of_b_in_the_whole_formula() -> None:
+    """The formula with 4 a c takes half of what stands before t for b."""
+
+
+@wrong_model("7.1", "The circles meet in ten seconds, and the step is one. When do they hit in it?")
+@edited(with_the_quadratic_formula, {"t if t <= dt else None": "min(t, dt)"})
+def late_hits_at_the_end() -> None:
+    """A hit after the end of the step is one at its end."""
+
+
+@wrong_model("7.2", "How fast is the ball when it is back at its height, and does it stay so?")
+def evenly_from_its_height(height: float, velocity: float, gravity: float) -> Time:
+    """What is thrown up comes back after 2 v / g; from there the time is the way over the speed."""
+    if velocity > 0:
+        return 2 * velocity / gravity + height / velocity if gravity > 0 else None
+    return height / -velocity if velocity < 0 else np.sqrt(2 * height / gravity)
+
+
+@wrong_model("7.2", "Throw a ball up. Will you wait for it in vain?")
+def up_is_away(height: float, velocity: float, gravity: float) -> Time:
+    """A ball that flies up moves away from the floor, so it never hits it."""
+    speed = math.sqrt(velocity**2 + 2 * gravity * height)
+    return None if velocity > 0 or speed == 0 else 2 * height / (speed - velocity)
+
+
+@wrong_model("7.2", "On an asteroid a stone falls for days. Does it ever arrive?")
+def a_little_gravity_is_none(height: float, velocity: float, gravity: float) -> Time:
+    """Gravity that is very small counts as 0."""
+    if gravity < 1e-9:
+        return height / -velocity if velocity < 0 else None
+    speed = math.sqrt(velocity**2 + 2 * gravity * height)
+    return 2 * height / (speed - velocity) if velocity < 0 else (velocity + speed) / gravity
+
+
+@wrong_model("7.3", "A wall is near, and the ball flies almost along it. Which wall comes first?")
+@edited(
+    scales_the_tangent,
+    {
+        "np.argmin(times)": "np.argmin(np.abs(v) * times)",
+        "restitution * np.where(np.arange(2) == axis, -v, v)": (
+            "np.where(np.arange(2) == axis, -restitution * v, v)"
+        ),
+    },
+)
+def nearest_wall_first() -> None:
+    """The wall that is nearest is the one that is hit first."""

@@ -116,3 +116,62 @@ def steps_in_time(mass_ratio: float) -> int:
         if x1 <= 0 and v1 < 0:
             v1, count = -v1, count + 1
     return count
+
+
+@wrong_model("7.4", "When two centres are nearest, have the rims not met long before?")
+@edited(
+    pair_by_pair,
+    {
+        "b < 0 <= b * b - a * c": "b < 0",
+        "max(c, 0.0) / (-b + np.sqrt(b * b - a * c))": "-b / a",
+    },
+)
+def nearest_is_meeting() -> None:
+    """Two that approach meet when their centres are nearest."""
+
+
+@wrong_model("7.4", "Two circles overlap, but they part. Do they still have to meet?")
+@edited(
+    pair_by_pair,
+    {
+        "if b < 0 <= b * b - a * c": "if c <= 0 or b < 0 <= b * b - a * c",
+        "t = max(c, 0.0) /": "t = 0.0 if c <= 0 else c /",
+    },
+)
+def overlapping_is_meeting_now() -> None:
+    """Circles that overlap meet now, whichever way they move."""
+
+
+@wrong_model("7.5", "Count by hand for a ratio of 2. Has it two digits, or one, or one and a half?")
+def digits_by_the_zeros(mass_ratio: float) -> int:
+    """Each two zeros of the ratio give one digit of pi more, and others give what is near."""
+    return int(math.pi * 10 ** round(math.log10(mass_ratio) / 2))
+
+
+@wrong_model("7.5", "Which of the blocks is between the other one and the wall?")
+@edited(
+    from_hit_to_hit,
+    {
+        "        if light < 0:": (
+            "        if heavy < 0:\n            heavy, count = -heavy, count + 1\n"
+            "        if light < 0:"
+        )
+    },
+)
+def the_heavy_block_at_the_wall_too() -> None:
+    """Each block that moves towards the wall bounces off it."""
+
+
+@wrong_model(
+    "7.5", "The light block is slower. Does it move away from the heavy one, or towards it?"
+)
+@edited(
+    from_hit_to_hit,
+    {
+        "        if light < 0:": (
+            "        if abs(light) <= abs(heavy):\n            break\n        if light < 0:"
+        )
+    },
+)
+def over_when_the_light_one_is_slower() -> None:
+    """When the light block is slower than the heavy one, all is over, whichever way they move."""

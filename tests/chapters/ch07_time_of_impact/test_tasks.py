@@ -237,7 +237,7 @@ def test_drawn_crowds_are_no_matter_of_nearness_order_or_luck() -> None:
             assert np.argmin(gaps) != other
     assert all(next_event(*arrays(g))[0] == 0.0 for g in drawn(flights.crowds_with_a_hit_now))
     parting = [next_event(*arrays(g)) is None for g in drawn(flights.crowds_that_part)]
-    assert parting == [False, True, True] * (len(parting) // 3)
+    assert parting == [False, False, True, True] * (len(parting) // 4)
 
 
 def test_drawn_ratios_are_clear_of_the_limits() -> None:
