@@ -154,8 +154,8 @@ class Evidence:
             explained = self._explained_by(models_of(self._task), criteria)
             most = max(explained.values(), key=len, default=())
             some = [model for model, names in explained.items() if names == most]
-            is_plain = models_of is not rarer_slips or len(_said(some)) <= MOST_SAID
-            if len(most) > len(best) and is_plain:
+            is_doubted = models_of is rarer_slips or (models_of is pairs and best)
+            if len(most) > len(best) and not (is_doubted and len(_said(some)) > MOST_SAID):
                 best, found = most, some
             if len(best) == len(criteria):
                 break
