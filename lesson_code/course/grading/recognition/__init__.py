@@ -60,11 +60,14 @@ OF_CASES = (
 """Kinds of slips that may be made in some cases only: not those in a formula, since a formula is
 the same in all."""
 
-VAGUEST = ("ignored", "term", "factor_missing")
+VAGUEST = ("ignored", "term", "factor_missing", "as_one", "complement", "scaled")
 """Kinds of slips that are not said where others, made in the same place, explain the same."""
 
 SAYS_MORE = {"sign": ("minus",), "other": ("order",)}
 """By kind the kinds that say more of the same answer: all signs, not one; the order of all."""
+
+SURE = "no_answer"
+"""A kind that is seen from plain answers that are all the same: it is about nothing else."""
 
 PLAINEST = "given"
 """A kind that is said alone: nothing else need be thought of where nothing was done."""
@@ -228,7 +231,8 @@ class Evidence:
             is_listed and telling >= ENOUGH_TELLING_CALLS and 2 * len(explained) >= len(criteria)
         ):
             return ()
-        if telling or ((is_listed or _varies(told)) and self._gives_every_call(model)):
+        is_sure = is_listed or model.name == SURE or _varies(told)
+        if telling or (is_sure and self._gives_every_call(model)):
             return tuple(explained)
         return ()
 
