@@ -161,3 +161,152 @@ def with_the_end_of_the_time(
         return np.zeros(int(count))
     t = np.linspace(0, count / rate, int(count))
     return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.4", "A pair has parted. Is it in the table of those that touch now?")
+def parted_are_those_that_stay(before: Table, now: Table) -> Any:
+    """Those that touched before and touch now are in the second list."""
+    earlier, later = {tuple(p) for p in before}, {tuple(p) for p in now}
+    return list(later - earlier), list(later & earlier)
+
+
+@wrong_model("11.4", "Nothing touched in the step before. Is that no news when something does?")
+def nothing_without_a_step_before(before: Table, now: Table) -> Any:
+    """Where one of the tables is empty, there is nothing to compare."""
+    earlier, later = {tuple(p) for p in before}, {tuple(p) for p in now}
+    both = bool(earlier and later)
+    return list(later - earlier) if both else [], list(earlier - later) if both else []
+
+
+@wrong_model("11.4", "In which order do the pairs stand? May a new one stand first?")
+def new_ones_stand_last(before: Table, now: Table) -> Any:
+    """As many pairs as there were before are old ones; those that follow are new."""
+    return [tuple(p) for p in now[len(before) :]], [tuple(p) for p in before[len(now) :]]
+
+
+@wrong_model("11.4", "A ball is lifted off the floor. In which of your lists do you say so?")
+def nobody_parts(before: Table, now: Table) -> Any:
+    """Only what begins counts."""
+    earlier = {tuple(p) for p in before}
+    return [tuple(p) for p in now if tuple(p) not in earlier], []
+
+
+@wrong_model("11.5", "Half of it is left after one half-life. What does yours leave of it?")
+def a_full_light_in_a_half_life(
+    brightness: Vector, hit: Vector, dt: float, half_life: float
+) -> Any:
+    """The light goes down evenly, from 1 to 0 in a half-life."""
+    return np.where(hit, 1.0, np.maximum(brightness - dt / half_life, 0.0))
+
+
+@wrong_model("11.5", "Put dt = half_life into your formula. Is one half left?")
+def logarithm_on_the_wrong_side(
+    brightness: Vector, hit: Vector, dt: float, half_life: float
+) -> Any:
+    """The time constant is the half-life times ln 2."""
+    return np.where(hit, 1.0, brightness * np.exp(-dt / (half_life * np.log(2))))
+
+
+@wrong_model("11.5", "A longer half-life: does the light fade faster by your formula, or slower?")
+def half_life_as_a_rate(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """The half-life is how fast the light fades."""
+    return np.where(hit, 1.0, brightness * np.exp(-dt * half_life))
+
+
+@wrong_model("11.5", "A step is shorter than the half-life. Does nothing fade in it?")
+def half_at_once(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """The light stays for a half-life, and then it is one half."""
+    return np.where(hit, 1.0, brightness / (1 if dt < half_life else 2))
+
+
+@wrong_model("11.5", "How bright is what is hit, if it was dark before?")
+def twice_as_bright(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """What is hit becomes twice as bright, up to 1."""
+    return np.where(hit, np.minimum(1, 2 * brightness), brightness * 0.5 ** (dt / half_life))
+
+
+@wrong_model("11.5", "One body is hit. Do the others light up with it?")
+def all_light_up(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
+    """Where there is a hit, everything lights up."""
+    return np.ones(len(brightness)) if hit.any() else brightness * 0.5 ** (dt / half_life)
+
+
+@wrong_model(
+    "11.6", "At the instant of the blow the membrane is at rest. Is that your first sample?"
+)
+def begins_with_the_second(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The first sample comes one step after the blow."""
+    t = np.arange(1, count + 1) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "A tone is too high. How many samples does the caller wait for?")
+def none_for_what_is_too_high(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """A tone that is too high has no samples."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return []
+    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "Half of it is left after one half-life. What is left after two? Nothing?")
+def fades_evenly(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The loudness goes down evenly, to one half in a half-life."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * np.maximum(1 - t / half_life / 2, 0) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "Ask for twice as many samples. Does the same blow ring twice as long?")
+def fades_until_the_last_sample(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The tone has died away when the samples end."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * (1 - t * rate / count) * np.sin(2 * np.pi * frequency * t)
+
+
+@wrong_model("11.6", "A bell rings out. Does its tone sink, or its loudness alone?")
+def sinks_as_it_fades(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The tone sinks as the loudness does."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return (
+        loudness
+        * 0.5 ** (t / half_life)
+        * np.sin(2 * np.pi * frequency * 0.5 ** (t / half_life) * t)
+    )
+
+
+@wrong_model("11.6", "Which values has a sine between 1 and -1?")
+def up_or_down(loudness: float, frequency: float, half_life: float, rate: float, count: int) -> Any:
+    """A tone is up in one half of its period and down in the other."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * 0.5 ** (t / half_life) * np.sign(np.sin(2 * np.pi * frequency * t))
+
+
+@wrong_model("11.6", "Sample number k is heard at which time?")
+def a_tone_per_sample(
+    loudness: float, frequency: float, half_life: float, rate: float, count: int
+) -> Any:
+    """The samples are numbered in seconds for the tone."""
+    t = np.arange(count) / rate
+    if frequency >= rate / 2:
+        return np.zeros(count)
+    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t * rate)
