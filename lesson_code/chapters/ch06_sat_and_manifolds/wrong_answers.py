@@ -1,4 +1,4 @@
-"""Wrong models of chapter 06: separating axes, clipping, circle against polygon.
+"""Wrong models of chapter 06: overlap, the way out, circle against polygon.
 
 They use the functions of the earlier tasks that the student's file has under the same names.
 """
@@ -19,47 +19,6 @@ from lesson_code.formulas.arithmetic import cross
 from lesson_code.geometry import closest_point_on_segment, project, sat_axes
 
 Vector: TypeAlias = Any
-
-
-@wrong_model("6.1", "Two vertices that coincide: is there an edge between them, with a direction?")
-def axis_of_an_empty_edge(vertices: Vector) -> Any:
-    """Two neighbouring vertices always make an edge, and every edge makes an axis."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    return [np.array([y, -x]) / (np.hypot(x, y) or 1.0) for x, y in edges]
-
-
-@wrong_model("6.1", "A gap runs along an edge. Along which axis do the shadows on its sides part?")
-def edges_for_normals(vertices: Vector) -> Any:
-    """The axes are the directions of the edges."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    return [edge / np.hypot(*edge) for edge in edges if edge.any()]
-
-
-@wrong_model("6.1", "How many edges has a triangle, and how many axes do you return for it?")
-def last_edge_missing(vertices: Vector) -> Any:
-    """Each vertex but the last one starts an edge."""
-    edges = vertices[1:] - vertices[:-1]
-    return [np.array([y, -x]) / np.hypot(x, y) for x, y in edges if x or y]
-
-
-@wrong_model("6.1", "Make the polygon twice as large. Should its axes grow with it?")
-def axes_not_unit(vertices: Vector) -> Any:
-    """An axis needs a direction only, so its length does not matter."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    return [np.array([y, -x]) for x, y in edges if x or y]
-
-
-@wrong_model("6.1", "Draw a long triangle and one of your axes. Which edge does it stand upon?")
-def from_the_middle_to_the_corners(vertices: Vector) -> Any:
-    """The axes run from the middle of the polygon to its vertices."""
-    offsets = vertices - vertices.mean(axis=0)
-    return [offset / np.hypot(*offset) for offset in offsets]
-
-
-@wrong_model("6.1", "Turn the polygon by 30 degrees. Do its edges turn, and do your axes?")
-def x_and_y_only(vertices: Vector) -> Any:
-    """The x axis and the y axis are enough for any shape."""
-    return [(1.0, 0.0), (0.0, 1.0)]
 
 
 @wrong_model("6.3", "A small interval inside a large one: moved by what you return, is it out?")
@@ -265,17 +224,6 @@ def depth_of_the_last_axis() -> None:
     """The depth is what stands in the variable when all axes have been tried."""
 
 
-@wrong_model("6.1", "Draw a long triangle. Does your axis stand at right angles to its edge?")
-def from_the_middle_to_the_edges(vertices: Vector) -> Any:
-    """The axes run from the middle of the polygon to the middles of its edges."""
-    ends = np.roll(vertices, -1, axis=0)
-    axes = [(a + b) / 2 - vertices.mean(axis=0) for a, b in zip(vertices, ends, strict=True)]
-    edges = (ends - vertices).any(axis=1)
-    return [
-        axis / np.hypot(*axis) for axis, has_length in zip(axes, edges, strict=True) if has_length
-    ]
-
-
 @wrong_model("6.3", "B may leave A at either end. Which two ends have to pass each other?")
 def like_ends_apart(interval_a: Vector, interval_b: Vector) -> Any:
     """The way out is the distance of two beginnings, or of two ends."""
@@ -295,38 +243,6 @@ def far_from_the_outline_is_apart() -> None:
 @edited(shift_by_shift, {"abs(shift) < abs(best)": "shift < best"})
 def most_negative_shift() -> None:
     """The smallest shift is the one with the smallest number, its sign included."""
-
-
-@wrong_model("6.1", "Which edge of a triangle is parallel to another one of its edges?")
-def half_of_the_edges(vertices: Vector) -> Any:
-    """Opposite edges are parallel, so half of them give all the axes."""
-    corners = list(dict.fromkeys(map(tuple, vertices)))
-    edges = np.roll(corners, -1, axis=0) - np.array(corners)
-    return [np.array([y, -x]) / np.hypot(x, y) for x, y in edges[: (len(corners) + 1) // 2]]
-
-
-@wrong_model("6.1", "Draw a diagonal of a square. Is there a gap along it beside the square?")
-def axes_of_diagonals_too(vertices: Vector) -> Any:
-    """Any two vertices have a line between them, and each line has an axis."""
-    count = len(vertices)
-    ways = [vertices[k] - vertices[i] for i in range(count) for k in range(i + 1, count)]
-    return [np.array([y, -x]) / np.hypot(x, y) for x, y in ways if x or y]
-
-
-@wrong_model("6.1", "A vertex is listed twice. How many corners does the polygon have there?")
-def vertices_listed_twice_left_out(vertices: Vector) -> Any:
-    """A vertex that is listed twice does not count."""
-    points = list(map(tuple, vertices))
-    corners = np.array([point for point in points if points.count(point) == 1])
-    return [np.array([y, -x]) / np.hypot(x, y) for x, y in np.roll(corners, -1, axis=0) - corners]
-
-
-@wrong_model("6.1", "Which edge of a leaning triangle is level, so that it needs an upright axis?")
-def x_and_y_besides(vertices: Vector) -> Any:
-    """The x axis and the y axis are tried with every shape, besides those of its edges."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    normals = [np.array([y, -x]) / np.hypot(x, y) for x, y in edges if x or y]
-    return [np.array([1.0, 0.0]), np.array([0.0, 1.0]), *normals]
 
 
 @wrong_model("6.3", "A small interval lies inside a large one. Which of its ends is outside?")
@@ -376,3 +292,59 @@ def a_corner_pushes_like_an_edge(centre: Vector, radius: float, vertices: Vector
     inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
     depth = radius + min(distances) if inside else radius - min(distances)
     return (np.array([y, -x]) / np.hypot(x, y), depth) if depth > 0 else None
+
+
+@wrong_model("6.4", "Turn both polygons by 30 degrees. Do their edges turn, and do your axes?")
+@edited(
+    both_ways_along_each_axis,
+    {"[*sat_axes(vertices_a), *sat_axes(vertices_b)]": "np.eye(2)"},
+)
+def boxes_along_the_axes() -> None:
+    """The x axis and the y axis are enough."""
+
+
+@wrong_model("6.4", "An outward normal of B: does it lead from A to B, or back?")
+@edited(
+    both_ways_along_each_axis,
+    {"((high_a - low_b, axis), (high_b - low_a, -axis))": "((high_a - low_b, axis),)"},
+)
+def outward_of_both() -> None:
+    """B leaves along an outward normal, of its own edges as of those of A."""
+
+
+@wrong_model("6.4", "A long plank is in a short one. Which way out is the shorter, in metres?")
+@edited(
+    both_ways_along_each_axis,
+    {
+        "depth < best[1]:\n": "depth / (high_a - low_a) < least:\n"
+        "                least = depth / (high_a - low_a)\n",
+        "best = None": "best, least = None, np.inf",
+        "best is None or ": "",
+    },
+)
+def smallest_part_of_the_shadow() -> None:
+    """The overlap that is the smallest part of A's shadow counts."""
+
+
+@wrong_model("6.4", "How long is the normal that you return?")
+@edited(both_ways_along_each_axis, {"return best": "return best and (best[0] * best[1], best[1])"})
+def whole_way_as_the_normal() -> None:
+    """The normal is the whole way out."""
+
+
+@wrong_model("6.6", "A long plank has a circle around it. Does a ball in that touch the plank?")
+def circle_around_the_polygon(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """A polygon is as good as the circle around it."""
+    middle = vertices.mean(axis=0)
+    reach = max(np.hypot(*(vertex - middle)) for vertex in vertices) + radius
+    distance = np.hypot(*(centre - middle))
+    return ((centre - middle) / distance, reach - distance) if distance < reach else None
+
+
+@wrong_model("6.6", "The ball lies upon the edge near its end. Where does it touch the edge?")
+def middles_of_edges(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """An edge is touched in its middle."""
+    middles = (vertices + np.roll(vertices, -1, axis=0)) / 2
+    offset = min(centre - middles, key=lambda way: np.hypot(*way))
+    distance = np.hypot(*offset)
+    return (offset / distance, radius - distance) if distance < radius else None

@@ -129,3 +129,23 @@ def shrinks_to_a_point(start: Vector, end: Vector, normal: Vector, offset: float
     s, e = start @ normal - offset, end @ normal - offset
     cut = start + np.clip(s / (s - e), 0, 1) * (end - start)
     return (cut if s > 0 else start), (cut if e > 0 else end)
+
+
+@wrong_model("6.5", "What part of the way is the crossing: of which length along the normal?")
+def part_of_the_length(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """The crossing is at the distance of the start over the length of the segment."""
+    s, e = start @ normal - offset, end @ normal - offset
+    if max(s, e) <= 0 or min(s, e) > 0:
+        return None if s > 0 else (start, end)
+    cut = start + abs(s) / np.hypot(*(end - start)) * (end - start)
+    return (cut, end) if s > 0 else (start, cut)
+
+
+@wrong_model("6.5", "You return the crossing twice. What has become of the end inside?")
+def the_cut_alone(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """What is left of a segment that crosses the line is the crossing."""
+    s, e = start @ normal - offset, end @ normal - offset
+    if max(s, e) <= 0 or min(s, e) > 0:
+        return None if s > 0 else (start, end)
+    cut = start + s / (s - e) * (end - start)
+    return cut, cut

@@ -94,3 +94,31 @@ def shadow_of_the_box(vertices: Vector, axis: Vector) -> Any:
     """The smallest x and the smallest y make the beginning of the shadow, the largest its end."""
     parts = vertices * axis
     return parts.min(axis=0).sum(), parts.max(axis=0).sum()
+
+
+@wrong_model("6.2", "Which vertex is farthest along the axis: always the one farthest away?")
+def nearest_and_farthest_vertex(vertices: Vector, axis: Vector) -> Any:
+    """The shadow reaches from the vertex nearest to the origin to the one farthest from it."""
+    by_distance = sorted(vertices, key=lambda vertex: np.hypot(*vertex))
+    return tuple(sorted((by_distance[0] @ axis, by_distance[-1] @ axis)))
+
+
+@wrong_model("6.2", "A foot on the axis is 5 m from the origin. Is that its x?")
+def x_of_the_foot(vertices: Vector, axis: Vector) -> Any:
+    """A place on the axis is the x of the foot."""
+    values = (vertices @ axis) * axis[0]
+    return values.min(), values.max()
+
+
+@wrong_model("6.2", "Where does the shadow begin: always at the origin?")
+def from_zero_to_the_length(vertices: Vector, axis: Vector) -> Any:
+    """A shadow begins at 0 and ends at its length."""
+    values = vertices @ axis
+    return 0.0, values.max() - values.min()
+
+
+@wrong_model("6.2", "Which points of a polygon throw the ends of its shadow?")
+def shadow_of_the_middles(vertices: Vector, axis: Vector) -> Any:
+    """The shadow is that of the middles of the edges."""
+    values = (vertices + np.roll(vertices, -1, axis=0)) / 2 @ axis
+    return values.min(), values.max()
