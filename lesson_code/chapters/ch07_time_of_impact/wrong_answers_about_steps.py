@@ -1,4 +1,4 @@
-"""Wrong models of chapter 07: more about when circles meet, falls, and the rest of the step."""
+"""Wrong models of chapter 07: more about falls, and the rest of the step."""
 
 from __future__ import annotations
 
@@ -6,23 +6,10 @@ from math import sqrt
 from typing import Any, TypeAlias
 
 from lesson_code.chapters.ch07_time_of_impact import wrong_answers as others
-from lesson_code.chapters.ch07_time_of_impact.right_answers import with_the_quadratic_formula
 from lesson_code.course.grading.task import edited, wrong_model
 
 Time: TypeAlias = Any
 RIGHT_BOUNCE = "np.where(np.arange(2) == axis, -restitution * v, v)"
-
-
-@wrong_model("7.1", "How far are the centres apart when the rims touch: 0?")
-@edited(with_the_quadratic_formula, {"(r1 + r2) ** 2": "0.0"})
-def as_points() -> None:
-    """Circles meet where their centres do."""
-
-
-@wrong_model("7.1", "In c you subtract from a square of metres. What has to be subtracted?")
-@edited(with_the_quadratic_formula, {"(r1 + r2) ** 2": "(r1 + r2)"})
-def reach_without_its_square() -> None:
-    """The squared distance is compared with the sum of the radii."""
 
 
 @wrong_model("7.2", "How high does a ball fly that starts at v: v^2 / g, or half of it?")
