@@ -1,4 +1,4 @@
-"""Wrong models of chapter 06: separating axes, clipping, circle against polygon.
+"""Wrong models of chapter 06: overlap, the way out, circle against polygon.
 
 They use the functions of the earlier tasks that the student's file has under the same names.
 """
@@ -19,84 +19,6 @@ from lesson_code.formulas.arithmetic import cross
 from lesson_code.geometry import closest_point_on_segment, project, sat_axes
 
 Vector: TypeAlias = Any
-
-
-@wrong_model("6.1", "Two vertices that coincide: is there an edge between them, with a direction?")
-def axis_of_an_empty_edge(vertices: Vector) -> Any:
-    """Two neighbouring vertices always make an edge, and every edge makes an axis."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    return [np.array([y, -x]) / (np.hypot(x, y) or 1.0) for x, y in edges]
-
-
-@wrong_model("6.1", "A gap runs along an edge. Along which axis do the shadows on its sides part?")
-def edges_for_normals(vertices: Vector) -> Any:
-    """The axes are the directions of the edges."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    return [edge / np.hypot(*edge) for edge in edges if edge.any()]
-
-
-@wrong_model("6.1", "How many edges has a triangle, and how many axes do you return for it?")
-def last_edge_missing(vertices: Vector) -> Any:
-    """Each vertex but the last one starts an edge."""
-    edges = vertices[1:] - vertices[:-1]
-    return [np.array([y, -x]) / np.hypot(x, y) for x, y in edges if x or y]
-
-
-@wrong_model("6.1", "Make the polygon twice as large. Should its axes grow with it?")
-def axes_not_unit(vertices: Vector) -> Any:
-    """An axis needs a direction only, so its length does not matter."""
-    edges = np.roll(vertices, -1, axis=0) - vertices
-    return [np.array([y, -x]) for x, y in edges if x or y]
-
-
-@wrong_model("6.1", "Draw a long triangle and one of your axes. Which edge does it stand upon?")
-def from_the_middle_to_the_corners(vertices: Vector) -> Any:
-    """The axes run from the middle of the polygon to its vertices."""
-    offsets = vertices - vertices.mean(axis=0)
-    return [offset / np.hypot(*offset) for offset in offsets]
-
-
-@wrong_model("6.1", "Turn the polygon by 30 degrees. Do its edges turn, and do your axes?")
-def x_and_y_only(vertices: Vector) -> Any:
-    """The x axis and the y axis are enough for any shape."""
-    return [(1.0, 0.0), (0.0, 1.0)]
-
-
-@wrong_model("6.2", "Move the polygon far from the origin. Does its shadow still reach back to 0?")
-def starts_from_zero(vertices: Vector, axis: Vector) -> Any:
-    """Smallest and largest are found by starting from 0."""
-    low = high = 0.0
-    for value in vertices @ axis:
-        low, high = min(low, value), max(high, value)
-    return low, high
-
-
-@wrong_model("6.2", "Which vertices lie farthest out along the axis: always the same two?")
-def first_and_last_vertex(vertices: Vector, axis: Vector) -> Any:
-    """The shadow reaches from the first vertex to the last."""
-    values = vertices @ axis
-    return min(values[0], values[-1]), max(values[0], values[-1])
-
-
-@wrong_model("6.2", "Move the polygon along the axis. Does your interval move with it?")
-def about_its_own_middle(vertices: Vector, axis: Vector) -> Any:
-    """A shadow is measured from the middle of the polygon."""
-    values = (vertices - vertices.mean(axis=0)) @ axis
-    return values.min(), values.max()
-
-
-@wrong_model("6.2", "For the axis (1, 0), the shadow holds the x of every vertex. Does yours?")
-def across_the_axis(vertices: Vector, axis: Vector) -> Any:
-    """The shadow falls on the line at right angles to the axis."""
-    values = vertices @ np.array([-axis[1], axis[0]])
-    return values.min(), values.max()
-
-
-@wrong_model("6.2", "Which sign has the dot product of a vertex that lies behind the origin?")
-def distances_from_the_origin(vertices: Vector, axis: Vector) -> Any:
-    """A place on the axis is a distance from the origin, so it is never negative."""
-    values = np.abs(vertices @ axis)
-    return values.min(), values.max()
 
 
 @wrong_model("6.3", "A small interval inside a large one: moved by what you return, is it out?")
@@ -143,6 +65,20 @@ def direction_from_the_centres(vertices_a: Vector, vertices_b: Vector) -> Any:
     depth, normal = min(depths, key=lambda found: found[0])
     towards_b = np.dot(vertices_b.mean(axis=0) - vertices_a.mean(axis=0), normal) >= 0
     return ((normal if towards_b else -normal), depth) if depth > 0 else None
+
+
+@wrong_model("6.4", "A brick lies near the end of a plank. Does the plank push it up, or along?")
+@edited(
+    both_ways_along_each_axis,
+    {
+        "return best": (
+            "way = vertices_b.mean(axis=0) - vertices_a.mean(axis=0)\n"
+            "    return best and (way / np.hypot(*way), best[1])"
+        )
+    },
+)
+def along_the_line_of_the_middles() -> None:
+    """Polygons push each other along the line of their middles, as circles do."""
 
 
 @wrong_model("6.4", "Let a corner of A point at a side of B. Whose edge has the axis you need?")
@@ -192,52 +128,6 @@ def from_b_to_a() -> None:
 @edited(both_ways_along_each_axis, {"depth <= 0": "depth < 0"})
 def touching_is_a_hit() -> None:
     """Polygons that touch overlap."""
-
-
-@wrong_model("6.5", "One end is outside. Where does the segment cross the line: is a point kept?")
-def drops_the_end_outside(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """Clipping leaves out the ends that lie outside."""
-    return [point for point in (start, end) if np.dot(point, normal) <= offset] or None
-
-
-@wrong_model("6.5", "Take a point far along the normal. Is its dot product above the offset?")
-def keeps_the_other_side(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """What lies beyond the line, where the normal points, is kept."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    if s < 0 and e < 0:
-        return None
-    if s >= 0 and e >= 0:
-        return [start, end]
-    crossing = start + s / (s - e) * (end - start)
-    return [start, crossing] if s >= 0 else [crossing, end]
-
-
-@wrong_model("6.5", "Draw the point that you put on the line. Does it still lie on the segment?")
-def moved_along_the_normal(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """An end outside is moved straight back to the line."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    if s > 0 and e > 0:
-        return None
-    return [start - max(s, 0.0) * normal, end - max(e, 0.0) * normal]
-
-
-@wrong_model("6.5", "If the start is just outside, is the crossing near the start or near the end?")
-def counts_from_the_wrong_end(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """The crossing divides the segment by the distance of the end over the sum of both."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    if s > 0 and e > 0:
-        return None
-    if s <= 0 and e <= 0:
-        return [start, end]
-    crossing = start + e / (e - s) * (end - start)
-    return [crossing, end] if s > 0 else [start, crossing]
-
-
-@wrong_model("6.5", "A segment lies half outside. How much of it do you give back?")
-def all_or_nothing(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """A segment with one end inside is kept as it is."""
-    s, e = np.dot(start, normal) - offset, np.dot(end, normal) - offset
-    return None if s > 0 and e > 0 else [start, end]
 
 
 @wrong_model("6.6", "The ball lies flat upon a long edge. Which vertex does it touch?")
@@ -325,17 +215,6 @@ def from_middle_to_middle(centre: Vector, radius: float, vertices: Vector) -> An
     return (way / np.hypot(*way), depth) if depth > 0 else None
 
 
-@wrong_model("6.5", "The segment comes in from outside. Which of its ends has to be cut off?")
-def cuts_the_end_always(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """What lies outside is the part behind the cut."""
-    at_start, at_end = start @ normal - offset, end @ normal - offset
-    if at_start > 0 and at_end > 0:
-        return None
-    if at_start <= 0 and at_end <= 0:
-        return start, end
-    return start, start + at_start / (at_start - at_end) * (end - start)
-
-
 @wrong_model("6.4", "Your loop has ended. Of which axis is the depth that you still hold?")
 @edited(
     both_ways_along_each_axis,
@@ -343,27 +222,6 @@ def cuts_the_end_always(start: Vector, end: Vector, normal: Vector, offset: floa
 )
 def depth_of_the_last_axis() -> None:
     """The depth is what stands in the variable when all axes have been tried."""
-
-
-@wrong_model("6.1", "Draw a long triangle. Does your axis stand at right angles to its edge?")
-def from_the_middle_to_the_edges(vertices: Vector) -> Any:
-    """The axes run from the middle of the polygon to the middles of its edges."""
-    ends = np.roll(vertices, -1, axis=0)
-    axes = [(a + b) / 2 - vertices.mean(axis=0) for a, b in zip(vertices, ends, strict=True)]
-    edges = (ends - vertices).any(axis=1)
-    return [
-        axis / np.hypot(*axis) for axis, has_length in zip(axes, edges, strict=True) if has_length
-    ]
-
-
-@wrong_model("6.5", "The segment comes in from outside. Which of your two points comes first?")
-def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
-    """First the ends that are inside, then the cut."""
-    at_start, at_end = start @ normal - offset, end @ normal - offset
-    if at_start > 0 and at_end > 0:
-        return None
-    cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
-    return (end, cut) if at_start > 0 else (start, cut)
 
 
 @wrong_model("6.3", "B may leave A at either end. Which two ends have to pass each other?")
@@ -385,3 +243,108 @@ def far_from_the_outline_is_apart() -> None:
 @edited(shift_by_shift, {"abs(shift) < abs(best)": "shift < best"})
 def most_negative_shift() -> None:
     """The smallest shift is the one with the smallest number, its sign included."""
+
+
+@wrong_model("6.3", "A small interval lies inside a large one. Which of its ends is outside?")
+def none_inside_another(interval_a: Vector, interval_b: Vector) -> Any:
+    """Intervals overlap where an end of each is inside the other."""
+    (low_a, high_a), (low_b, high_b) = interval_a, interval_b
+    if low_a < low_b < high_a < high_b:
+        return high_a - low_b
+    return high_b - low_a if low_b < low_a < high_b < high_a else None
+
+
+@wrong_model("6.3", "You have moved it until its near end is at the border. Is it outside now?")
+def to_the_nearer_end(interval_a: Vector, interval_b: Vector) -> Any:
+    """An interval inside another one leaves it by the gap to the nearer end."""
+    (low_a, high_a), (low_b, high_b) = interval_a, interval_b
+    if high_a <= low_b or high_b <= low_a:
+        return None
+    if (low_a < low_b) != (high_a < high_b):
+        return min(abs(low_b - low_a), abs(high_a - high_b))
+    return min(high_a - low_b, high_b - low_a)
+
+
+@wrong_model("6.4", "Two planks cross like a T. On which axis do their shadows part first?")
+def the_line_of_the_middles_alone(vertices_a: Vector, vertices_b: Vector) -> Any:
+    """The axis that counts is the line of the middles, as with circles."""
+    way = vertices_b.mean(axis=0) - vertices_a.mean(axis=0)
+    normal = way / np.hypot(*way)
+    depth = project(vertices_a, normal)[1] - project(vertices_b, normal)[0]
+    return (normal, depth) if depth > 0 else None
+
+
+@wrong_model("6.4", "On one axis there is a gap between the shadows. Can the polygons overlap?")
+@edited(both_ways_along_each_axis, {"return None": "continue"})
+def a_gap_is_passed_over() -> None:
+    """An axis with a gap tells nothing: the next one may have an overlap."""
+
+
+@wrong_model(
+    "6.6", "A ball touches a corner. Does a corner have the direction of one of its edges?"
+)
+def a_corner_pushes_like_an_edge(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """The normal is always that of the nearest edge, at its ends too."""
+    edges = list(zip(vertices, np.roll(vertices, -1, axis=0), strict=True))
+    points = [closest_point_on_segment(centre, a, b) for a, b in edges]
+    distances = [np.hypot(*(centre - point)) for point in points]
+    x, y = np.subtract(*edges[int(np.argmin(distances))][::-1])
+    inside = all(cross(b - a, centre - a) > 0 for a, b in edges)
+    depth = radius + min(distances) if inside else radius - min(distances)
+    return (np.array([y, -x]) / np.hypot(x, y), depth) if depth > 0 else None
+
+
+@wrong_model("6.4", "Turn both polygons by 30 degrees. Do their edges turn, and do your axes?")
+@edited(
+    both_ways_along_each_axis,
+    {"[*sat_axes(vertices_a), *sat_axes(vertices_b)]": "np.eye(2)"},
+)
+def boxes_along_the_axes() -> None:
+    """The x axis and the y axis are enough."""
+
+
+@wrong_model("6.4", "An outward normal of B: does it lead from A to B, or back?")
+@edited(
+    both_ways_along_each_axis,
+    {"((high_a - low_b, axis), (high_b - low_a, -axis))": "((high_a - low_b, axis),)"},
+)
+def outward_of_both() -> None:
+    """B leaves along an outward normal, of its own edges as of those of A."""
+
+
+@wrong_model("6.4", "A long plank is in a short one. Which way out is the shorter, in metres?")
+@edited(
+    both_ways_along_each_axis,
+    {
+        "depth < best[1]:\n": "depth / (high_a - low_a) < least:\n"
+        "                least = depth / (high_a - low_a)\n",
+        "best = None": "best, least = None, np.inf",
+        "best is None or ": "",
+    },
+)
+def smallest_part_of_the_shadow() -> None:
+    """The overlap that is the smallest part of A's shadow counts."""
+
+
+@wrong_model("6.4", "How long is the normal that you return?")
+@edited(both_ways_along_each_axis, {"return best": "return best and (best[0] * best[1], best[1])"})
+def whole_way_as_the_normal() -> None:
+    """The normal is the whole way out."""
+
+
+@wrong_model("6.6", "A long plank has a circle around it. Does a ball in that touch the plank?")
+def circle_around_the_polygon(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """A polygon is as good as the circle around it."""
+    middle = vertices.mean(axis=0)
+    reach = max(np.hypot(*(vertex - middle)) for vertex in vertices) + radius
+    distance = np.hypot(*(centre - middle))
+    return ((centre - middle) / distance, reach - distance) if distance < reach else None
+
+
+@wrong_model("6.6", "The ball lies upon the edge near its end. Where does it touch the edge?")
+def middles_of_edges(centre: Vector, radius: float, vertices: Vector) -> Any:
+    """An edge is touched in its middle."""
+    middles = (vertices + np.roll(vertices, -1, axis=0)) / 2
+    offset = min(centre - middles, key=lambda way: np.hypot(*way))
+    distance = np.hypot(*offset)
+    return (offset / distance, radius - distance) if distance < radius else None

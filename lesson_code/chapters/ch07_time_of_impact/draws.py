@@ -135,8 +135,14 @@ def crowds_with_a_hit_now(stream: Random) -> Iterator[Arguments]:
 
 
 def crowds_that_part(stream: Random) -> Iterator[Arguments]:
-    """Draw a crowd that flies apart as after a burst, one in step, and one that meets."""
+    """Draw a crowd that flies apart as after a burst, one in step, and two that meet.
+
+    In the second of these two circles overlap, but part.
+    """
     yield next(crowds(stream))
+    pairs = (_pair(stream, 2.0, 5.0), _pair(stream, -0.3, -2.0))
+    first, second, third, fourth = _scattered(stream, pairs)
+    yield _crowd([third, first, fourth, second])
     turn, start = _turn(stream), complex(*draws.position(stream))
     places = [turn * place for place in (-4, 4j, 5 - 2j)]
     radii = [round(stream.uniform(0.5, 1.2), 2) for _ in places]

@@ -67,9 +67,13 @@ def without_an_impact(stream: Random) -> Iterator[Arguments]:
 
 
 def with_one_impact(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that reach one wall."""
-    for _ in range(3):
-        yield _in_a_room(stream, hits=1)
+    """Draw balls that reach one wall; the last time another wall before them is nearer."""
+    for is_nearest in (None, None, False):
+        while True:
+            drawn = _in_a_room(stream, hits=1)
+            if is_nearest in (None, _meets_the_nearest_wall(*drawn)):
+                break
+        yield drawn
 
 
 def with_several_impacts(stream: Random) -> Iterator[Arguments]:
@@ -95,6 +99,13 @@ def _in_a_room(stream: Random, hits: int) -> Arguments:
     ends = [0.0, *_impact_times(p, v, room, e, hits + 1)]
     part = stream.uniform(0.4, 0.7)
     return p, v, room, e, (1 - part) * ends[hits] + part * ends[hits + 1]
+
+
+def _meets_the_nearest_wall(p: Any, v: Any, room: Any, _e: float, _dt: float) -> bool:
+    """Return whether the wall that is nearest of those before a ball is met first."""
+    ways = [size - x if u > 0 else x for x, u, size in zip(p, v, room, strict=True)]
+    times = [way / abs(u) for way, u in zip(ways, v, strict=True)]
+    return ways.index(min(ways)) == times.index(min(times))
 
 
 def _impact_times(p: Any, v: Any, room: Any, e: float, count: int) -> list[float]:

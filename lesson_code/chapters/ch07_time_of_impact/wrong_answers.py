@@ -1,4 +1,4 @@
-"""Wrong models of chapter 07: times of impact, the rest of the step, and events.
+"""Wrong models of chapter 07: times of impact, and the rest of the step.
 
 Each stands alone, as a student would hand it in: it calls no helper.
 """
@@ -10,11 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.ch07_time_of_impact.right_answers import (
-    from_hit_to_hit,
-    pair_by_pair,
-    with_the_quadratic_formula,
-)
+from lesson_code.chapters.ch07_time_of_impact.right_answers import with_the_quadratic_formula
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
@@ -269,113 +265,6 @@ def scales_the_tangent(
         v = restitution * np.where(np.arange(2) == axis, -v, v)
 
 
-@wrong_model("7.4", "A snail is near, a bullet is far. Which of them arrives first?")
-@edited(
-    pair_by_pair,
-    {
-        "append((t, i, j))": "append((np.hypot(*d) - radii[i] - radii[j], t, i, j))",
-        "min(found, default=None)": "min(found)[1:] if found else None",
-    },
-)
-def the_nearest_pair() -> None:
-    """The pair with the smallest gap meets first."""
-
-
-@wrong_model("7.4", "You stop at the first pair that meets. Is there one that meets before it?")
-@edited(pair_by_pair, {"min(found, default=None)": "found[0] if found else None"})
-def the_first_pair_found() -> None:
-    """The first pair that will meet is the one that meets first."""
-
-
-@wrong_model("7.4", "A later pair meets, too. Whose numbers go with the smallest time then?")
-@edited(
-    pair_by_pair,
-    {"min(found, default=None)": "(min(found)[0], *found[-1][1:]) if found else None"},
-)
-def the_pair_looked_at_last() -> None:
-    """The numbers are those of the last pair that meets, the time is that of the first."""
-
-
-@wrong_model("7.4", "Is your event the next one, or the last one?")
-@edited(pair_by_pair, {"min(found": "max(found"})
-def the_last_event() -> None:
-    """Of all times the largest one is the next."""
-
-
-@wrong_model("7.4", "Can number 0 meet number 2, before either of them meets number 1?")
-@edited(pair_by_pair, {"range(i + 1, len(radii))": "range(i + 1, len(radii))[:1]"})
-def only_neighbours() -> None:
-    """A circle meets the next one in the list."""
-
-
-@wrong_model("7.4", "Two circles meet at the time 0.0. What does Python make of `if 0.0:`?")
-@edited(pair_by_pair, {"found.append((t, i, j))": "found += [(t, i, j)] if t else []"})
-def now_is_no_time() -> None:
-    """`if t` asks whether two circles meet."""
-
-
-@wrong_model("7.4", "One of your times is negative. Has that pair still to meet?")
-@edited(
-    pair_by_pair,
-    {
-        "b < 0 <= b * b - a * c": "a > 0 and b * b - a * c >= 0",
-        "max(c, 0.0) / (-b + np.sqrt(b * b - a * c))": "(-b - np.sqrt(b * b - a * c)) / a",
-    },
-)
-def meetings_of_the_past() -> None:
-    """The smallest root of all is the next event."""
-
-
-@wrong_model("7.4", "Which number has the first circle of a list in Python?")
-@edited(pair_by_pair, {"(t, i, j)": "(t, i + 1, j + 1)"})
-def numbered_from_one() -> None:
-    """The first circle is number 1."""
-
-
-@wrong_model("7.5", "Is it pi for every mass ratio? Count by hand for a ratio of 2.")
-def digits_of_pi(mass_ratio: float) -> int:
-    """The count is pi times the square root of the ratio, rounded down."""
-    return int(math.pi * math.sqrt(mass_ratio))
-
-
-@wrong_model("7.5", "The light block has hit the wall. Did you count that?")
-@edited(from_hit_to_hit, {"light, count = -light, count + 1": "light = -light"})
-def walls_not_counted() -> None:
-    """A collision takes two blocks."""
-
-
-@wrong_model("7.5", "The heavy block has turned round. Can the light one still catch up with it?")
-@edited(from_hit_to_hit, {"light > heavy": "heavy < 0"})
-def until_the_heavy_block_turns() -> None:
-    """When the heavy block moves away, all is over."""
-
-
-@wrong_model("7.5", "Which of the blocks stands at the wall, the heavy one or the light one?")
-@edited(from_hit_to_hit, {"(light + mass_ratio * heavy)": "(mass_ratio * light + heavy)"})
-def heavy_block_at_the_wall() -> None:
-    """The block that comes is the light one."""
-
-
-@wrong_model("7.5", "Only equal masses exchange their velocities. What does the mass ratio do?")
-@edited(from_hit_to_hit, {"2 * centre - light, 2 * centre - heavy": "heavy, light"})
-def exchanges_velocities() -> None:
-    """In an elastic collision the blocks exchange their velocities."""
-
-
-@wrong_model("7.5", "How many collisions can there be between two looks? How many do you count?")
-def steps_in_time(mass_ratio: float) -> int:
-    """One looks sixty times in a second, and counts what has met."""
-    x1, x2, v1, v2, count = 1.0, 2.0, 0.0, -1.0, 0
-    for _ in range(1200):
-        x1, x2 = x1 + v1 / 60, x2 + v2 / 60
-        if x2 <= x1 and v2 < v1:
-            centre = (v1 + mass_ratio * v2) / (1 + mass_ratio)
-            v1, v2, count = 2 * centre - v1, 2 * centre - v2, count + 1
-        if x1 <= 0 and v1 < 0:
-            v1, count = -v1, count + 1
-    return count
-
-
 @wrong_model("7.1", "When their centres are nearest, have the rims not met long before?")
 @edited(
     nearest_approach,
@@ -395,3 +284,106 @@ def nearest_approach_if_near_enough() -> None:
 )
 def the_gap_closes_evenly() -> None:
     """The gap closes along the line of the centres, as fast as it does at the beginning."""
+
+
+@wrong_model("7.1", "Two circles fly side by side, both fast. How fast does their gap close?")
+def gap_over_both_speeds(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """The gap closes as fast as both circles fly together."""
+    if (p2 - p1) @ (v2 - v1) >= 0:
+        return None
+    t = max(np.hypot(*(p2 - p1)) - r1 - r2, 0.0) / (np.hypot(*v1) + np.hypot(*v2))
+    return t if t <= dt else None
+
+
+@wrong_model("7.1", "The circles pass through each other in the step. What do you see at its end?")
+@edited(ten_samples, {"for k in range(11):": "for k in [10]:"})
+def looks_at_the_end_alone() -> None:
+    """Circles hit in a step if they overlap at its end, and the time of the hit is dt."""
+
+
+@wrong_model("7.1", "How large may the error of your time be: one part in a thousand of the step?")
+@edited(
+    ten_samples,
+    {
+        "for k in range(11):": "for k in range(1001 if (p2 - p1) @ (v2 - v1) < 0 else 0):",
+        "k / 10 * dt": "k * dt / 1000",
+    },
+)
+def a_thousand_samples() -> None:
+    """With steps that are small enough, the first look that sees an overlap tells the time."""
+
+
+@wrong_model(
+    "7.1", "Draw a circle and the square around it. Is what is in the square in the circle?"
+)
+def as_squares(
+    p1: Vector, v1: Vector, r1: float, p2: Vector, v2: Vector, r2: float, dt: float
+) -> Time:
+    """Circles meet when they are less than both radii apart along x and along y."""
+    d, v, first, last = p2 - p1, v2 - v1, 0.0, dt
+    if d @ v >= 0:
+        return None
+    for x, u in zip(d, v, strict=True):
+        times = sorted([(-r1 - r2 - x) / u, (r1 + r2 - x) / u])
+        first, last = max(first, times[0]), min(last, times[1])
+    return first if first <= last else None
+
+
+@wrong_model(
+    "7.1", "Your b: is it all that stands before t, or half of it? And what is 4 a c then?"
+)
+@edited(
+    with_the_quadratic_formula,
+    {
+        "b * b - a * c < 0": "c > 0 and b * b - 4 * a * c < 0",
+        ROOT: "(-b - sqrt(b * b - 4 * a * c)) / (2 * a) if c > 0 else 0.0",
+    },
+)
+def half_of_b_in_the_whole_formula() -> None:
+    """The formula with 4 a c takes half of what stands before t for b."""
+
+
+@wrong_model("7.1", "The circles meet in ten seconds, and the step is one. When do they hit in it?")
+@edited(with_the_quadratic_formula, {"t if t <= dt else None": "min(t, dt)"})
+def late_hits_at_the_end() -> None:
+    """A hit after the end of the step is one at its end."""
+
+
+@wrong_model("7.2", "How fast is the ball when it is back at its height, and does it stay so?")
+def evenly_from_its_height(height: float, velocity: float, gravity: float) -> Time:
+    """What is thrown up comes back after 2 v / g; from there the time is the way over the speed."""
+    if velocity > 0:
+        return 2 * velocity / gravity + height / velocity if gravity > 0 else None
+    return height / -velocity if velocity < 0 else np.sqrt(2 * height / gravity)
+
+
+@wrong_model("7.2", "Throw a ball up. Will you wait for it in vain?")
+def up_is_away(height: float, velocity: float, gravity: float) -> Time:
+    """A ball that flies up moves away from the floor, so it never hits it."""
+    speed = math.sqrt(velocity**2 + 2 * gravity * height)
+    return None if velocity > 0 or speed == 0 else 2 * height / (speed - velocity)
+
+
+@wrong_model("7.2", "On an asteroid a stone falls for days. Does it ever arrive?")
+def a_little_gravity_is_none(height: float, velocity: float, gravity: float) -> Time:
+    """Gravity that is very small counts as 0."""
+    if gravity < 1e-9:
+        return height / -velocity if velocity < 0 else None
+    speed = math.sqrt(velocity**2 + 2 * gravity * height)
+    return 2 * height / (speed - velocity) if velocity < 0 else (velocity + speed) / gravity
+
+
+@wrong_model("7.3", "A wall is near, and the ball flies almost along it. Which wall comes first?")
+@edited(
+    scales_the_tangent,
+    {
+        "np.argmin(times)": "np.argmin(np.abs(v) * times)",
+        "restitution * np.where(np.arange(2) == axis, -v, v)": (
+            "np.where(np.arange(2) == axis, -restitution * v, v)"
+        ),
+    },
+)
+def nearest_wall_first() -> None:
+    """The wall that is nearest is the one that is hit first."""

@@ -1,4 +1,4 @@
-"""Wrong models of chapter 08: norms, orders of convergence, equal work, the cheapest setting.
+"""Wrong models of chapter 08: norms, and orders of convergence.
 
 Each stands alone, as a student would hand it in: it calls no helper.
 """
@@ -10,8 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.ch08_what_accuracy_costs.right_answers import the_best_so_far
-from lesson_code.course.grading.task import edited, wrong_model
+from lesson_code.course.grading.task import wrong_model
 
 Vector: TypeAlias = Any
 
@@ -133,120 +132,6 @@ def mean_of_the_slopes(steps: Vector, errors: Vector) -> tuple[float, float]:
     return order, float(np.exp(np.mean(np.log(errors) - order * np.log(steps))))
 
 
-@wrong_model("8.4", "Your setting costs more than all others. Was that equal work?")
-def least_error_of_all(table: Vector, sweeps: float) -> Any:
-    """The best row is the one with the least error."""
-    row = min(table, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
-
-
-@wrong_model("8.4", "You have added sub-steps and iterations. How often is a contact visited?")
-def a_sum_of_sweeps(table: Vector, sweeps: float) -> Any:
-    """The sweeps are sub-steps and iterations together."""
-    rows = [row for row in table if row[0] + row[1] == sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = min(rows, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
-
-
-@wrong_model("8.4", "Are many small steps always best? Look at the errors in the table.")
-def most_substeps(table: Vector, sweeps: float) -> Any:
-    """Sub-steps beat iterations: take as many as there are."""
-    rows = [row for row in table if row[0] * row[1] == sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = max(rows, key=lambda r: r[0])
-    return float(row[0]), float(row[1])
-
-
-@wrong_model("8.4", "Are many iterations always best? Look at the errors in the table.")
-def most_iterations(table: Vector, sweeps: float) -> Any:
-    """The solver has to converge: take as many iterations as there are."""
-    rows = [row for row in table if row[0] * row[1] == sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = max(rows, key=lambda r: r[1])
-    return float(row[0]), float(row[1])
-
-
-@wrong_model("8.4", "Some of your rows cost less than was allowed. Was the work equal?")
-def at_most_so_many(table: Vector, sweeps: float) -> Any:
-    """Fewer sweeps will do as well."""
-    rows = [row for row in table if row[0] * row[1] <= sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = min(rows, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
-
-
-@wrong_model("8.4", "In all rows of equal work the tower fell. Which of them do you recommend?")
-def the_best_of_the_fallen(table: Vector, sweeps: float) -> Any:
-    """Some row is always the best one."""
-    rows = [row for row in table if row[0] * row[1] == sweeps]
-    if not rows:
-        return None
-    row = min(rows, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
-
-
-@wrong_model("8.5", "Somebody allows 1 cm. Do they want to pay for 1 nm?")
-def the_most_accurate(table: Vector, allowed: float) -> Any:
-    """The best setting is the one with the least error."""
-    best = min(range(len(table)), key=lambda n: table[n][1])
-    return best if table[best][1] <= allowed else None
-
-
-@wrong_model("8.5", "Your setting is the fastest. Is it good enough?")
-def the_fastest(table: Vector, allowed: float) -> Any:
-    """The best setting is the one that takes the least time."""
-    return min(range(len(table)), key=lambda n: table[n][0])
-
-
-@wrong_model("8.5", "You took the first row that is good enough. Is there a faster one below it?")
-def the_first_good_one(table: Vector, allowed: float) -> Any:
-    """The table is sorted by time."""
-    for n, (_, error) in enumerate(table):
-        if error <= allowed:
-            return n
-    return None
-
-
-@wrong_model("8.5", "Multiply both by ten: does the same setting still reach what is allowed?")
-def time_times_error(table: Vector, allowed: float) -> Any:
-    """The best setting has the least product of time and error."""
-    best = min(range(len(table)), key=lambda n: table[n][0] * table[n][1])
-    return best if table[best][1] <= allowed else None
-
-
-@wrong_model("8.5", "An error of just what is allowed: is that allowed?")
-def strictly_less(table: Vector, allowed: float) -> Any:
-    """The error has to be less than what is allowed."""
-    good = [n for n in range(len(table)) if table[n][1] < allowed]
-    return min(good, key=lambda n: table[n][0], default=None)
-
-
-@wrong_model("8.5", "Nothing in the table is good enough. What do you recommend?")
-def something_is_always_best(table: Vector, allowed: float) -> Any:
-    """Where nothing is good enough, the most accurate will have to do."""
-    good = [n for n in range(len(table)) if table[n][1] <= allowed]
-    return min(good or range(len(table)), key=lambda n: table[n][0] if good else table[n][1])
-
-
-@wrong_model("8.5", "Does the least accurate row that is allowed always take the least time?")
-def the_least_accurate(table: Any, allowed: float) -> int | None:
-    """The less accurate a setting is, the less it costs."""
-    good = [n for n, (_, error) in enumerate(table) if error <= allowed]
-    return max(good, key=lambda n: table[n][1], default=None)
-
-
-@wrong_model("8.5", "You sorted out the bad rows first. Whose number is yours: in which table?")
-def number_among_the_good(table: Any, allowed: float) -> int | None:
-    """The number of a row is its place among those that are good enough."""
-    good = [time for time, error in table if error <= allowed]
-    return good.index(min(good)) if good else None
-
-
 @wrong_model("8.1", "One distance is large, a hundred are small. What does the root of a mean say?")
 def root_mean_square(places: Vector, right: Vector) -> float:
     """The error is the root of the mean square of the distances."""
@@ -267,26 +152,6 @@ def through_the_origin(steps: Vector, errors: Vector) -> Any:
     return x @ y / (x @ x), 1.0
 
 
-@wrong_model("8.4", "One of the rows with this work has failed. What of the others?")
-@edited(
-    the_best_so_far,
-    {
-        'float("inf"):\n            continue': 'float("inf"):\n            return None',
-    },
-)
-def one_failure_is_enough() -> None:
-    """Where one row of this work has failed, there is no best one."""
-
-
-@wrong_model("8.4", "No row has just this work. What was asked for then?")
-def the_nearest_work(table: Vector, sweeps: float) -> Any:
-    """Where no row has this work, the one that comes nearest will do."""
-    good = [row for row in table if row[2] < np.inf]
-    near = min((abs(row[0] * row[1] - sweeps) for row in good), default=None)
-    equal = [row for row in good if abs(row[0] * row[1] - sweeps) == near]
-    return tuple(min(equal, key=lambda row: row[2])[:2]) if equal else None
-
-
 @wrong_model("8.1", "Half of the errors are larger than yours. Is any of them the largest?")
 def the_middle_one(places: Vector, right: Vector) -> float:
     """The error is the one in the middle of all."""
@@ -300,3 +165,54 @@ def mean_of_the_factors(steps: Vector, errors: Vector) -> Any:
     """The slope is fitted, and C is the mean of error / dt^p."""
     slope, _ = np.polyfit(np.log(steps), np.log(errors), 1)
     return slope, np.mean(errors / steps**slope)
+
+
+@wrong_model("8.1", "Is the body farthest off along x and along y at one and the same time?")
+def worst_of_x_and_of_y(places: Vector, right: Vector) -> float:
+    """The largest error along x and the largest along y make the largest distance."""
+    return float(np.hypot(*np.abs(places - right).max(axis=0)))
+
+
+@wrong_model("8.1", "What is the unit of your number: metres, or none?")
+def relative_to_the_place(places: Vector, right: Vector) -> float:
+    """An error is a part of the distance from the origin."""
+    return float((np.hypot(*(places - right).T) / np.hypot(*right.T)).max())
+
+
+@wrong_model("8.1", "Look twice as often at the same way. Does your error grow by that?")
+def norm_of_the_table(places: Vector, right: Vector) -> float:
+    """The norm of all differences together is the largest of them."""
+    return float(np.sqrt(((places - right) ** 2).sum()))
+
+
+@wrong_model("8.1", "A ball is on its way, but ten seconds late. Is that no error?")
+def off_the_way(places: Vector, right: Vector) -> float:
+    """The error is how far the body leaves its way, whenever it is where on it."""
+    return float(max(min(np.hypot(*(place - there)) for there in right) for place in places))
+
+
+@wrong_model("8.2", "C dt^p with C = 5: what is log(error) / log(dt) then? Is it p?")
+def from_one_run(dt_1: float, error_1: float, dt_2: float, error_2: float) -> float:
+    """The order is the logarithm of the error to the base of the step, so one run will do."""
+    return math.log(error_1) / math.log(dt_1)
+
+
+@wrong_model("8.2", "Is the logarithm of a quotient the quotient of the logarithms?")
+def quotients_of_logarithms(dt_1: float, error_1: float, dt_2: float, error_2: float) -> float:
+    """The logarithm of a quotient is the quotient of the logarithms."""
+    return math.log(error_1) / math.log(error_2) / (math.log(dt_1) / math.log(dt_2))
+
+
+@wrong_model("8.2", "You took the logarithm of the errors. What about the steps?")
+def logarithms_of_the_errors_alone(
+    dt_1: float, error_1: float, dt_2: float, error_2: float
+) -> float:
+    """The order is the slope of the logarithm of the error over the step."""
+    return (math.log(error_1) - math.log(error_2)) / (dt_1 - dt_2)
+
+
+@wrong_model("8.3", "To which base is np.log? What undoes it?")
+def undone_to_the_base_of_ten(steps: Vector, errors: Vector) -> Any:
+    """A power of 10 undoes np.log."""
+    slope, shift = np.polyfit(np.log(steps), np.log(errors), 1)
+    return slope, 10**shift

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from random import Random
 from typing import Any
 
@@ -167,13 +167,31 @@ def from_the_other_side(stream: Random) -> Iterator[Arguments]:
 def unequal_balls(stream: Random) -> Iterator[Arguments]:
     """Draw rows of balls of different masses, in which the order of the strikes counts.
 
-    Each shows one other order, and in the last one two balls approach slowly.
+    Each shows one other order; one tells two others apart, and in the last two approach slowly.
     """
     for other in rows_of_balls.ORDERS:
         if other is not rows_of_balls.fastest:
             yield rows_of_balls.row_in_which_order_counts(stream, 1.0, rows_of_balls.fastest, other)
+    leftmost, passes = rows_of_balls.leftmost, rows_of_balls.to_the_right
+    yield rows_of_balls.row_in_which_order_counts(stream, 1.0, leftmost, passes)
+    yield _row_for_the_hardest(stream)
     v = draws.speed(stream)
     yield draws.unequal_masses(stream), (v + draws.creep(stream), v)
+
+
+def _row_for_the_hardest(stream: Random) -> Arguments:
+    """Return a row that ends otherwise if the strike with the largest impulse comes first."""
+    fastest = rows_of_balls.fastest
+    while True:
+        m, v = rows_of_balls.row_in_which_order_counts(stream, 1.0, fastest, rows_of_balls.leftmost)
+
+        def hardest(approaches: list[float], m: Sequence[float] = m) -> Sequence[int]:
+            pairs = rows_of_balls.ranked(approaches)
+            return sorted(pairs, key=lambda k: approaches[k] / (1 / m[k] + 1 / m[k + 1]))[-1:]
+
+        one, two = (rows_of_balls.after_strikes(m, v, 1.0, order) for order in (fastest, hardest))
+        if one and two and math.dist(one, two) > rows_of_balls.CLEAR:
+            return m, v
 
 
 def parting_balls(stream: Random) -> Iterator[Arguments]:

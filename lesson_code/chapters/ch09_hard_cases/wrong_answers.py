@@ -1,4 +1,4 @@
-"""Wrong models of chapter 09: towers, sweeps, sliding tips, energy, and rows of balls.
+"""Wrong models of chapter 09: towers, sweeps, sliding tips, and energy.
 
 Each stands alone, as a student would hand it in: it calls no helper.
 """
@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -166,53 +166,6 @@ def the_gain_alone(
     return float((mass * (after @ after) + inertia * w_after**2) / before - 1)
 
 
-@wrong_model("9.5", "Two balls come. When the last has left, is there another pair that meets?")
-def one_pass(masses: Vector, velocities: Vector) -> Any:
-    """One pass from the left to the right does it."""
-    v = np.array(velocities, dtype=float)
-    for k in range(len(v) - 1):
-        if v[k] > v[k + 1]:
-            centre = (masses[k] * v[k] + masses[k + 1] * v[k + 1]) / (masses[k] + masses[k + 1])
-            v[k : k + 2] = 2 * centre - v[k : k + 2]
-    return v
-
-
-@wrong_model("9.5", "A heavy ball hits a light one. Do they change velocities?")
-def always_swaps(masses: Vector, velocities: Vector) -> Any:
-    """Elastic balls change velocities."""
-    return np.sort(velocities)
-
-
-@wrong_model("9.5", "Which strike comes first, where two pairs approach: the one on the left?")
-def leftmost_first(masses: Vector, velocities: Vector) -> Any:
-    """The pairs strike from the left to the right, again and again."""
-    v = np.array(velocities, dtype=float)
-    while (v[:-1] - v[1:]).max() > 1e-9:
-        k = int(np.argmax(v[:-1] - v[1:] > 1e-9))
-        centre = (masses[k] * v[k] + masses[k + 1] * v[k + 1]) / (masses[k] + masses[k + 1])
-        v[k : k + 2] = 2 * centre - v[k : k + 2]
-    return v
-
-
-@wrong_model("9.5", "The balls part. Why do they strike?")
-def without_a_gate(masses: Vector, velocities: Vector) -> Any:
-    """Every pair that touches strikes once, from the left to the right."""
-    v = np.array(velocities, dtype=float)
-    for k in range(len(v) - 1):
-        centre = (masses[k] * v[k] + masses[k + 1] * v[k + 1]) / (masses[k] + masses[k + 1])
-        v[k : k + 2] = 2 * centre - v[k : k + 2]
-    return v
-
-
-@wrong_model("9.5", "After your strikes all balls have one velocity. Where is the energy?")
-def sticks_together(masses: Vector, velocities: Vector) -> Any:
-    """What is in touch moves on together."""
-    v = np.array(velocities, dtype=float)
-    if (v[:-1] <= v[1:]).all():
-        return v
-    return np.full(len(v), masses @ v / masses.sum())
-
-
 @wrong_model("9.1", "Three boxes stand on the lowest. How many of them does it carry?")
 def the_next_box_alone(masses: Vector, gravity: float) -> Any:
     """A box carries the one above it, and that one the next."""
@@ -251,20 +204,6 @@ def energies_add_up(
     return float(1 + ((impulse @ impulse) / mass + torque**2 / inertia) / before)
 
 
-@wrong_model("9.5", "Of the pairs that approach, which one do you let strike first?")
-def rightmost_first(masses: Vector, velocities: Vector) -> Any:
-    """The pairs strike from the right to the left, again and again."""
-    v = np.array(velocities, dtype=float)
-    for _ in range(10_000):
-        near = np.flatnonzero(v[:-1] - v[1:] > 1e-9)
-        if len(near) == 0:
-            break
-        k = near[-1]
-        centre = (masses[k] * v[k] + masses[k + 1] * v[k + 1]) / (masses[k] + masses[k + 1])
-        v[k : k + 2] = 2 * centre - v[k : k + 2]
-    return v
-
-
 @wrong_model("9.4", "Push a body through its centre. Does your blow turn it?")
 def dot_for_torque(
     mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector
@@ -273,3 +212,142 @@ def dot_for_torque(
     v, spin = velocity + impulse / mass, w + arm @ impulse / inertia
     before = mass * (velocity @ velocity) + inertia * w**2
     return float((mass * (v @ v) + inertia * spin**2) / before)
+
+
+@wrong_model("9.1", "A light box lies upon a heavy one. Does its contact carry a half of both?")
+def equal_steps(masses: Vector, gravity: float) -> Any:
+    """From one contact to the next the force falls by the same amount."""
+    count = len(masses)
+    return np.sum(masses) * gravity * np.arange(count, 0, -1) / count
+
+
+@wrong_model("9.1", "What stands above presses down, and so does the box. Why subtract one?")
+def difference_of_weights(masses: Vector, gravity: float) -> Any:
+    """Under a box is the difference of its weight and of what stands above it."""
+    return [abs(sum(masses[n + 1 :]) - masses[n]) * gravity for n in range(len(masses))]
+
+
+@wrong_model("9.2", "Take a load of 3 and a part left of 0.1, and then of 0.01. Is it one count?")
+def as_many_as_the_ratio(light: float, heavy: float, left: float) -> int:
+    """So many sweeps are needed as the load is heavier than the box."""
+    return math.ceil(heavy / light)
+
+
+@wrong_model("9.2", "After n sweeps, what part is (M/(M + m))^n: what is left, or what is gone?")
+def what_has_gone(light: float, heavy: float, left: float) -> int:
+    """The power of M/(M + m) is the part that has been taken away."""
+    return math.ceil(math.log(1 - left) / math.log(heavy / (heavy + light)))
+
+
+@wrong_model("9.2", "q^n is to be left. Is n the logarithm of q over that of left, or the reverse?")
+def logarithms_exchanged(light: float, heavy: float, left: float) -> int:
+    """The count is the logarithm of the part of a sweep over that of the whole."""
+    return math.ceil(math.log1p(light / heavy) / -math.log(left))
+
+
+@wrong_model("9.2", "Two sweeps leave (M/(M + m))^2. Is that M/(M + 2 m)?")
+def like_a_box_n_times_as_heavy(light: float, heavy: float, left: float) -> int:
+    """After n sweeps M/(M + n m) is left."""
+    return math.ceil((heavy / left - heavy) / light)
+
+
+@wrong_model("9.2", "Is 2.3 sweeps enough, if 2 are not? And has 0.999999999 digits to spare?")
+def rounded_down_with_digits_lost(light: float, heavy: float, left: float) -> int:
+    """What is left of a sweep does not count, and log(M/(M + m)) is exact enough."""
+    return math.floor(math.log(left) / math.log(heavy / (heavy + light)))
+
+
+@wrong_model("9.2", "Is 2.3 sweeps enough, if 2 are not? And which digits has 0.999999999 left?")
+def to_the_nearest_with_digits_lost(light: float, heavy: float, left: float) -> int:
+    """A count is rounded as any number is, and log(M/(M + m)) is exact enough."""
+    return round(math.log(left) / math.log(heavy / (heavy + light)))
+
+
+@wrong_model("9.3", "The tip leaves the floor. Is there no answer, or an impulse of 0?")
+def none_for_what_parts(
+    vn: float, vt: float, knn: float, knt: float, friction: float
+) -> float | None:
+    """Where no impulse is needed, there is none to be returned."""
+    yields = knn - friction * math.copysign(1, vt) * knt
+    return -vn / yields if vn < 0 and yields > 0 else None
+
+
+@wrong_model("9.3", "The tip jams. Would an impulse of 0 stop it?")
+def zero_for_a_jam(vn: float, vt: float, knn: float, knt: float, friction: float) -> float | None:
+    """A tip that jams needs no impulse."""
+    yields = knn - friction * math.copysign(1, vt) * knt
+    return -vn / yields if vn < 0 and yields > 0 else 0.0
+
+
+@wrong_model("9.3", "Friction lifts the tip. Can it jam, however strong the friction is?")
+def jams_either_way(vn: float, vt: float, knn: float, knt: float, friction: float) -> float | None:
+    """Strong friction makes a tip jam, whichever way it slides."""
+    if vn >= 0:
+        return 0.0
+    yields = knn - friction * math.copysign(1, vt) * knt
+    return -vn / yields if friction * abs(knt) < knn else None
+
+
+@wrong_model("9.3", "The tip slides all the time. How large is the friction of what slides?")
+def friction_stops_the_tip(
+    vn: float, vt: float, knn: float, knt: float, friction: float
+) -> float | None:
+    """Friction brings the sliding to rest, whatever the coefficient."""
+    return -(vn - knt * vt / knn) / knn if vn < 0 else 0.0
+
+
+@wrong_model("9.4", "A blow comes from the side. Is the body faster by all of J/m then?")
+@edited(
+    turns_the_other_way,
+    {
+        "velocity + impulse / mass": (
+            "velocity * (1 + np.hypot(*impulse) / mass / np.hypot(*velocity))"
+        ),
+        "w - (": "w + (",
+    },
+)
+def speeds_add_up() -> None:
+    """A blow makes a body faster by the size of the blow over the mass, from wherever it comes."""
+
+
+@wrong_model("9.4", "In m v^2 / 2 + I w^2 / 2: of which point of the body is v?")
+def velocity_of_the_point_hit(
+    mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector
+) -> float:
+    """Kinetic energy takes the velocity of the point that is hit."""
+    turned = np.array([-arm[1], arm[0]])
+    w_after = w + turned @ impulse / inertia
+    before, after = velocity + w * turned, velocity + impulse / mass + w_after * turned
+    energy = mass * (before @ before) + inertia * w**2
+    return float((mass * (after @ after) + inertia * w_after**2) / energy)
+
+
+@wrong_model("9.4", "In which of the two parts of the energy has your formula a half?")
+def no_half_for_the_spin(
+    mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector
+) -> float:
+    """The energy of the rotation is I w^2."""
+    after = velocity + impulse / mass
+    w_after = w + (arm[0] * impulse[1] - arm[1] * impulse[0]) / inertia
+    before = mass * (velocity @ velocity) + 2 * inertia * w**2
+    return float((mass * (after @ after) + 2 * inertia * w_after**2) / before)
+
+
+@wrong_model(
+    "9.4", "A free body is hit. About which point does it turn: the hit one, or its centre?"
+)
+@edited(
+    turns_the_other_way,
+    {"w - (": "w + (", "impulse[0]) / inertia": "impulse[0]) / (inertia + mass * (arm @ arm))"},
+)
+def inertia_about_the_point_hit() -> None:
+    """The blow turns the body about the point that is hit."""
+
+
+@wrong_model("9.4", "A blow comes across the arm. Does the centre stay where it is?")
+@edited(
+    turns_the_other_way,
+    {"impulse / mass": "impulse @ arm / (arm @ arm) * arm / mass", "w - (": "w + ("},
+)
+def only_the_part_towards_the_centre_moves() -> None:
+    """The part of a blow along the arm moves the body, and the part across it turns it."""

@@ -84,11 +84,15 @@ def _one_pair(floor: Numbers, body: Numbers, other: Numbers) -> Iterator[tuple[N
 
 
 def bouncing_or_not(stream: Random) -> Iterator[Arguments]:
-    """Draw pairs of which both, one or none bounces; and more bodies, of which one pair does."""
+    """Draw pairs of which both, one or none bounces; and more bodies, of which one pair does.
+
+    One pair is elastic.
+    """
     m, n, low, high = *_inverse_masses(stream, 2), *_coefficients(stream, 2)
     floor, ball, dead = ((inv, BALL, e, 0.0, 0.0) for inv, e in ((0.0, low), (m, high), (n, 0.0)))
     yield from ((bodies, (0.0, 0.0)) for bodies in _one_pair(floor, ball, dead))
     yield (dead, ball), (0.0, 0.0)
+    yield ((m, BALL, 1.0, 0.0, 0.0), (n, BALL, 1.0, 0.0, 0.0)), (0.0, 0.0)
     yield (floor, dead, (0.0, BOX, high, 0.0, 0.0)), (0.0, 0.0)
     for first, second in ((low, high), (high, 0.0), (0.0, 0.0)):
         yield ((m, BALL, first, 0.0, 0.0), (n, BALL, second, 0.0, 0.0)), (0.0, 0.0)
@@ -102,7 +106,7 @@ def turning_or_not(stream: Random) -> Iterator[Arguments]:
     ball, floor = (m, BALL, 0.5, 0.0, 0.0), (0.0, BOX, 0.5, mu, 0.0)
     yield (ball, (n, BALL, 0.5, 0.0, 0.0)), (0.0, 0.0)
     yield (ball, floor), (0.0, 0.0)
-    yield (ball, (n, BALL, 0.5, 0.0, w)), (0.0, 0.0)
+    yield from (((ball, (n, BALL, 0.5, 0.0, spin)), (0.0, 0.0)) for spin in (w, -w))
     yield (floor, (m, BALL, 0.5, nu, 0.0)), (0.0, 0.0)
     yield (ball, (n, BOX, 0.5, 0.0, 0.0)), (0.0, 0.0)
     yield (floor, (0.0, BALL, 0.5, nu, 0.0), ball), (0.0, 0.0)
@@ -201,11 +205,14 @@ def _radius(stream: Random) -> float:
 
 
 def one_pile(stream: Random) -> Iterator[Arguments]:
-    """Draw a pile on a floor: all of it still, or one of it not; and a body that flies alone."""
-    flying = 4
+    """Draw a pile on a floor: all of it still, or one of it not; and two bodies by themselves.
+
+    One of these flies, and the other one is still.
+    """
+    flying, count = 4, 6
     joined = [(0, 1), (1, 2), (2, 3)]
-    yield _world(stream, 5, joined, moving=(flying,))
-    yield _world(stream, 5, joined, moving=(stream.randint(1, 3), flying))
+    yield _world(stream, count, joined, moving=(flying,))
+    yield _world(stream, count, joined, moving=(stream.randint(1, 3), flying))
 
 
 def piles_on_one_floor(stream: Random) -> Iterator[Arguments]:

@@ -315,9 +315,11 @@ def _shuffled(stream: Random, rows: Sequence[Row]) -> tuple[Row, ...]:
 
 
 def lit_bodies(stream: Random) -> Iterator[Arguments]:
-    """Draw bodies of which some are hit, dark and bright ones."""
+    """Draw bodies of which some are hit, the first of them a dark one."""
     for _ in range(2):
-        yield _lit(stream, 5, hit=2), *_glow(stream)
+        brightness, (struck, *times) = list(_lit(stream, 5, hit=2)), _glow(stream)
+        brightness[struck.index(1)] = round(stream.uniform(0.1, 0.4), 2)
+        yield tuple(brightness), struck, *times
 
 
 def fading_bodies(stream: Random) -> Iterator[Arguments]:
@@ -345,13 +347,13 @@ def _glow(stream: Random) -> Arguments:
 def low_tones(stream: Random) -> Iterator[Arguments]:
     """Draw tones well below half of the rate, loud and soft."""
     for loudness in (round(stream.uniform(0.2, 0.5), 2), round(stream.uniform(0.6, 0.9), 2)):
-        yield loudness, stream.randint(200, 900), *_ringing(stream), 12
+        yield loudness, _frequency(stream, 200, 900), *_ringing(stream), 12
 
 
 def tones_that_die_away(stream: Random) -> Iterator[Arguments]:
     """Draw sounds that last for several half-lives."""
     for _ in range(2):
-        tone = round(stream.uniform(0.3, 0.9), 2), stream.randint(30, 60)
+        tone = round(stream.uniform(0.3, 0.9), 2), _frequency(stream, 30, 60)
         yield *tone, round(stream.uniform(0.004, 0.008), 4), 1000, 30
 
 
@@ -360,6 +362,11 @@ def tones_too_high(stream: Random) -> Iterator[Arguments]:
     rate = 1000 * stream.randint(4, 8)
     for part in (0.6, 1.3, 0.45):
         yield 0.5, round(part * rate), round(stream.uniform(0.02, 0.05), 3), rate, 9
+
+
+def _frequency(stream: Random, low: int, high: int) -> float:
+    """Return a frequency, 1/s, that is no whole number: of such the sine is 0 at each second."""
+    return stream.randint(low, high) + stream.choice((0.2, 0.3, 0.7, 0.8))
 
 
 def _ringing(stream: Random) -> Arguments:

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from lesson_code.chapters import draws
 from lesson_code.chapters.ch06_sat_and_manifolds import draws as pairs
-from lesson_code.chapters.ch06_sat_and_manifolds import wrong_answers as wrong
+from lesson_code.chapters.ch06_sat_and_manifolds import wrong_answers_about_axes as axes
 from lesson_code.chapters.ch06_sat_and_manifolds.draws import Pair
 from lesson_code.chapters.ch06_sat_and_manifolds.tasks import as_lines, is_overlap
 from lesson_code.course.grading.exercises import task_by_id
@@ -90,12 +90,12 @@ def test_wrong_axes_in_another_order_are_recognised() -> None:
     """A misconception is known by its lines: their order and signs tell nothing."""
 
     def reversed_edges(vertices: Any) -> Any:
-        return [-axis for axis in wrong.edges_for_normals(vertices)][::-1]
+        return [-axis for axis in axes.edges_for_normals(vertices)][::-1]
 
     task = task_by_id("6.1")
     verdict = judge(task, partial(call_here, {task.function: reversed_edges}), 1)
     assert verdict.points == 0
-    assert verdict.recognised is wrong.edges_for_normals
+    assert verdict.recognised is axes.edges_for_normals
 
 
 @pytest.mark.parametrize(("pair", "of_a", "misleads"), DRAWN.values(), ids=DRAWN)

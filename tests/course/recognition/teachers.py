@@ -527,7 +527,7 @@ def sweep_circles(p1, v1, r1, p2, v2, r2, dt):
     Wrong(
         "7.2",
         "gravity below 1e-9 is as good as none, so a ball that moves up never comes back",
-        ("threshold",),
+        ("threshold", "a_little_gravity_is_none"),
         """
 import math
 

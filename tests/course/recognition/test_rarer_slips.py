@@ -6,7 +6,7 @@ import ast
 
 import pytest
 from course.recognition.students import Wrong
-from course.recognition.test_recognition import verdict_of
+from course.recognition.test_recognition import judged, verdict_of
 
 from lesson_code.course.grading.exercises import task_by_id
 from lesson_code.course.grading.recognition.candidates import rarer_slips
@@ -39,6 +39,7 @@ MADE = (
     ("a = a + 1\nreturn a * b", "stale", "return old_value * b"),
     ("for x in b:\n c = f(a)\n a += c", "stale", "c = f(a)\n    for x in b"),
     ("left = dt\nfor x in a:\n left -= x", "anew", "left = dt\n        left -= x"),
+    ("return (1 + k) * a", "as_one", "return (1 + 1) * a"),
     ("while a:\n a -= 1", "rounds", "in range(10):"),
 )
 """Lines of a right answer, the kind of a slip in them, and what stands there after it."""
@@ -110,3 +111,23 @@ def test_mistake_in_some_cases_and_one_of_direction_are_recognised(wrong: Wrong)
     (diagnosis,) = verdict_of(wrong).diagnoses
     assert any(word in diagnosis.name for word in wrong.found)
     assert diagnosis.hint.endswith("?")
+
+
+@pytest.mark.parametrize(
+    ("task", "kind", "change"),
+    [
+        ("7.1", "no_answer", "-1 if t is None else t"),
+        ("7.1", "scaled", "t and t / dt"),
+        ("7.3", "complement", "advance(p, v, room, 1 - restitution, dt)"),
+    ],
+)
+def test_rarer_change_around_a_right_answer_is_recognised(
+    task: str, kind: str, change: str
+) -> None:
+    """Something else for None, an argument as a factor of the answer, 1 - e for e."""
+    asked = task_by_id(task)
+    arguments = ", ".join(asked.parameters)
+    names = {asked.function: asked.expected}
+    exec(f"def slip({arguments}):\n t = {asked.function}({arguments})\n return {change}", names)  # noqa: S102
+    found = judged(asked, names["slip"]).diagnoses
+    assert [kind] == [diagnosis.name for diagnosis in found]

@@ -60,11 +60,14 @@ OF_CASES = (
 """Kinds of slips that may be made in some cases only: not those in a formula, since a formula is
 the same in all."""
 
-VAGUEST = ("ignored", "term", "factor_missing")
+VAGUEST = ("ignored", "term", "factor_missing", "as_one", "complement", "scaled")
 """Kinds of slips that are not said where others, made in the same place, explain the same."""
 
 SAYS_MORE = {"sign": ("minus",), "other": ("order",)}
 """By kind the kinds that say more of the same answer: all signs, not one; the order of all."""
+
+SURE = "no_answer"
+"""A kind that is seen from plain answers that are all the same: it is about nothing else."""
 
 PLAINEST = "given"
 """A kind that is said alone: nothing else need be thought of where nothing was done."""
@@ -154,8 +157,8 @@ class Evidence:
             explained = self._explained_by(models_of(self._task), criteria)
             most = max(explained.values(), key=len, default=())
             some = [model for model, names in explained.items() if names == most]
-            is_plain = models_of is not rarer_slips or len(_said(some)) <= MOST_SAID
-            if len(most) > len(best) and is_plain:
+            is_doubted = models_of is rarer_slips or (models_of is pairs and best)
+            if len(most) > len(best) and not (is_doubted and len(_said(some)) > MOST_SAID):
                 best, found = most, some
             if len(best) == len(criteria):
                 break
@@ -228,7 +231,8 @@ class Evidence:
             is_listed and telling >= ENOUGH_TELLING_CALLS and 2 * len(explained) >= len(criteria)
         ):
             return ()
-        if telling or ((is_listed or _varies(told)) and self._gives_every_call(model)):
+        is_sure = is_listed or model.name == SURE or _varies(told)
+        if telling or (is_sure and self._gives_every_call(model)):
             return tuple(explained)
         return ()
 

@@ -93,7 +93,14 @@ def slips_around(right: Function, task: str, parameters: Sequence[str]) -> Itera
 def rarer_slips_around(
     right: Function, task: str, parameters: Sequence[str]
 ) -> Iterator[WrongModel]:
-    """Yield slips in the arguments that are seldom made: large for infinite, signs of a pair."""
+    """Yield slips in arguments and answers that are seldom made, such as large for infinite."""
+    for value in FOR_NONE:
+        yield model(task, "no_answer", _then(right, partial(_or_else, other=value)), {})
+    for place, name in enumerate(parameters):
+        for kind, change in RARER_ARGUMENTS:
+            yield model(task, kind, _with_argument(right, place, change), {"name": name})
+        for power in (1, -1):
+            yield model(task, "scaled", _scaled(right, place, power), {"name": name})
     for most in LARGE:
         yield model(task, "infinite", _with_finite(right, most), {})
     for i, k in combinations(range(len(parameters)), 2):
@@ -103,6 +110,15 @@ def rarer_slips_around(
                 signed = _with_argument(_with_argument(right, k, another), i, change)
                 yield model(task, "signs", signed, {"first": one, "second": other})
 
+
+FOR_NONE = (-1, False, (), 0.0, math.inf)
+"""What may be returned where None is asked for."""
+
+RARER_ARGUMENTS: tuple[tuple[str, Change], ...] = (
+    ("as_one", lambda x: 0 * x + 1),
+    ("complement", lambda x: 1 - x),
+)
+"""What may be done to one argument before it is used, more seldom."""
 
 ALONG: tuple[tuple[str, Callable[[Any, float], Any]], ...] = (
     ("is kept", lambda part, _: part),
@@ -190,6 +206,23 @@ def of_the_answer(right: Function, task: str) -> Iterator[WrongModel]:
 def _then(right: Function, change: Change) -> Function:
     """Return a function whose answer is changed."""
     return lambda *arguments: change(plain(right(*arguments)))
+
+
+def _or_else(value: Any, other: Any) -> Any:
+    """Return an answer, or something else for None."""
+    return other if value is None else value
+
+
+def _scaled(right: Function, place: int, power: int) -> Function:
+    """Return a function whose answer is multiplied or divided by a number among its arguments."""
+
+    def answer(*given: Any) -> Any:
+        if shape_of(given[place]):
+            raise ValueError("given must be a number in that place")
+        factor = given[place] ** power
+        return _mapped(plain(right(*given)), lambda number: number * factor)
+
+    return answer
 
 
 def _mapped(value: Any, change: Change) -> Any:

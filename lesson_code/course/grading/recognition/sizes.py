@@ -11,8 +11,14 @@ LENGTHS = ("abs(a) + abs(b)", "max(abs(a), abs(b))", "a + b", "a * a + b * b", "
 """What is taken for the length of a vector with two components."""
 
 
-def of_sizes(node: ast.AST, _parent: ast.AST) -> Iterator[Edit]:
+def of_sizes(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
     """Yield what may stand in the place of a node by a slip about a size."""
+    match node, parent:
+        case (
+            ast.Name(id=name, ctx=ast.Load()),
+            ast.BinOp(op=ast.Add() | ast.Sub()) | ast.UnaryOp(op=ast.USub()),
+        ):
+            yield "as_one", {"name": name}, ast.Constant(1)
     match node:
         case ast.Call(args=[ast.Starred(value=way)]) if called(node) == "hypot":
             yield from _lengths(like("a[0]", way), like("a[1]", way))

@@ -1,0 +1,68 @@
+"""Wrong models of chapter 07: more about falls, and the rest of the step."""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Any, TypeAlias
+
+from lesson_code.chapters.ch07_time_of_impact import wrong_answers as others
+from lesson_code.course.grading.task import edited, wrong_model
+
+Time: TypeAlias = Any
+RIGHT_BOUNCE = "np.where(np.arange(2) == axis, -restitution * v, v)"
+
+
+@wrong_model("7.2", "How high does a ball fly that starts at v: v^2 / g, or half of it?")
+def flies_up_twice_as_high(height: float, velocity: float, gravity: float) -> Time:
+    """A ball that is thrown up rises by v^2 / g."""
+    if velocity > 0:
+        top = height + velocity**2 / gravity if gravity > 0 else 0.0
+        return velocity / gravity + sqrt(2 * top / gravity) if gravity > 0 else None
+    speed = sqrt(velocity**2 + 2 * gravity * height)
+    return 2 * height / (speed - velocity) if speed > 0 else None
+
+
+@wrong_model("7.2", "A ball falls on the moon. Which gravity is there?")
+def always_on_the_earth(height: float, velocity: float, gravity: float) -> Time:
+    """Gravity is 9.81 m/s^2, wherever there is any."""
+    g = 9.81 if gravity > 0 else 0.0
+    speed = sqrt(velocity**2 + 2 * g * height)
+    if velocity < 0:
+        return 2 * height / (speed - velocity)
+    return (velocity + speed) / g if g > 0 else None
+
+
+@wrong_model("7.3", "The ball has become slower. Does its clock go slower, too?")
+@edited(
+    others.scales_the_tangent,
+    {
+        "restitution * np.where(np.arange(2) == axis, -v, v)": RIGHT_BOUNCE,
+        "left - times[axis]": "restitution * (left - times[axis])",
+    },
+)
+def rest_shrinks_with_the_bounce() -> None:
+    """A bounce makes the rest of the step shorter by e, as it does the velocity."""
+
+
+@wrong_model("7.3", "Where is the left wall of the room: at 0, or as far from 0 as the right one?")
+@edited(
+    others.scales_the_tangent,
+    {
+        "restitution * np.where(np.arange(2) == axis, -v, v)": RIGHT_BOUNCE,
+        "s if u > 0 else 0": "s if u > 0 else -s",
+    },
+)
+def origin_in_the_middle() -> None:
+    """The origin is in the middle of the room, and its sides are half of it."""
+
+
+@wrong_model("7.3", "A room is longer than it is wide. Which side belongs to y?")
+@edited(
+    others.scales_the_tangent,
+    {
+        "restitution * np.where(np.arange(2) == axis, -v, v)": RIGHT_BOUNCE,
+        "zip(p, v, room, strict=True)": "zip(p, v, [room[0], room[0]], strict=True)",
+    },
+)
+def as_high_as_wide() -> None:
+    """The room is as high as it is wide."""
