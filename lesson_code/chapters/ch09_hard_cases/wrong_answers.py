@@ -239,12 +239,6 @@ def what_has_gone(light: float, heavy: float, left: float) -> int:
     return math.ceil(math.log(1 - left) / math.log(heavy / (heavy + light)))
 
 
-@wrong_model("9.2", "q^n is to be left. Is n the logarithm of q over that of left, or the reverse?")
-def logarithms_exchanged(light: float, heavy: float, left: float) -> int:
-    """The count is the logarithm of the part of a sweep over that of the whole."""
-    return math.ceil(math.log1p(light / heavy) / -math.log(left))
-
-
 @wrong_model("9.2", "Two sweeps leave (M/(M + m))^2. Is that M/(M + 2 m)?")
 def like_a_box_n_times_as_heavy(light: float, heavy: float, left: float) -> int:
     """After n sweeps M/(M + n m) is left."""

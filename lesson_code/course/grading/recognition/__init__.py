@@ -327,7 +327,8 @@ def _telling(calls: list[Numbered]) -> list[Numbered]:
 
 def _varies(calls: list[TriedCall]) -> bool:
     """Return whether there are enough plain answers to tell slips apart, and not all the same."""
-    return len(calls) >= ENOUGH_PLAIN_CALLS and any(call.got != calls[0].got for call in calls)
+    answers = [call.outcome.value for call in calls]
+    return len(calls) >= ENOUGH_PLAIN_CALLS and any(answer != answers[0] for answer in answers)
 
 
 def _all_degenerate(calls: list[Numbered]) -> bool:
