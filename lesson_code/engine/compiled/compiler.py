@@ -8,6 +8,7 @@ left half written.
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import subprocess
@@ -141,6 +142,7 @@ def main() -> None:
             return
         from lesson_code.engine.compiled.machine_code import linked, object_file
 
+        gc.disable()  # it ends soon, and a fifth of its time would go into looking for garbage
         made = object_file(program)
         with writing:
             library.keep(place, program, linked(made))

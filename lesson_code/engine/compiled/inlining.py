@@ -9,8 +9,8 @@ function costs nothing. So the functions that a loop calls are inlined in it, wi
   the compiler gives up on its loops: a gas with every effect took six times as long.
 
 The remaining functions, which only put stages in order, are merged: each becomes part of its caller
-before anything is compiled. The machine code is as fast, and compiles in three quarters of the
-time.
+before anything is compiled. So a step of few bodies does not hand on the world a dozen times: a gas
+of ten discs takes a sixth less time.
 """
 
 from __future__ import annotations
@@ -71,9 +71,7 @@ def inlined(source: str) -> frozenset[str]:
 def merged(source: str) -> frozenset[str]:
     r"""Return the names of the functions that become part of the one place that calls them.
 
-    They have no for loop and are not compiled in place: they only put stages in order. Numba
-    optimises a function together with all that it calls, and does so again for its caller; so each
-    merged function saves the compiler a pass.
+    They have no for loop and are not compiled in place: they only put stages in order.
 
     Examples
     --------
