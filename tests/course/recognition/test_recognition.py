@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from course.recognition.hobbyists import FIFTH
 from course.recognition.juniors import NINTH
+from course.recognition.markers import ELEVENTH
 from course.recognition.mathematicians import SEVENTH
 from course.recognition.newcomers import FIRST, FOURTH, SECOND, THIRD
 from course.recognition.pupils import SIXTH
@@ -37,7 +38,7 @@ from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
 from lesson_code.course.notebooks.root import home
 
-LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH)
+LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH, ELEVENTH)
 """Sets of wrong answers that the full tier tries, after the others."""
 
 SEED = 11
