@@ -17,60 +17,39 @@ Vector: TypeAlias = Any
 
 
 @wrong_model("8.4", "Your setting costs more than all others. Was that equal work?")
-def least_error_of_all(table: Vector, sweeps: float) -> Any:
+@edited(the_best_so_far, {"substeps * iterations != sweeps": "False"})
+def least_error_of_all() -> None:
     """The best row is the one with the least error."""
-    row = min(table, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
 
 
 @wrong_model("8.4", "You have added sub-steps and iterations. How often is a contact visited?")
-def a_sum_of_sweeps(table: Vector, sweeps: float) -> Any:
+@edited(the_best_so_far, {"substeps * iterations != sweeps": "substeps + iterations != sweeps"})
+def a_sum_of_sweeps() -> None:
     """The sweeps are sub-steps and iterations together."""
-    rows = [row for row in table if row[0] + row[1] == sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = min(rows, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
 
 
 @wrong_model("8.4", "Are many small steps always best? Look at the errors in the table.")
-def most_substeps(table: Vector, sweeps: float) -> Any:
+@edited(the_best_so_far, {"error < best[2]": "substeps > best[0]"})
+def most_substeps() -> None:
     """Sub-steps beat iterations: take as many as there are."""
-    rows = [row for row in table if row[0] * row[1] == sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = max(rows, key=lambda r: r[0])
-    return float(row[0]), float(row[1])
 
 
 @wrong_model("8.4", "Are many iterations always best? Look at the errors in the table.")
-def most_iterations(table: Vector, sweeps: float) -> Any:
+@edited(the_best_so_far, {"error < best[2]": "iterations > best[1]"})
+def most_iterations() -> None:
     """The solver has to converge: take as many iterations as there are."""
-    rows = [row for row in table if row[0] * row[1] == sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = max(rows, key=lambda r: r[1])
-    return float(row[0]), float(row[1])
 
 
 @wrong_model("8.4", "Some of your rows cost less than was allowed. Was the work equal?")
-def at_most_so_many(table: Vector, sweeps: float) -> Any:
+@edited(the_best_so_far, {"substeps * iterations != sweeps": "substeps * iterations > sweeps"})
+def at_most_so_many() -> None:
     """Fewer sweeps will do as well."""
-    rows = [row for row in table if row[0] * row[1] <= sweeps and math.isfinite(row[2])]
-    if not rows:
-        return None
-    row = min(rows, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
 
 
 @wrong_model("8.4", "In all rows of equal work the tower fell. Which of them do you recommend?")
-def the_best_of_the_fallen(table: Vector, sweeps: float) -> Any:
+@edited(the_best_so_far, {'error == float("inf")': "False"})
+def the_best_of_the_fallen() -> None:
     """Some row is always the best one."""
-    rows = [row for row in table if row[0] * row[1] == sweeps]
-    if not rows:
-        return None
-    row = min(rows, key=lambda r: r[2])
-    return float(row[0]), float(row[1])
 
 
 @wrong_model("8.5", "Somebody allows 1 cm. Do they want to pay for 1 nm?")

@@ -6,7 +6,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.chapters.ch11_the_small_engine.right_answers import all_samples_at_once
+from lesson_code.course.grading.task import edited, wrong_model
 
 Table: TypeAlias = Any
 Vector: TypeAlias = Any
@@ -74,65 +75,39 @@ def light_adds_up(brightness: Vector, hit: Vector, dt: float, half_life: float) 
 
 
 @wrong_model("11.6", "The sine takes radians. How many does one period have?")
-def without_two_pi(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"2 * np.pi * frequency": "frequency"})
+def without_two_pi() -> None:
     """The sine's argument is f t."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.sin(frequency * t)
 
 
 @wrong_model("11.6", "At the instant of the blow the membrane is at rest. What do you hear there?")
-def begins_with_a_jump(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"np.sin": "np.cos"})
+def begins_with_a_jump() -> None:
     """The sound is loudest where it begins: a cosine."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.cos(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "Strike a bell. Does it ring for ever?")
-def never_dies_away(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"0.5 ** (t / half_life) * ": ""})
+def never_dies_away() -> None:
     """A tone keeps its loudness."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "exp(-1) is 0.37. How loud is the tone after one half-life by your formula?")
-def fades_by_e(loudness: float, frequency: float, half_life: float, rate: float, count: int) -> Any:
+@edited(all_samples_at_once, {"0.5 ** (t / half_life)": "np.exp(-t / half_life)"})
+def fades_by_e() -> None:
     """After one half-life a tone has faded by the factor e."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * np.exp(-t / half_life) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "Sample a tone of 1,100 per second 1,000 times a second. Which tone is heard?")
-def any_tone_can_be_sampled(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"frequency >= rate / 2": "False"})
+def any_tone_can_be_sampled() -> None:
     """The samples of a tone are heard as that tone, however high it is."""
-    t = np.arange(count) / rate
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "Sample number k is heard at which time?")
-def a_sample_a_second(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"t / half_life": "t * rate / half_life"})
+def a_sample_a_second() -> None:
     """The samples are numbered in seconds for the loudness."""
-    k = np.arange(count)
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (k / half_life) * np.sin(2 * np.pi * frequency * k / rate)
 
 
 @wrong_model("11.4", "1 and 2 touched, and 3 and 4. Now 1 and 3 do: is that pair an old one?")
@@ -153,14 +128,9 @@ def row_against_row(before: Any, now: Any) -> Any:
 
 
 @wrong_model("11.6", "The samples are 1/rate apart. Between ten samples, how many gaps are there?")
-def with_the_end_of_the_time(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"np.arange(count) / rate": "np.linspace(0, count / rate, count)"})
+def with_the_end_of_the_time() -> None:
     """The samples divide the whole time, its end included."""
-    if frequency >= rate / 2:
-        return np.zeros(int(count))
-    t = np.linspace(0, count / rate, int(count))
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.4", "A pair has parted. Is it in the table of those that touch now?")
@@ -234,79 +204,45 @@ def all_light_up(brightness: Vector, hit: Vector, dt: float, half_life: float) -
 @wrong_model(
     "11.6", "At the instant of the blow the membrane is at rest. Is that your first sample?"
 )
-def begins_with_the_second(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"np.arange(count)": "np.arange(1, count + 1)"})
+def begins_with_the_second() -> None:
     """The first sample comes one step after the blow."""
-    t = np.arange(1, count + 1) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "A tone is too high. How many samples does the caller wait for?")
-def none_for_what_is_too_high(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"np.zeros(count)": "[]"})
+def none_for_what_is_too_high() -> None:
     """A tone that is too high has no samples."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return []
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "Half of it is left after one half-life. What is left after two? Nothing?")
-def fades_evenly(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"0.5 ** (t / half_life)": "np.maximum(1 - t / half_life / 2, 0)"})
+def fades_evenly() -> None:
     """The loudness goes down evenly, to one half in a half-life."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * np.maximum(1 - t / half_life / 2, 0) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "Ask for twice as many samples. Does the same blow ring twice as long?")
-def fades_until_the_last_sample(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"0.5 ** (t / half_life)": "(1 - t * rate / count)"})
+def fades_until_the_last_sample() -> None:
     """The tone has died away when the samples end."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * (1 - t * rate / count) * np.sin(2 * np.pi * frequency * t)
 
 
 @wrong_model("11.6", "A bell rings out. Does its tone sink, or its loudness alone?")
-def sinks_as_it_fades(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"np.pi * frequency": "np.pi * frequency * 0.5 ** (t / half_life)"})
+def sinks_as_it_fades() -> None:
     """The tone sinks as the loudness does."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return (
-        loudness
-        * 0.5 ** (t / half_life)
-        * np.sin(2 * np.pi * frequency * 0.5 ** (t / half_life) * t)
-    )
 
 
 @wrong_model("11.6", "Which values has a sine between 1 and -1?")
-def up_or_down(loudness: float, frequency: float, half_life: float, rate: float, count: int) -> Any:
+@edited(
+    all_samples_at_once,
+    {"np.sin(2 * np.pi * frequency * t)": "np.sign(np.sin(2 * np.pi * frequency * t))"},
+)
+def up_or_down() -> None:
     """A tone is up in one half of its period and down in the other."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.sign(np.sin(2 * np.pi * frequency * t))
 
 
 @wrong_model("11.6", "Sample number k is heard at which time?")
-def a_tone_per_sample(
-    loudness: float, frequency: float, half_life: float, rate: float, count: int
-) -> Any:
+@edited(all_samples_at_once, {"frequency * t": "frequency * t * rate"})
+def a_tone_per_sample() -> None:
     """The samples are numbered in seconds for the tone."""
-    t = np.arange(count) / rate
-    if frequency >= rate / 2:
-        return np.zeros(count)
-    return loudness * 0.5 ** (t / half_life) * np.sin(2 * np.pi * frequency * t * rate)
