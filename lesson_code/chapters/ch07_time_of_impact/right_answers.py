@@ -139,6 +139,24 @@ def newtons_method(height: float, velocity: float, gravity: float) -> Time:
 
 
 @alternative("7.3")
+def from_wall_to_wall(
+    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
+) -> tuple[Vector, Vector]:
+    """From one impact to the next, until the step is over."""
+    import numpy as np
+
+    left = dt
+    while True:
+        walls = [(s if u > 0 else 0.0) for u, s in zip(v, room, strict=True)]
+        times = [(s - x) / u if u else np.inf for x, u, s in zip(p, v, walls, strict=True)]
+        axis = int(np.argmin(times))
+        if times[axis] >= left:
+            return p + v * left, v
+        p, left = p + v * times[axis], left - times[axis]
+        v = np.where(np.arange(2) == axis, -restitution * v, v)
+
+
+@alternative("7.3")
 def each_axis_for_itself(
     p: Vector, v: Vector, room: Vector, restitution: float, dt: float
 ) -> list[list[float]]:

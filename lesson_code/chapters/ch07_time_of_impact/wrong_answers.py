@@ -10,7 +10,10 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.ch07_time_of_impact.right_answers import with_the_quadratic_formula
+from lesson_code.chapters.ch07_time_of_impact.right_answers import (
+    from_wall_to_wall,
+    with_the_quadratic_formula,
+)
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
@@ -164,15 +167,9 @@ def down_is_positive(height: float, velocity: float, gravity: float) -> Time:
 
 
 @wrong_model("7.3", "The ball bounces after a third of the step. Where are the other two thirds?")
-def stops_at_the_impact(
-    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
-) -> tuple[Vector, Vector]:
+@edited(from_wall_to_wall, {"left - times[axis]": "0.0"})
+def stops_at_the_impact() -> None:
     """A step with an impact ends at the impact."""
-    times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
-    axis = int(np.argmin(times))
-    if times[axis] >= dt:
-        return p + v * dt, v
-    return p + v * times[axis], np.where(np.arange(2) == axis, -restitution * v, v)
 
 
 @wrong_model("7.3", "After the bounce the ball flies on. Can it meet another wall in this step?")
@@ -236,33 +233,28 @@ def bounces_at_the_start(
 
 
 @wrong_model("7.3", "The ball is at the wall and moves into it. Is a time of 0.0 no time?")
-def zero_is_no_time(
-    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
-) -> tuple[Vector, Vector]:
+@edited(
+    from_wall_to_wall,
+    {
+        "np.argmin(times)": "np.argmin([t if t else np.inf for t in times])",
+        "times[axis] >= left": "not times[axis] or times[axis] >= left",
+    },
+)
+def zero_is_no_time() -> None:
     """`if t` asks whether there is an impact."""
-    left = dt
-    while True:
-        times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
-        axis = int(np.argmin([t if t else math.inf for t in times]))
-        if not (times[axis] and times[axis] < left):
-            return p + v * left, v
-        p, left = p + v * times[axis], left - times[axis]
-        v = np.where(np.arange(2) == axis, -restitution * v, v)
 
 
 @wrong_model("7.3", "The floor turns the velocity round along y. Does it touch the part along x?")
-def scales_the_tangent(
-    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
-) -> tuple[Vector, Vector]:
+@edited(
+    from_wall_to_wall,
+    {
+        "np.where(np.arange(2) == axis, -restitution * v, v)": (
+            "restitution * np.where(np.arange(2) == axis, -v, v)"
+        )
+    },
+)
+def scales_the_tangent() -> None:
     """A bounce makes the whole velocity smaller."""
-    left = dt
-    while True:
-        times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
-        axis = int(np.argmin(times))
-        if times[axis] >= left:
-            return p + v * left, v
-        p, left = p + v * times[axis], left - times[axis]
-        v = restitution * np.where(np.arange(2) == axis, -v, v)
 
 
 @wrong_model("7.1", "When their centres are nearest, have the rims not met long before?")
@@ -376,14 +368,6 @@ def a_little_gravity_is_none(height: float, velocity: float, gravity: float) -> 
 
 
 @wrong_model("7.3", "A wall is near, and the ball flies almost along it. Which wall comes first?")
-@edited(
-    scales_the_tangent,
-    {
-        "np.argmin(times)": "np.argmin(np.abs(v) * times)",
-        "restitution * np.where(np.arange(2) == axis, -v, v)": (
-            "np.where(np.arange(2) == axis, -restitution * v, v)"
-        ),
-    },
-)
+@edited(from_wall_to_wall, {"np.argmin(times)": "np.argmin(np.abs(v) * times)"})
 def nearest_wall_first() -> None:
     """The wall that is nearest is the one that is hit first."""

@@ -5,11 +5,10 @@ from __future__ import annotations
 from math import sqrt
 from typing import Any, TypeAlias
 
-from lesson_code.chapters.ch07_time_of_impact import wrong_answers as others
+from lesson_code.chapters.ch07_time_of_impact.right_answers import from_wall_to_wall
 from lesson_code.course.grading.task import edited, wrong_model
 
 Time: TypeAlias = Any
-RIGHT_BOUNCE = "np.where(np.arange(2) == axis, -restitution * v, v)"
 
 
 @wrong_model("7.2", "How high does a ball fly that starts at v: v^2 / g, or half of it?")
@@ -33,36 +32,18 @@ def always_on_the_earth(height: float, velocity: float, gravity: float) -> Time:
 
 
 @wrong_model("7.3", "The ball has become slower. Does its clock go slower, too?")
-@edited(
-    others.scales_the_tangent,
-    {
-        "restitution * np.where(np.arange(2) == axis, -v, v)": RIGHT_BOUNCE,
-        "left - times[axis]": "restitution * (left - times[axis])",
-    },
-)
+@edited(from_wall_to_wall, {"left - times[axis]": "restitution * (left - times[axis])"})
 def rest_shrinks_with_the_bounce() -> None:
     """A bounce makes the rest of the step shorter by e, as it does the velocity."""
 
 
 @wrong_model("7.3", "Where is the left wall of the room: at 0, or as far from 0 as the right one?")
-@edited(
-    others.scales_the_tangent,
-    {
-        "restitution * np.where(np.arange(2) == axis, -v, v)": RIGHT_BOUNCE,
-        "s if u > 0 else 0": "s if u > 0 else -s",
-    },
-)
+@edited(from_wall_to_wall, {"else 0.0": "else -s"})
 def origin_in_the_middle() -> None:
     """The origin is in the middle of the room, and its sides are half of it."""
 
 
 @wrong_model("7.3", "A room is longer than it is wide. Which side belongs to y?")
-@edited(
-    others.scales_the_tangent,
-    {
-        "restitution * np.where(np.arange(2) == axis, -v, v)": RIGHT_BOUNCE,
-        "zip(p, v, room, strict=True)": "zip(p, v, [room[0], room[0]], strict=True)",
-    },
-)
+@edited(from_wall_to_wall, {"zip(v, room, strict=True)": "zip(v, [room[0], room[0]], strict=True)"})
 def as_high_as_wide() -> None:
     """The room is as high as it is wide."""

@@ -7,8 +7,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.chapters.cradle.right_answers import in_the_frame_of_each_pair
-from lesson_code.chapters.cradle.rules import GRAVITY, swing_step
+from lesson_code.chapters.cradle.right_answers import in_the_frame_of_each_pair, swap_by_swap
+from lesson_code.chapters.cradle.rules import GRAVITY
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
@@ -88,75 +88,54 @@ def away_from_rest(angle: float, rate: float, length: float, dt: float) -> Any:
 
 
 @wrong_model("C.3", "Do two of your balls ever touch?")
-def never_collides(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+@edited(swap_by_swap, {"angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]": "False"})
+def never_collides() -> None:
     """Each ball swings for itself."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-    return angles, rates
 
 
 @wrong_model("C.3", "One swap a step. How many steps does a push need through five balls?")
-def one_swap_a_step(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+@edited(
+    swap_by_swap,
+    {"rates[[k + 1, k]]": "rates[[k + 1, k]]\n                break"},
+)
+def one_swap_a_step() -> None:
     """In each step one collision is enough."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        for k in range(len(angles) - 1):
-            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
-                rates[k], rates[k + 1] = rates[k + 1], rates[k]
-                break
-    return angles, rates
 
 
 @wrong_model("C.3", "You go from left to right once. What of a ball that comes from the right?")
-def one_pass_a_step(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+@edited(swap_by_swap, {"len(angles) * [*range(len(angles) - 1)]": "range(len(angles) - 1)"})
+def one_pass_a_step() -> None:
     """In each step the pairs are looked at once, from left to right."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        for k in range(len(angles) - 1):
-            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
-                rates[k], rates[k + 1] = rates[k + 1], rates[k]
-    return angles, rates
 
 
 @wrong_model("C.3", "Two balls come nearer, a hand's breadth apart. Have they hit each other yet?")
-def swaps_at_a_distance(
-    angles: Vector, rates: Vector, length: float, dt: float, steps: float
-) -> Any:
+@edited(swap_by_swap, {"angles[k] >= angles[k + 1] and ": ""})
+def swaps_at_a_distance() -> None:
     """Balls that approach swap their rates, touching or not."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        rates = np.sort(rates)  # what swaps leave when no neighbours approach
-    return angles, rates
 
 
 @wrong_model("C.3", "Two balls swing to the right, side by side. Do they collide?")
-def swaps_without_gate(
-    angles: Vector, rates: Vector, length: float, dt: float, steps: float
-) -> Any:
+@edited(
+    swap_by_swap,
+    {
+        "len(angles) * [*range(len(angles) - 1)]": "range(len(angles) - 1)",
+        " and rates[k] > rates[k + 1]": "",
+    },
+)
+def swaps_without_gate() -> None:
     """Balls that touch swap, whether they approach or part."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        for k in range(len(angles) - 1):
-            if angles[k] >= angles[k + 1]:
-                rates[k], rates[k + 1] = rates[k + 1], rates[k]
-    return angles, rates
 
 
 @wrong_model("C.3", "Your balls stick together. What do two equal elastic balls do?")
-def sticks(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+@edited(
+    swap_by_swap,
+    {
+        "len(angles) * [*range(len(angles) - 1)]": "range(len(angles) - 1)",
+        "rates[[k + 1, k]]": "(rates[k] + rates[k + 1]) / 2",
+    },
+)
+def sticks() -> None:
     """Balls that touch go on together."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        for k in range(len(angles) - 1):
-            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
-                rates[k] = rates[k + 1] = (rates[k] + rates[k + 1]) / 2
-    return angles, rates
-
-
-def _swung(angles: Vector, rates: Vector, length: float, dt: float) -> Any:
-    """Return every ball after one step of its own."""
-    moved = [swing_step(a, r, length, dt) for a, r in zip(angles, rates, strict=True)]
-    return np.array([angle for angle, _ in moved]), np.array([rate for _, rate in moved])
 
 
 @wrong_model("C.3", "The balls swing, then collide. Where are they when you ask who touches?")
@@ -265,16 +244,15 @@ def rate_in_front(angle: float, rate: float, length: float, dt: float) -> Any:
 
 
 @wrong_model("C.3", "Balls that touch: does one jump to the place of the other?")
-def places_change_hands(
-    angles: Vector, rates: Vector, length: float, dt: float, steps: float
-) -> Any:
+@edited(
+    swap_by_swap,
+    {
+        "rates[[k, k + 1]]": "rates[[k, k + 1]], angles[[k, k + 1]]",
+        "rates[[k + 1, k]]": "rates[[k + 1, k]], angles[[k + 1, k]]",
+    },
+)
+def places_change_hands() -> None:
     """Balls that collide exchange their rates and their angles."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        for k in len(angles) * [*range(len(angles) - 1)]:
-            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
-                rates[[k, k + 1]], angles[[k, k + 1]] = rates[[k + 1, k]], angles[[k + 1, k]]
-    return angles, rates
 
 
 @wrong_model("C.3", "Two balls touch after the last swing. Do they collide in yours?")
@@ -287,16 +265,12 @@ def collides_before_the_swing(
         for k in len(angles) * [*range(len(angles) - 1)]:
             if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
                 rates[[k, k + 1]] = rates[[k + 1, k]]
-        angles, rates = _swung(angles, rates, length, dt)
+        rates = rates - GRAVITY / length * np.sin(angles) * dt
+        angles = angles + rates * dt
     return angles, rates
 
 
 @wrong_model("C.3", "Two equal balls collide, one at rest. Does it stay at rest?")
-def both_turn_round(angles: Vector, rates: Vector, length: float, dt: float, steps: float) -> Any:
+@edited(swap_by_swap, {"rates[[k, k + 1]] = rates[[k + 1, k]]": "rates[k : k + 2] *= -1"})
+def both_turn_round() -> None:
     """Balls that collide turn round, each as fast as it was."""
-    for _ in range(int(steps)):
-        angles, rates = _swung(angles, rates, length, dt)
-        for k in len(angles) * [*range(len(angles) - 1)]:
-            if angles[k] >= angles[k + 1] and rates[k] > rates[k + 1]:
-                rates[k : k + 2] *= -1
-    return angles, rates
