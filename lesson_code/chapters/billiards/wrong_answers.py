@@ -245,12 +245,6 @@ def flies_on_from_the_wall(position: Vector, velocity: Vector, dt: float) -> Any
     return position, velocity, hits
 
 
-@wrong_model("B.1", "A ball in a corner: does it touch the other cushion less, or not at all?")
-def only_the_deepest(position: Vector) -> Any:
-    """The cushion that is overlapped most is the one that counts."""
-    return sorted(wall_contacts(position), key=lambda contact: -contact[2])[:1]
-
-
 @wrong_model("B.1", "A ball just touches a cushion. How deep does it overlap?")
 def touching_is_overlapping(position: Vector) -> Any:
     """A ball that touches a cushion, with depth 0, overlaps it."""

@@ -149,9 +149,3 @@ def the_heavier_is_a_wall(m1: float, v1: float, m2: float, v2: float) -> tuple[f
     if m1 == m2:
         return v2, v1
     return (v1, 2 * v1 - v2) if m1 > m2 else (2 * v2 - v1, v2)
-
-
-@wrong_model("1.2", "A truck and a bicycle meet head on and stick together. Does the truck stop?")
-def sticking_is_stopping(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
-    """Bodies that stick together stop."""
-    return 0.0, 0.0

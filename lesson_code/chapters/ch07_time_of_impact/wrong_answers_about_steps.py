@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import Any, TypeAlias
+
+import numpy as np
 
 from lesson_code.chapters.ch07_time_of_impact.right_answers import from_wall_to_wall
 from lesson_code.course.grading.task import edited, wrong_model
@@ -16,8 +17,8 @@ def flies_up_twice_as_high(height: float, velocity: float, gravity: float) -> Ti
     """A ball that is thrown up rises by v^2 / g."""
     if velocity > 0:
         top = height + velocity**2 / gravity if gravity > 0 else 0.0
-        return velocity / gravity + sqrt(2 * top / gravity) if gravity > 0 else None
-    speed = sqrt(velocity**2 + 2 * gravity * height)
+        return velocity / gravity + np.sqrt(2 * top / gravity) if gravity > 0 else None
+    speed = np.sqrt(velocity**2 + 2 * gravity * height)
     return 2 * height / (speed - velocity) if speed > 0 else None
 
 
@@ -25,7 +26,7 @@ def flies_up_twice_as_high(height: float, velocity: float, gravity: float) -> Ti
 def always_on_the_earth(height: float, velocity: float, gravity: float) -> Time:
     """Gravity is 9.81 m/s^2, wherever there is any."""
     g = 9.81 if gravity > 0 else 0.0
-    speed = sqrt(velocity**2 + 2 * g * height)
+    speed = np.sqrt(velocity**2 + 2 * g * height)
     if velocity < 0:
         return 2 * height / (speed - velocity)
     return (velocity + speed) / g if g > 0 else None

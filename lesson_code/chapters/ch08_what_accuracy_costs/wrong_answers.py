@@ -185,12 +185,6 @@ def norm_of_the_table(places: Vector, right: Vector) -> float:
     return float(np.sqrt(((places - right) ** 2).sum()))
 
 
-@wrong_model("8.1", "A ball is on its way, but ten seconds late. Is that no error?")
-def off_the_way(places: Vector, right: Vector) -> float:
-    """The error is how far the body leaves its way, whenever it is where on it."""
-    return float(max(min(np.hypot(*(place - there)) for there in right) for place in places))
-
-
 @wrong_model("8.2", "C dt^p with C = 5: what is log(error) / log(dt) then? Is it p?")
 def from_one_run(dt_1: float, error_1: float, dt_2: float, error_2: float) -> float:
     """The order is the logarithm of the error to the base of the step, so one run will do."""

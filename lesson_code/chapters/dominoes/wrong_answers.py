@@ -332,15 +332,6 @@ def pull_by_the_angle() -> None:
     """Gravity pulls by the angle, of which the sine is nearly the same."""
 
 
-@wrong_model("D.3", "Is spacing over height an angle, or the sine of one?")
-@edited(
-    as_a_list_of_pairs,
-    {"height * math.sin(min(one[0], math.pi / 2)) > spacing": "one[0] > spacing / height"},
-)
-def ratio_for_the_touch() -> None:
-    """Two dominoes touch at the angle spacing over height."""
-
-
 @wrong_model("D.3", "Which comes first in the task: the floor, or the touches?")
 @edited(
     as_a_list_of_pairs,
