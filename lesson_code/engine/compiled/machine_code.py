@@ -21,7 +21,7 @@ import subprocess
 import tempfile
 import types
 from collections import namedtuple
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -55,10 +55,8 @@ def object_file(program: Program) -> ObjectFile:
     numba.core.errors.NumbaError
         It holds what Numba does not compile.
     """
-    module, entry = module_of(start_of(program))
     machine = target_machine()
-    optimise(module, machine)
-    keep_only(module, {entry: SYMBOL}, machine)
+    module = module_of(program, SYMBOL, machine)
     return ObjectFile(machine.emit_object(module), needs_of(module))
 
 
@@ -91,7 +89,7 @@ class _TextAlone(codegen.JITCPUCodegen):
             return 0
 
         def _optimize_final_module(self) -> None:
-            """Leave it to :func:`optimise`, which does it once, for the whole program."""
+            """Leave it to :func:`module_of`, which does it once, for the whole program."""
 
         def _finalize_specific(self) -> None:
             """Make no machine code."""
@@ -124,22 +122,25 @@ def linked(file: ObjectFile) -> ObjectFile:
     return library
 
 
-def start_of(program: Program) -> Callable[[Any], float]:
-    """Return a function of the row of addresses that runs a program."""
-    return _entry(functions_of(program.source)[program.entry], program.layout)
+def module_of(program: Program, name: str, machine: Any) -> Any:
+    """Return LLVM's module of a program for a processor: its entry is known outside by a name.
 
-
-def module_of(start: Callable[[Any], float]) -> tuple[Any, str]:
-    """Return the module that Numba makes of a function of the row of addresses, and its name there.
-
-    It holds all that the function calls, and is not optimised yet.
+    It is optimised before what the entry does not call is removed: LLVM puts a function that is
+    called once and known nowhere else into its caller, stages with their loops too, and a pyramid
+    of 20 rows then takes a tenth more time.
     """
+    start = _entry(functions_of(program.source)[program.entry], program.layout)
     with not_run_here():
         compiled = numba.njit(numba.float64(numba.types.CPointer(numba.intp)), **OPTIONS)(start)
     result: Any
     (result,) = compiled.overloads.values()
     module = llvm.parse_assembly(str(result.library._final_module))
-    return module, result.fndesc.llvm_func_name
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(module, builder)
+    keep_only(module, result.fndesc.llvm_func_name, name, machine)
+    return module
 
 
 def needs_of(module: Any) -> tuple[str, ...]:
@@ -204,25 +205,14 @@ def table_at(_context: Any, address: Any, rows: Any, dtype: Any) -> Any:
     return kind(address, rows, dtype), build
 
 
-def optimise(module: Any, machine: Any) -> None:
-    """Do to a module all that makes it faster on a processor, and changes no result.
-
-    It comes before :func:`keep_only`: LLVM puts a function that is called once and known nowhere
-    else into its caller, stages with their loops too, and a pyramid of 20 rows then takes a tenth
-    more time.
-    """
-    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=3))
-    builder.getModulePassManager().run(module, builder)
-
-
-def keep_only(module: Any, entries: Mapping[str, str], machine: Any) -> None:
-    """Give the entries their names, and remove all that they do not call from the module.
+def keep_only(module: Any, entry: str, name: str, machine: Any) -> None:
+    """Give the entry a name, and remove all that it does not call from the module.
 
     Of other functions and globals nothing is known outside; what is not used then, is removed.
     """
     for part in [*module.functions, *module.global_variables]:
-        if part.name in entries:
-            part.name = entries[part.name]
+        if part.name == entry:
+            part.name = name
         elif not part.is_declaration:
             part.linkage = "internal"
     passes = llvm.create_new_module_pass_manager()

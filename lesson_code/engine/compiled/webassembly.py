@@ -299,13 +299,7 @@ def _object_file(program: WebProgram) -> bytes:
     """Return the machine code of all entries, each under its own name."""
     import llvmlite.binding as llvm
 
-    from lesson_code.engine.compiled.machine_code import (
-        keep_only,
-        module_of,
-        needs_of,
-        optimise,
-        start_of,
-    )
+    from lesson_code.engine.compiled.machine_code import module_of, needs_of
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
@@ -313,10 +307,7 @@ def _object_file(program: WebProgram) -> bytes:
     machine = target.create_target_machine(cpu="mvp", features=FEATURES, opt=2)
     whole = llvm.parse_assembly("")
     for name, entry in program.entries.items():
-        module, start = module_of(start_of(entry))
-        module.triple, module.data_layout = machine.triple, str(machine.target_data)
-        optimise(module, machine)
-        keep_only(module, {start: name}, machine)
+        module = module_of(entry, name, machine)
         whole.triple, whole.data_layout = module.triple, module.data_layout
         whole.link_in(module)
     if missing := set(needs_of(whole)) - set(LENT):
