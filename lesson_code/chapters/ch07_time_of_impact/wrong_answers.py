@@ -173,16 +173,12 @@ def stops_at_the_impact() -> None:
 
 
 @wrong_model("7.3", "After the bounce the ball flies on. Can it meet another wall in this step?")
-def one_impact_a_step(
-    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
-) -> tuple[Vector, Vector]:
+@edited(
+    from_wall_to_wall,
+    {"restitution * v, v)": "restitution * v, v)\n        return p + v * left, v"},
+)
+def one_impact_a_step() -> None:
     """There is one impact in a step at the most."""
-    times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
-    axis = int(np.argmin(times))
-    if times[axis] >= dt:
-        return p + v * dt, v
-    after = np.where(np.arange(2) == axis, -restitution * v, v)
-    return p + v * times[axis] + after * (dt - times[axis]), after
 
 
 @wrong_model("7.3", "Is the ball at the wall at the end of the step, or was it there before?")
@@ -210,16 +206,12 @@ def mirrors_the_rest(
 
 
 @wrong_model("7.3", "Add up the times in your step: to the wall, and after it. Is it dt?")
-def a_whole_step_after_the_impact(
-    p: Vector, v: Vector, room: Vector, restitution: float, dt: float
-) -> tuple[Vector, Vector]:
+@edited(
+    from_wall_to_wall,
+    {"restitution * v, v)": "restitution * v, v)\n        return p + v * dt, v"},
+)
+def a_whole_step_after_the_impact() -> None:
     """The ball goes to the wall, bounces, and then makes its step."""
-    times = [((s if u > 0 else 0) - x) / u for x, u, s in zip(p, v, room, strict=True)]
-    axis = int(np.argmin(times))
-    if times[axis] >= dt:
-        return p + v * dt, v
-    after = np.where(np.arange(2) == axis, -restitution * v, v)
-    return p + v * times[axis] + after * dt, after
 
 
 @wrong_model("7.3", "Where does your ball turn round: at the wall, or where the step began?")
