@@ -9,11 +9,22 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from random import Random
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
+T = TypeVar("T")
 Vector: TypeAlias = tuple[float, float]
 Speed: TypeAlias = Callable[[Random], float]
 """Draws a speed, m/s."""
+
+
+def until(holds: Callable[[T], bool], draw: Callable[[], T]) -> T:
+    """Return the first of what is drawn, again and again, for which something holds.
+
+    With this no luck of the draw decides what a mistake costs.
+    """
+    while not holds(drawn := draw()):
+        pass
+    return drawn
 
 
 def unequal_masses(stream: Random) -> tuple[float, float]:

@@ -33,8 +33,8 @@ ROOT = Path(__file__).parents[2]
 ANSWERED = [f"{number:02}" for number in range(1, 12)]
 """The exercises that can be answered in a page."""
 
-NOT_PLAIN = {"numpy", "fractions", "pygame", "sum", "any", "all", "max", "min", "T", "shape"}
-"""Names that tell of NumPy's arrays, or of other libraries, in the code of an answer."""
+PLAIN = {*dir(math), *dir(list), *dir(set), *dir(dict)}
+"""What the code of an answer may ask of an object by name; NumPy's arrays have more."""
 
 PYTHON_STARTS = 90_000
 """ms: Python is there after 2 to 7 s, on a machine that is busy later."""
@@ -121,13 +121,15 @@ def saved(page: Page, kind: str, folder: Path) -> Path:
 def plain_source(answer: KnownAnswer, function: str) -> str | None:
     """Return a known answer as a student would write it; None if it needs more than `math`."""
     given = answer.function
-    inner = [const for const in given.__code__.co_consts if inspect.iscode(const)]
-    names = {name for code in (given.__code__, *inner) for name in code.co_names}
-    used = {name for name in names if name in given.__globals__}
-    if not used <= {"math"} or names & NOT_PLAIN:
-        return None
     definition = ast.parse(textwrap.dedent(inspect.getsource(given))).body[0]
     assert isinstance(definition, ast.FunctionDef)
+    parts = [part for statement in definition.body for part in ast.walk(statement)]
+    names = {part.id for part in parts if isinstance(part, ast.Name)} & set(given.__globals__)
+    imports = {name.name for p in parts if isinstance(p, ast.Import) for name in p.names}
+    asked = {part.attr for part in parts if isinstance(part, ast.Attribute)}
+    columns = [p for p in parts if isinstance(p, ast.Subscript) and isinstance(p.slice, ast.Tuple)]
+    if not names | imports <= {"math"} or not asked <= PLAIN or columns:
+        return None
     definition.name, definition.decorator_list, definition.returns = function, [], None
     for argument in definition.args.args:
         argument.annotation = None

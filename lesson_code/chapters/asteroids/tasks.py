@@ -95,13 +95,23 @@ def chains(stream: Random) -> Iterator[Arguments]:
 
 
 def crowded_fields(stream: Random) -> Iterator[Arguments]:
-    """Draw nine asteroids in a crowd, in which many overlap."""
+    """Draw nine asteroids in a crowd, in which many overlap.
+
+    The first one is hit from both sides, so that it is thrown back at the second one when their
+    turn is over. Two others part.
+    """
     places = tuple(
         (1.4 * (k % 3) + stream.uniform(-0.2, 0.2), 1.4 * (k // 3) + stream.uniform(-0.2, 0.2))
-        for k in range(9)
+        for k in (1, 0, 2, *range(3, 9))
     )
-    moving = tuple(_velocity(stream) for _ in range(9))
-    radii = tuple(round(stream.uniform(0.6, 0.9), 2) for _ in range(9))
+    thrown = (
+        (0.0, 0.2),
+        (round(stream.uniform(0.5, 1.0), 2), 0.0),
+        (-draws.speed(stream) - 3, 0.0),
+    )
+    parting = ((-draws.speed(stream), 0.0), (draws.speed(stream), 0.0))
+    moving = (*thrown, *parting, *(_velocity(stream) for _ in range(4)))
+    radii = tuple(round(stream.uniform(0.85, 0.95), 2) for _ in range(9))
     yield places, moving, FIELD_MASSES, radii, draws.restitution(stream)
 
 

@@ -89,15 +89,26 @@ def single_bricks(stream: Random) -> Iterator[Arguments]:
 def walls_of_bricks(stream: Random) -> Iterator[Arguments]:
     """Draw flights between two rows of bricks, the far one first in the list.
 
-    The last ball flies to and fro, and comes to where a brick was that it has broken.
+    In the first of them the ball meets a corner. The last ball flies to and fro, and comes to where
+    a brick was that it has broken.
     """
-    for _ in range(2):
-        rows = [(0.02 + 0.78 * k, y, *BOX) for y in (2.0, 1.0) for k in range(6)]
-        rows += [(0.02 + 0.78 * k, -0.5, *BOX) for k in range(6)]
-        velocity = (stream.uniform(1.5, 2.5), stream.uniform(7.0, 9.0))
-        yield (stream.uniform(0.5, 1.0), 0.3), velocity, RADIUS, tuple(rows), 0.6
+    yield draws.until(_meets_a_corner, lambda: _between_rows(stream))
+    yield _between_rows(stream)
     column = tuple((0.0, y, *BOX) for y in (2.0, 1.0, -0.5))
     yield (0.4, 0.3), (0.0, round(stream.uniform(4.5, 5.0), 2)), RADIUS, column, 0.95
+
+
+def _between_rows(stream: Random) -> Arguments:
+    """Return a flight between two rows of bricks."""
+    rows = [(0.02 + 0.78 * k, y, *BOX) for y in (2.0, 1.0, -0.5) for k in range(6)]
+    velocity = (stream.uniform(1.5, 2.5), stream.uniform(7.0, 9.0))
+    return (stream.uniform(0.5, 1.0), 0.3), velocity, RADIUS, tuple(rows), 0.6
+
+
+def _meets_a_corner(flight: Arguments) -> bool:
+    """Return whether a bounce of a flight changes its velocity across: faces are level."""
+    _, velocity, _ = breakout_rules.fly(*flight)
+    return bool(abs(velocity[0] - flight[1][0]) > 0.1)
 
 
 def fast_flights(stream: Random) -> Iterator[Arguments]:

@@ -47,13 +47,21 @@ def limits(stream: Random) -> Iterator[Arguments]:
 
 
 def velocities_head_on(stream: Random) -> Iterator[Arguments]:
-    """Draw the velocities before and after lossy head-on collisions."""
-    yield from (_before_and_after(arguments) for arguments in lossy_head_on(stream))
+    """Draw the velocities before and after lossy head-on collisions; one body just goes on."""
+    yield from draws.until(
+        lambda drawn: any(
+            v1 * v1_after > 0 or v2 * v2_after > 0 for v1, v2, v1_after, v2_after in drawn
+        ),
+        lambda: [_before_and_after(arguments) for arguments in lossy_head_on(stream)],
+    )
 
 
 def velocities_catching_up(stream: Random) -> Iterator[Arguments]:
-    """Draw the velocities before and after a faster body has met a slower one."""
-    yield from (_before_and_after(arguments) for arguments in lossy_catching_up(stream))
+    """Draw the velocities before and after a faster body has met a slower one; one turns back."""
+    yield from draws.until(
+        lambda drawn: any(v1_after < 0 for _, _, v1_after, _ in drawn),
+        lambda: [_before_and_after(arguments) for arguments in lossy_catching_up(stream)],
+    )
 
 
 def _before_and_after(arguments: Arguments) -> Arguments:

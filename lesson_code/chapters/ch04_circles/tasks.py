@@ -98,9 +98,9 @@ def separating(stream: Random) -> Iterator[Arguments]:
 
 
 def without_loss(stream: Random) -> Iterator[Arguments]:
-    """Draw hits with restitution 1 and 0."""
-    for restitution in (1.0, 0.0):
-        yield _hit(stream, draws.approaching_pair, restitution)
+    """Draw hits with restitution 1 and 0; in the second one circle catches up with the other."""
+    yield _hit(stream, draws.approaching_pair, 1.0)
+    yield _hit(stream, draws.first_overtakes, 0.0)
 
 
 def _hit(

@@ -171,12 +171,15 @@ def gripping(stream: Random) -> Iterator[Arguments]:
 
 
 def slipping(stream: Random) -> Iterator[Arguments]:
-    """Draw contacts that slide on, either way; the last one is rough, but hardly pressed."""
-    for way in (1, -1):
+    """Draw contacts that slide on, either way, and one that is rough, but hardly pressed.
+
+    The first is smooth, and so well pressed that a rough one would not slide.
+    """
+    for way, held, rough in ((1, (0.6, 0.7), (0.2, 0.5)), (-1, (0.2, 0.7), (0.2, 0.8))):
         vt, k = draws.speed(stream), _yielding(stream)
-        yield way * vt, *_pressed(stream, stream.uniform(0.2, 0.7) * vt / k), k
+        yield way * vt, *_pressed(stream, stream.uniform(*held) * vt / k, rough), k
     vt, k = draws.speed(stream), _yielding(stream)
-    yield vt, *_pressed(stream, stream.uniform(0.1, 0.2) * vt / k, smoothest=0.7), k
+    yield vt, *_pressed(stream, stream.uniform(0.1, 0.2) * vt / k, (0.7, 0.8)), k
 
 
 def creeping(stream: Random) -> Iterator[Arguments]:
@@ -191,9 +194,11 @@ def _yielding(stream: Random) -> float:
     return round(stream.uniform(1.5, 4.0), 2)
 
 
-def _pressed(stream: Random, limit: float, smoothest: float = 0.2) -> tuple[float, float]:
-    """Return jn, N s, and mu whose product is about `limit`."""
-    friction = round(stream.uniform(smoothest, 0.8), 2)
+def _pressed(
+    stream: Random, limit: float, rough: tuple[float, float] = (0.2, 0.8)
+) -> tuple[float, float]:
+    """Return jn, N s, and mu, within what is given, whose product is about `limit`."""
+    friction = round(stream.uniform(*rough), 2)
     return round(limit / friction, 2), friction
 
 

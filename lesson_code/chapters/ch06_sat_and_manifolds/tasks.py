@@ -69,21 +69,46 @@ def _turned_up(x: float, y: float) -> tuple[float, float]:
 def beyond_the_origin(stream: Random) -> Iterator[Arguments]:
     """Draw polygons that lie on one side of the origin along the axis, and on the other.
 
-    Their list begins with the vertex farthest along the axis, and with the nearest.
+    Their list begins with the vertex farthest along the axis, and with the nearest. In the first of
+    them, no end of the shadow is that of the vertex nearest to the origin.
     """
-    for side in (1, -1):
-        axis = draws.oblique_normal(stream)
-        way = side * stream.uniform(3.0, 6.0)
-        vertices = draws.convex_polygon(stream, 5, (way * axis[0], way * axis[1]))
-        yield _from_the_farthest(vertices, axis, side), axis
+    yield draws.until(
+        lambda drawn: not _is_an_end(min(drawn[0], key=lambda vertex: math.hypot(*vertex)), *drawn),
+        lambda: _beyond_the_origin(stream, 1),
+    )
+    yield _beyond_the_origin(stream, -1)
+
+
+def _beyond_the_origin(stream: Random, side: int) -> Arguments:
+    """Return a polygon and an axis on which it lies on one side of the origin."""
+    axis = draws.oblique_normal(stream)
+    way = side * stream.uniform(3.0, 6.0)
+    vertices = draws.convex_polygon(stream, 5, (way * axis[0], way * axis[1]))
+    return _from_the_farthest(vertices, axis, side), axis
 
 
 def about_the_origin(stream: Random) -> Iterator[Arguments]:
-    """Draw polygons with the origin inside them; the list ends with either end of the shadow."""
-    for count, side in ((3, 1), (4, -1)):
-        vertices, axis = draws.convex_polygon(stream, count, size=2.0), draws.oblique_normal(stream)
-        first, *others = _from_the_farthest(vertices, axis, side)
-        yield (*others, first), axis
+    """Draw polygons with the origin inside them; the list ends with either end of the shadow.
+
+    In the first of them, the vertex farthest to the left is at no end of the shadow.
+    """
+    yield draws.until(
+        lambda drawn: not _is_an_end(min(drawn[0]), *drawn),
+        lambda: _about_the_origin(stream, 3, 1),
+    )
+    yield _about_the_origin(stream, 4, -1)
+
+
+def _about_the_origin(stream: Random, count: int, side: int) -> Arguments:
+    """Return a polygon about the origin, and an axis; the end of the list is one of the shadow."""
+    vertices, axis = draws.convex_polygon(stream, count, size=2.0), draws.oblique_normal(stream)
+    first, *others = _from_the_farthest(vertices, axis, side)
+    return (*others, first), axis
+
+
+def _is_an_end(vertex: draws.Vector, vertices: pairs.Polygon, axis: draws.Vector) -> bool:
+    """Return whether a vertex of a polygon is at an end of its shadow on an axis."""
+    return vertex in (_from_the_farthest(vertices, axis, side)[0] for side in (1, -1))
 
 
 def _from_the_farthest(
@@ -165,13 +190,24 @@ def past_the_middle(stream: Random) -> Iterator[Arguments]:
 
 
 def polygons_apart_or_not(stream: Random) -> Iterator[Arguments]:
-    """Draw pairs that overlap, that only A's or only B's edges can part, and that touch."""
+    """Draw pairs that overlap, that only A's or only B's edges can part, and that touch.
+
+    Of those that are apart, no level and no upright line parts the first two.
+    """
     yield pairs.placed(stream, pairs.CORNER_INSIDE)
-    yield pairs.placed(stream, pairs.PARTED)
+    yield draws.until(_boxes_overlap, lambda: pairs.placed(stream, pairs.PARTED))
     yield pairs.placed(stream, pairs.swapped(pairs.PARTED))
     x, y = float(stream.randint(-5, 5)), float(stream.randint(-5, 5))
     for gap in (0.0, -(2.0**-10)):  # no number is rounded: these squares touch exactly
         yield pairs.square(x, y), pairs.square(x + 2 + gap, y + 0.5)
+
+
+def _boxes_overlap(pair: pairs.Pair) -> bool:
+    """Return whether the boxes around two polygons overlap."""
+    a, b = (
+        [(min(values), max(values)) for values in zip(*polygon, strict=True)] for polygon in pair
+    )
+    return all(overlap(*sides) is not None for sides in zip(a, b, strict=True))
 
 
 def after_your_move(arguments: Arguments, answer: Any) -> str:

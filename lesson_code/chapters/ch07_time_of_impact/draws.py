@@ -127,10 +127,13 @@ def crowds(stream: Random) -> Iterator[Arguments]:
 
 
 def crowds_with_a_hit_now(stream: Random) -> Iterator[Arguments]:
-    """Draw crowds in which a pair overlaps and approaches, while others will meet later."""
-    for _ in range(2):
+    """Draw crowds in which a pair overlaps and approaches, while others will meet later.
+
+    In the order of the pairs, that one is the second that meets, and then the first.
+    """
+    for is_second in (True, False):
         pairs = (_pair(stream, 2.0, 5.0), _pair(stream, -0.3, 2.0))
-        first, second, third, fourth = _scattered(stream, pairs)
+        first, second, third, fourth = _scattered(stream, pairs if is_second else pairs[::-1])
         yield _crowd([first, third, second, fourth])
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from itertools import combinations
 from random import Random
 from typing import Any
@@ -23,28 +24,31 @@ from lesson_code.reference.event_closed_forms import block_collisions
 
 def thrown_down(stream: Random) -> Iterator[Arguments]:
     """Draw balls that start downwards."""
-    for _ in range(2):
-        yield _height(stream), -draws.speed(stream), _gravity(stream)
+    for gravity in _gravities(stream, 2):
+        yield _height(stream), -draws.speed(stream), gravity
 
 
 def thrown_up_or_dropped(stream: Random) -> Iterator[Arguments]:
     """Draw a ball that starts upwards, and one that is let go."""
-    yield _height(stream), draws.speed(stream), _gravity(stream)
-    yield _height(stream), 0.0, _gravity(stream)
+    up, none = _gravities(stream, 2)
+    yield _height(stream), draws.speed(stream), up
+    yield _height(stream), 0.0, none
 
 
 def at_the_floor(stream: Random) -> Iterator[Arguments]:
     """Draw balls on the floor: two have just bounced, one of them slowly, and one is about to."""
-    for way, how_fast in ((1, draws.speed), (-1, draws.speed), (1, draws.creep)):
-        yield 0.0, way * how_fast(stream), _gravity(stream)
+    balls = ((1, draws.speed), (-1, draws.speed), (1, draws.creep))
+    for (way, how_fast), gravity in zip(balls, _gravities(stream, 3), strict=True):
+        yield 0.0, way * how_fast(stream), gravity
 
 
 def nearly_weightless(stream: Random) -> Iterator[Arguments]:
     """Draw balls that drift down without gravity or nearly so, and up: one is never back."""
-    for gravity in (1e-15 * _gravity(stream), 0.0):
+    little, less = (1e-15 * gravity for gravity in _gravities(stream, 2))
+    for gravity in (little, 0.0):
         yield _height(stream), -round(stream.uniform(0.2, 0.8), 2), gravity
         yield _height(stream), draws.speed(stream), gravity
-    yield _height(stream), 0.0, 1e-15 * _gravity(stream)
+    yield _height(stream), 0.0, less
 
 
 def _height(stream: Random) -> float:
@@ -52,9 +56,9 @@ def _height(stream: Random) -> float:
     return round(stream.uniform(1.0, 9.0), 2)
 
 
-def _gravity(stream: Random) -> float:
-    """Return gravity on the earth, on Mars or on the moon, m/s^2."""
-    return stream.choice((9.81, 3.71, 1.62))
+def _gravities(stream: Random, count: int) -> list[float]:
+    """Return different gravities among those on the earth, on Mars and on the moon, m/s^2."""
+    return stream.sample((9.81, 3.71, 1.62), count)
 
 
 # 7.3: the rest of the step
@@ -67,19 +71,21 @@ def without_an_impact(stream: Random) -> Iterator[Arguments]:
 
 
 def with_one_impact(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that reach one wall; the last time another wall before them is nearer."""
-    for is_nearest in (None, None, False):
-        while True:
-            drawn = _in_a_room(stream, hits=1)
-            if is_nearest in (None, _meets_the_nearest_wall(*drawn)):
-                break
-        yield drawn
+    """Draw balls that reach one wall: a left or lower one, the upper one, one of two before them.
+
+    Of these two, the other one is nearer.
+    """
+    for holds in (_meets_a_wall_at_0, _meets_the_upper_wall, _meets_the_farther_wall):
+        yield draws.until(holds, partial(_in_a_room, stream, hits=1))
 
 
 def with_several_impacts(stream: Random) -> Iterator[Arguments]:
-    """Draw steps so long that a ball bounces several times, on both pairs of walls."""
-    for hits in (3, 8):
-        yield _in_a_room(stream, hits=hits)
+    """Draw steps so long that a ball bounces several times, on both pairs of walls.
+
+    In the first one, the wall that is hit last is not the nearest one then.
+    """
+    yield draws.until(_ends_at_the_farther_wall, partial(_in_a_room, stream, hits=3))
+    yield _in_a_room(stream, hits=8)
 
 
 def starting_at_a_wall(stream: Random) -> Iterator[Arguments]:
@@ -101,11 +107,37 @@ def _in_a_room(stream: Random, hits: int) -> Arguments:
     return p, v, room, e, (1 - part) * ends[hits] + part * ends[hits + 1]
 
 
-def _meets_the_nearest_wall(p: Any, v: Any, room: Any, _e: float, _dt: float) -> bool:
-    """Return whether the wall that is nearest of those before a ball is met first."""
+def _meets_a_wall_at_0(drawn: Arguments) -> bool:
+    """Return whether the wall that is met first is the left or the lower one."""
+    _, times = _ways_and_times(drawn)
+    return bool(drawn[1][times.index(min(times))] < 0)
+
+
+def _meets_the_upper_wall(drawn: Arguments) -> bool:
+    """Return whether the wall that is met first is the upper one."""
+    _, times = _ways_and_times(drawn)
+    return bool(drawn[1][1] > 0 and times[1] < times[0])
+
+
+def _meets_the_farther_wall(drawn: Arguments) -> bool:
+    """Return whether the wall that is met first is not the nearest of those before a ball."""
+    ways, times = _ways_and_times(drawn)
+    return ways.index(min(ways)) != times.index(min(times))
+
+
+def _ends_at_the_farther_wall(drawn: Arguments) -> bool:
+    """Return whether the last wall that is met is not the nearest, after the hit before it."""
+    p, v, room, e, dt = drawn
+    *_, before, _ = (t for t in _impact_times(p, v, room, e, 4) if t < dt)
+    p, v = _advance(np.array(p), np.array(v), room, e, before + 1e-9)
+    return _meets_the_farther_wall((p, v, room))
+
+
+def _ways_and_times(drawn: Arguments) -> tuple[list[float], list[float]]:
+    """Return how far the walls before a ball are along x and along y, m, and when it is there."""
+    p, v, room, *_ = drawn
     ways = [size - x if u > 0 else x for x, u, size in zip(p, v, room, strict=True)]
-    times = [way / abs(u) for way, u in zip(ways, v, strict=True)]
-    return ways.index(min(ways)) == times.index(min(times))
+    return ways, [way / abs(u) for way, u in zip(ways, v, strict=True)]
 
 
 def _impact_times(p: Any, v: Any, room: Any, e: float, count: int) -> list[float]:

@@ -38,20 +38,26 @@ def one_box(stream: Random) -> Iterator[Arguments]:
 
 
 def light_loads(stream: Random) -> Iterator[Arguments]:
-    """Draw loads of some times the box's mass."""
-    for left in (0.1, 0.01):
-        light = round(stream.uniform(0.5, 3.0), 2)
-        yield light, round(light * stream.uniform(3, 9), 2), left
+    """Draw loads of some times the box's mass; in the first a sweep has just begun."""
+    yield _load(stream, 6, 0.1, begun=0.2)
+    light = round(stream.uniform(0.5, 3.0), 2)
+    yield light, round(light * stream.uniform(3, 9), 2), 0.01
 
 
 def heavy_loads(stream: Random) -> Iterator[Arguments]:
     """Draw loads of hundreds and thousands of times; a sweep has just begun, or is nearly over."""
-    for ratio, begun in ((1e2, 0.2), (1e3, 0.8), (1e4, 0.2)):
-        light = round(stream.uniform(0.5, 3.0), 2)
-        heavy = light
-        while abs(-math.log(0.001) / math.log1p(light / heavy) % 1 - begun) > 0.1:
-            heavy = round(light * ratio * stream.uniform(1, 9), 2)
-        yield light, heavy, 0.001
+    for ratio, begun in ((5e2, 0.2), (5e3, 0.8), (5e4, 0.2)):
+        yield _load(stream, ratio, 0.001, begun)
+
+
+def _load(stream: Random, ratio: float, left: float, begun: float) -> Arguments:
+    """Return a load about `ratio` times as heavy; the part `begun` of its last sweep is needed."""
+    light = round(stream.uniform(0.5, 3.0), 2)
+    heavy = draws.until(
+        lambda heavy: abs(-math.log(left) / math.log1p(light / heavy) % 1 - begun) <= 0.1,
+        lambda: round(light * ratio * stream.uniform(0.2, 1.8), 2),
+    )
+    return light, heavy, left
 
 
 def huge_loads(stream: Random) -> Iterator[Arguments]:

@@ -205,24 +205,25 @@ def _radius(stream: Random) -> float:
 
 
 def one_pile(stream: Random) -> Iterator[Arguments]:
-    """Draw a pile on a floor: all of it still, or one of it not; and two bodies by themselves.
+    """Draw a pile on a floor, all of it still, or one of its ends not; and two single bodies.
 
     One of these flies, and the other one is still.
     """
     flying, count = 4, 6
     joined = [(0, 1), (1, 2), (2, 3)]
     yield _world(stream, count, joined, moving=(flying,))
-    yield _world(stream, count, joined, moving=(stream.randint(1, 3), flying))
+    for end in (1, 3):
+        yield _world(stream, count, joined, moving=(end, flying))
 
 
 def piles_on_one_floor(stream: Random) -> Iterator[Arguments]:
     """Draw two piles that share nothing but the floor; one has a body that moves, or none has.
 
-    The floor is the last body in the first one.
+    The floor is the last body in the first one. In the second one an end of a pile of three moves.
     """
     joined = [(0, 1), (1, 2), (0, 3), (3, 4), (4, 5)]
     yield _reversed(_world(stream, 6, joined, moving=(stream.randint(1, 2),)))
-    yield _world(stream, 6, joined, moving=(stream.randint(3, 5),))
+    yield _world(stream, 6, joined, moving=(5,))
     yield _world(stream, 6, joined, moving=())
 
 

@@ -26,29 +26,34 @@ def apart_in_one_direction(stream: Random) -> Iterator[Arguments]:
     """Draw a box with one that it overlaps, one beside it, and one above it.
 
     From left to right, the one above stands before the box, or between it and the one it overlaps.
+    At first, no centre of these is inside the other one.
     """
-    for is_turned, left in ((True, -1.0), (False, 0.1)):
+    for is_turned, left, aside in ((True, -1.0, 1.2), (False, 0.1, 0.5)):
         box = _box(stream, 2.0, 3.0)
-        near = _moved(box, stream.uniform(0.5, 1.5), stream.uniform(0.5, 1.5))
+        near = _moved(box, aside + stream.uniform(0.0, 0.3), stream.uniform(0.5, 1.4))
         beside = _moved(box, stream.uniform(3.5, 4.0), stream.uniform(-1.0, -0.5))
         above = _moved(box, left + stream.uniform(0.0, 0.3), stream.uniform(5.0, 6.0))
         yield (_mixed(stream, [box, near, beside, above], is_turned),)
 
 
 def crossed_and_nested(stream: Random) -> Iterator[Arguments]:
-    """Draw boxes that cross with no corner in each other, one inside another, and one far away."""
-    for is_turned in (True, False):
+    """Draw boxes that cross with no corner in each other, one inside another, and one far away.
+
+    That one is the last of the table; from left to right, it is the last one, or the first.
+    """
+    for is_turned, x in ((True, 20.0), (False, -20.0)):
         wide, high = _box(stream, 6.0, 1.0), _box(stream, 1.0, 6.0)
         high = _at_the_middle_of(high, wide)
         inside = _at_the_middle_of(_box(stream, 0.2, 0.3), wide)
-        far = _moved(wide, 20.0, 20.0)
-        yield (_mixed(stream, [wide, high, inside, far], is_turned),)
+        far = _moved(wide, x, 20.0)
+        yield ((*_mixed(stream, [wide, high, inside], is_turned), far),)
 
 
 def many_boxes(stream: Random) -> Iterator[Arguments]:
-    """Draw boxes of all sizes all over the place."""
-    boxes = []
-    for _ in range(12):
+    """Draw boxes of all sizes all over the place, and two that cross."""
+    wide, high = _box(stream, 6.0, 1.0), _box(stream, 1.0, 6.0)
+    boxes = [wide, _at_the_middle_of(high, wide)]
+    for _ in range(10):
         box = _box(stream, stream.uniform(1, 4), stream.uniform(1, 4))
         boxes.append(_moved(box, stream.uniform(0, 8), stream.uniform(0, 8)))
     yield (tuple(boxes),)
@@ -159,11 +164,33 @@ def _sliding_after(given: Arguments) -> float:
 
 
 def parting_bodies(stream: Random) -> Iterator[Arguments]:
-    """Draw bodies that part at the contact already, fast and slowly, and some that come slowly."""
-    for way, how_fast in ((1, draws.speed), (1, draws.creep), (-1, draws.creep)):
-        n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
-        bodies = _bodies(stream, n, arms, way * how_fast(stream))
-        yield *bodies, n, draws.restitution(stream), round(stream.uniform(0.1, 0.5), 2)
+    """Draw bodies that part at the contact already, fast and slowly, and some that come slowly.
+
+    With these, the contact slides one way, and the centres slide the other way.
+    """
+    for how_fast in (draws.speed, draws.creep):
+        yield _moving_at_a_contact(stream, how_fast(stream))
+    yield draws.until(
+        lambda drawn: _centres_slide_the_other_way(*drawn),
+        lambda: _moving_at_a_contact(stream, -draws.creep(stream)),
+    )
+
+
+def _moving_at_a_contact(stream: Random, vn: float) -> Arguments:
+    """Return a pair of bodies that part at vn along an oblique normal, and slide."""
+    n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
+    bodies = _bodies(stream, n, arms, vn)
+    return *bodies, n, draws.restitution(stream), round(stream.uniform(0.1, 0.5), 2)
+
+
+def _centres_slide_the_other_way(
+    a: Any, arm_a: Vector, b: Any, arm_b: Vector, n: Vector, *_: float
+) -> bool:
+    """Return whether two centres slide past each other against the way their contact slides."""
+    tangent = perpendicular(vector(n))
+    centres = vector(b[2:4]) - vector(a[2:4])
+    rims = b[4] * perpendicular(vector(arm_b)) - a[4] * perpendicular(vector(arm_a))
+    return bool((centres @ tangent) * ((centres + rims) @ tangent) < 0)
 
 
 def _bodies(stream: Random, n: Vector, arms: tuple[Vector, Vector], vn: float) -> Arguments:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import count
 from random import Random
 from typing import Any
 
@@ -38,24 +39,28 @@ def short_runs(stream: Random) -> Iterator[Arguments]:
 
     In the first one the fastest does not quite touch the next: its angle lies between spacing over
     height, 0.5, of which the arc tangent is 0.464, and the arc sine, 0.524, after the step.
-    In the second one each pushes the next, and in the third only the second one does.
+    In the second one each pushes the next, and in the third only the second one does. In the last
+    one those in front are faster.
     """
     almost = tuple(round(stream.uniform(0.485, 0.495) - 0.15 * k, 3) for k in range(4))
     yield almost, (round(stream.uniform(1.0, 1.3), 2), 0.4, 0.3, 0.2), HEIGHT, SPACING, DT, 1
     for first in (1.56, 0.2):
         angles = (first, *(round(stream.uniform(a, a + 0.1), 3) for a in (0.75, 0.6, 0.1)))
-        rates = tuple(round(stream.uniform(r, r + 0.5), 2) for r in (3.0, 1.5, 0.3, 0.0))
-        yield angles, rates, HEIGHT, SPACING, DT, 1
+        falling = tuple(round(stream.uniform(r, r + 0.5), 2) for r in (3.0, 1.5, 0.3, 0.0))
+        yield angles, falling, HEIGHT, SPACING, DT, 1
     for steps in (1, 5):
         angles = tuple(round(stream.uniform(0.6, 0.9) - 0.2 * k, 3) for k in range(4))
-        rates = tuple(round(stream.uniform(0.5, 3.0), 2) for _ in range(4))
-        yield angles, rates, HEIGHT, SPACING, DT, steps
+        rates = [round(stream.uniform(0.5, 3.0), 2) for _ in range(4)]
+        if steps > 1:
+            rates.sort()
+        yield angles, tuple(rates), HEIGHT, SPACING, DT, steps
 
 
 def while_it_falls(stream: Random) -> Iterator[Arguments]:
-    """Draw a row that is pushed, at some moments of its fall."""
+    """Draw a row that is pushed, when some have fallen, and shortly before the last one has."""
     rate = round(stream.uniform(0.9, 1.2), 2)
-    for steps in (20, 35, 50, 65):
+    last = next(n for n in count(1) if all(who_has_fallen(dominoes_rules.chain(*_pushed(rate, n)))))
+    for steps in (28, 49, last - 2):
         yield _pushed(rate, steps)
 
 

@@ -1,8 +1,8 @@
 """The exercises put to the test: whether the checks tell right from wrong.
 
 Every stub fails every task; every solution and every alternative gets full marks; every wrong
-model loses points and is recognised by its own hint; no hint is empty; nothing is orphaned; and
-nothing of a solution stands in a student copy.
+model loses points, the same with every seed, and is recognised by its own hint; no hint is empty;
+nothing is orphaned; and nothing of a solution stands in a student copy.
 """
 
 from __future__ import annotations
@@ -135,11 +135,14 @@ def _task_faults(task: Task) -> Iterator[str]:
     for model in task.wrong_models:
         if not (model.hint.strip() and model.misconception.strip()):
             yield f"task {task.title}: wrong model {model.name} has an empty hint or misconception"
-        for verdict in _verdicts(task, model):
+        verdicts = list(_verdicts(task, model))
+        for verdict in verdicts:
             if verdict.is_full:
                 yield f"task {task.title}: wrong model {model.name} passes (seed {verdict.seed})"
             elif verdict.recognised is not model:
                 yield f"task {task.title}: wrong model {model.name} is not recognised"
+        if len(earned := {verdict.points for verdict in verdicts}) > 1:
+            yield f"task {task.title}: wrong model {model.name} earns {sorted(earned)}, by the seed"
     for unusual in task.alternatives:
         for verdict in _verdicts(task, unusual):
             if not verdict.is_full:

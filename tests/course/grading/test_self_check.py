@@ -106,6 +106,21 @@ def test_faults_of_wrong_models_and_alternatives_are_found(
     ]
 
 
+def with_luck(m1: float, v1: float, m2: float, v2: float) -> Any:
+    """Exchange velocities if the first body is slow."""
+    return TASK.expected(m1, v1, m2, v2) if v1 > 4 else (v2, v1)
+
+
+def test_fault_of_a_wrong_model_that_earns_by_luck_is_found(
+    found: Callable[..., list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nobody pays more for a mistake than another one does who makes it."""
+    monkeypatch.setattr(self_check, "SEEDS", range(3))
+    models = (WrongModel("1.1", with_luck, "Does it depend on the speed?"),)
+    lines = found(with_task(dataclasses.replace(TASK, wrong_models=models)))
+    assert "task 1.1 elastic_1d: wrong model with_luck earns [1, 2], by the seed" in lines
+
+
 def test_faults_of_missing_wrong_models_and_alternatives_are_found(
     found: Callable[..., list[str]],
 ) -> None:
