@@ -15,7 +15,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, zip_longest
+from operator import mul
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -162,12 +163,13 @@ def _series(angle: float, rate: float, length: float) -> list[float]:
     a = [angle, rate]
     if angle == 0.0 and rate == 0.0:
         return a
-    s, c = [math.sin(angle)], [math.cos(angle)]
+    s, c, turns = [math.sin(angle)], [math.cos(angle)], []
     for n in range(TERMS - 2):
         a.append(-GRAVITY / length * s[n] / ((n + 2) * (n + 1)))
-        turns = [(j + 1) * a[j + 1] for j in range(n + 1)]
-        s.append(sum(t * c[n - j] for j, t in enumerate(turns)) / (n + 1))
-        c.append(-sum(t * s[n - j] for j, t in enumerate(turns)) / (n + 1))
+        turns.append((n + 1) * a[n + 1])
+        of_sine = sum(map(mul, turns, reversed(c))) / (n + 1)
+        c.append(-sum(map(mul, turns, reversed(s))) / (n + 1))
+        s.append(of_sine)
     return a
 
 
@@ -187,15 +189,11 @@ def _slope(terms: Sequence[float], t: float) -> float:
 def _meetings(series: Sequence[Sequence[float]], end: float) -> Iterator[float]:
     """Yield when neighbours that are apart now meet, s, within a time."""
     for left, right in pairwise(series):
-        count = max(len(left), len(right))
-        gap = [_term(right, n) - _term(left, n) for n in range(count)]
-        if gap[0] > TOUCHING and _sum(gap, end) < 0.0:
-            yield _root(gap, end)
-
-
-def _term(terms: Sequence[float], n: int) -> float:
-    """Return a term of a series; those of a ball that hangs still are not written down."""
-    return terms[n] if n < len(terms) else 0.0
+        if right[0] - left[0] > TOUCHING:
+            terms = zip_longest(right, left, fillvalue=0.0)  # a ball that hangs still has only two
+            gap = [b - a for b, a in terms]
+            if _sum(gap, end) < 0.0:
+                yield _root(gap, end)
 
 
 def _root(gap: Sequence[float], end: float) -> float:
