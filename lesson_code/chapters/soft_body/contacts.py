@@ -96,15 +96,15 @@ class Skins:
         points = np.concatenate((p, self._tips))
         x, y = (points[:, None, axis] - p[None, :, axis] for axis in (0, 1))
         ex, ey = (following - p).T
-        along = np.clip((x * ex + y * ey) / np.maximum(ex * ex + ey * ey, 1e-12), 0.0, 1.0)
+        along = (x * ex + y * ey) / np.maximum(ex * ex + ey * ey, 1e-12)
+        along = np.minimum(np.maximum(along, 0.0), 1.0)
         cx, cy = x - along * ex, y - along * ey
         squares = (cx * cx + cy * cy).reshape(-1, rings, m)
-        piece = squares.argmin(axis=2)
-        n, r = np.indices(piece.shape)
-        flat = r * m + piece
+        flat = squares.argmin(axis=2) + m * np.arange(rings)
+        n = np.arange(len(points))[:, None]
         crosses = ((y < 0) != (y < ey)) & (x < ex * y / np.where(ey == 0, 1.0, ey))
         inside = crosses.reshape(-1, rings, m).sum(axis=2) % 2 == 1
-        distance = np.sqrt(squares[n, r, piece])
+        distance = np.sqrt(squares.reshape(len(points), -1)[n, flat])
         sign = np.where(inside, -1.0, 1.0)
         safe = np.where(distance > 1e-9, distance, 1.0)
         normal = np.stack((cx[n, flat], cy[n, flat]), axis=-1) * (sign / safe)[..., None]
@@ -130,14 +130,15 @@ class Skins:
     def _with_ledge(self, p: Floats, ledge: Ledge, reach: float) -> Contacts:
         """Return the contacts of masses with a ledge."""
         start, way = np.array(ledge.start), np.subtract(ledge.end, ledge.start)
-        along = np.clip((p - start) @ way / (way @ way), 0.0, 1.0)
+        along = np.minimum(np.maximum((p - start) @ way / (way @ way), 0.0), 1.0)
         away = p - start - along[:, None] * way
         distance = np.maximum(np.hypot(away[:, 0], away[:, 1]), 1e-9)
         gap = distance - ledge.radius - self._radius
         near = np.flatnonzero(gap < reach)
         masses = np.zeros((len(near), 3), dtype=np.int64)
         masses[:, 0] = near
-        shares = np.tile((1.0, 0.0, 0.0), (len(near), 1))
+        shares = np.zeros((len(near), 3))
+        shares[:, 0] = 1.0
         return Contacts(masses, shares, away[near] / distance[near, None], gap[near])
 
 
@@ -146,7 +147,7 @@ def resolve(
 ) -> Floats:
     """Change velocities v, (N, 2), so that nothing enters anything in a step h; return jn, (K,)."""
     masses, shares, n, gaps = contacts
-    t = np.stack((-n[:, 1], n[:, 0]), axis=1)
+    t, parts = np.stack((-n[:, 1], n[:, 0]), axis=1), shares[..., None]
     counts = np.zeros(len(v))
     np.add.at(counts, masses, (shares != 0.0).astype(float))
     busiest = np.where(shares != 0.0, counts[masses], 1.0).max(axis=1)
@@ -154,19 +155,28 @@ def resolve(
     allowed = np.maximum(gaps, 0.0) / h
     jn, jt, stopped = np.zeros(len(gaps)), np.zeros(len(gaps)), np.zeros_like(v)
     for _ in range(SWEEPS):
-        u = (shares[..., None] * v[masses]).sum(axis=1)
-        new_n = np.maximum(jn - gain * ((u * n).sum(axis=1) + allowed), 0.0)
+        moving = parts * v[masses]
+        u = moving[:, 0] + moving[:, 1] + moving[:, 2]
+        new_n = np.maximum(jn - gain * (_dot(u, n) + allowed), 0.0)
         limit = friction * new_n
-        new_t = np.clip(jt - gain * (u * t).sum(axis=1), -limit, limit)
+        new_t = np.minimum(np.maximum(jt - gain * _dot(u, t), -limit), limit)
         push = (new_n - jn)[:, None] * n + (new_t - jt)[:, None] * t
-        np.add.at(v, masses, shares[..., None] * push[:, None] / mass)
+        np.add.at(v, masses, parts * push[:, None] / mass)
         jn, jt = new_n, new_t
-        kept = np.clip(v, walls.slowest, walls.fastest)
-        stopped += np.abs(kept - v)
+        kept = np.minimum(np.maximum(v, walls.slowest), walls.fastest)
+        lost = np.abs(kept - v)
+        stopped += lost
         v[:] = kept
+        if not (push.any() or lost.any()):
+            break  # no further sweep would change anything
     along = np.maximum(np.abs(v) - friction * stopped[:, ::-1], 0.0)
     v[:] = np.where(stopped[:, ::-1] > 0.0, np.copysign(along, v), v)
     return jn
+
+
+def _dot(a: Floats, b: Floats) -> Floats:
+    """Return the dot products of two rows of vectors, (K, 2)."""
+    return a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]
 
 
 def walls_at(p: Floats, size: tuple[float, float], radius: float, h: float) -> Walls:

@@ -88,6 +88,9 @@ STRIDES = (1, 3, 5)
 """Springs tie a mass to the next one, the third and the fifth: none of these divides 16, so that
 the masses in steps of each make one ring again."""
 
+ORDERS = {stride: stride * np.arange(MASSES) % MASSES for stride in STRIDES}
+"""The masses of each of these rings."""
+
 EACH = numbers(MASSES, 2)
 """What a rule gives for each mass of a ring."""
 
@@ -240,8 +243,7 @@ class SoftBody(Game):
     def _pulls(self, points: Any, velocities: Any) -> Any:
         """Return the forces of a body's springs; without the rule it has none."""
         forces = np.zeros((MASSES, 2))
-        for stride in STRIDES:
-            order = stride * np.arange(MASSES) % MASSES
+        for stride, order in ORDERS.items():
             spring = rest_length(stride), STIFFNESS, DAMPING
             ring = points[order], velocities[order]
             forces[order] += self.ask(ring_forces, *ring, *spring, form=EACH, otherwise=0.0)
