@@ -212,7 +212,8 @@ def settle(island: Island, quiet: float) -> None:
     """Take the sliding velocity from contacts that stick, and what is quiet where they rest.
 
     Otherwise what rounding leaves of a velocity would come and go for ever. Where a contact slides,
-    the impulse that stops its approach comes with its friction.
+    the impulse that stops its approach comes with its friction; but in a jam that may be so large
+    that it gains energy, and then without it: a velocity that is taken away costs some.
 
     What a pair of bodies slides with is the mean of its contacts that stick. They lie on a line
     along the tangent, but for a little overlap; held each for itself, they would stop the spin of a
@@ -235,8 +236,12 @@ def settle(island: Island, quiet: float) -> None:
         for column, k in enumerate(rests):
             with_friction[m + k, column] = sides[k] * island.friction[k]
         d = np.concatenate((island.scale, island.scale)) @ of_held
-        equations = (of_held * d).T @ island.delassus @ (with_friction * d)
-        x = with_friction @ (d * least_solution(equations, d * (u @ of_held)))
+        for given in (with_friction, of_held):
+            equations = (of_held * d).T @ island.delassus @ (given * d)
+            x = given @ (d * least_solution(equations, d * (u @ of_held)))
+            gained = x @ u + x @ island.delassus @ x / 2.0
+            if gained <= 0.0:
+                break
         apply_impulses(island, x)
         apply_pseudo_impulses(island, -x)
 

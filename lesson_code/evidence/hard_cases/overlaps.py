@@ -205,8 +205,18 @@ def crowded_box(draw: Draw, trial: Trial) -> float:
 )
 def dropped_into_each_other(draw: Draw, trial: Trial) -> float:
     """2 to 10 boxes start in one heap above a floor, and fall: gain of energy in 3 s."""
-    rng = np.random.default_rng(draw.integer("places", 0, 10**6))
-    surface = Material(0.0, draw.uniform("friction", 0.0, 1.0))
+    places, friction = draw.integer("places", 0, 10**6), draw.uniform("friction", 0.0, 1.0)
+    count = draw.integer("count", 2, 10)
+    run = trial.run(dropped_boxes(places, friction, count), 3.0, sample=None)
+    heights = run.positions[:, 1:, 1]
+    top = np.maximum.accumulate(heights.max(axis=1))
+    gained = run.energy / (GRAVITY * count * top) - 1.0
+    return math.inf if (heights[-1] < 0).any() else max(float(gained.max()), 0.0)
+
+
+def dropped_boxes(places: int, friction: float, count: int) -> Scene:
+    """Return boxes that start in one heap above a floor; `places` is the seed of where."""
+    rng, surface = np.random.default_rng(places), Material(0.0, friction)
     boxes = [
         Body(
             Polygon.box(1, 1),
@@ -215,11 +225,7 @@ def dropped_into_each_other(draw: Draw, trial: Trial) -> float:
             angle=float(rng.uniform(0, math.pi)),
             material=surface,
         )
-        for _ in range(draw.integer("count", 2, 10))
+        for _ in range(count)
     ]
     floor = Body(Segment((-50, 0), (50, 0)), material=surface)
-    run = trial.run(Scene([floor, *boxes], gravity=(0, -GRAVITY)), 3.0, sample=None)
-    heights = run.positions[:, 1:, 1]
-    top = np.maximum.accumulate(heights.max(axis=1))
-    gained = run.energy / (GRAVITY * len(boxes) * top) - 1.0
-    return math.inf if (heights[-1] < 0).any() else max(float(gained.max()), 0.0)
+    return Scene([floor, *boxes], gravity=(0, -GRAVITY))
