@@ -171,13 +171,13 @@ def any_ratio(stream: Random) -> Iterator[Arguments]:
 
 def _ratio(stream: Random, most: float, off_pi: bool) -> float:
     """Return a mass ratio that is clearly between two counts."""
-    while True:
-        ratio = round(stream.uniform(most / 5, most), 2)
+
+    def is_clear(ratio: float) -> bool:
         turns = math.pi / math.atan(1 / math.sqrt(ratio))
         by_digits = int(math.pi * math.sqrt(ratio))
-        clear = 0.1 < turns % 1 < 0.9
-        if clear and not (off_pi and by_digits == block_collisions(ratio)):
-            return ratio
+        return 0.1 < turns % 1 < 0.9 and not (off_pi and by_digits == block_collisions(ratio))
+
+    return draws.until(is_clear, lambda: round(stream.uniform(most / 5, most), 2))
 
 
 # What is expected

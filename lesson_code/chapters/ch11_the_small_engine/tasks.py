@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from random import Random
 from typing import Any, TypeAlias, TypeVar
 
@@ -140,27 +141,24 @@ def beside_the_centres(stream: Random) -> Iterator[Arguments]:
 
 def rough_bodies(stream: Random) -> Iterator[Arguments]:
     """Draw rough bodies: some slide through the impact, one way and the other, and some grip."""
-    for low, high, way in ((0.05, 0.1, 1), (0.1, 0.2, -1), (5.0, 9.0, 0), (5.0, 9.0, 0)):
-        while True:
-            n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
-            mu = round(stream.uniform(low, high), 2)
-            bodies = _bodies(stream, n, arms, -draws.speed(stream))
-            drawn = *bodies, n, draws.restitution(stream), mu
-            if not way or way * _sliding_after(drawn) > CLEAR:
-                break
-        yield drawn
+    for low, high, way in ((0.05, 0.1, 1), (0.1, 0.2, -1)):
+        yield draws.until(
+            partial(_slides_on, way=way), partial(_pair, stream, -1, draws.speed, low, high)
+        )
+    for _ in range(2):
+        yield _pair(stream, -1, draws.speed, 5.0, 9.0)
 
 
 CLEAR = 0.1
 """m/s: what slides on slides faster."""
 
 
-def _sliding_after(given: Arguments) -> float:
-    """Return how fast two bodies slide at their contact after a hit, m/s."""
+def _slides_on(given: Arguments, way: int) -> bool:
+    """Return whether two bodies clearly slide one way at their contact after a hit."""
     _, arm_a, _, arm_b, n, _, _ = given
     v_a, w_a, v_b, w_b = _hit(*given)
     change = v_b - v_a + w_b * perpendicular(arm_b) - w_a * perpendicular(arm_a)
-    return float(change @ perpendicular(n))
+    return bool(way * float(change @ perpendicular(n)) > CLEAR)
 
 
 def parting_bodies(stream: Random) -> Iterator[Arguments]:
@@ -169,18 +167,21 @@ def parting_bodies(stream: Random) -> Iterator[Arguments]:
     With these, the contact slides one way, and the centres slide the other way.
     """
     for how_fast in (draws.speed, draws.creep):
-        yield _moving_at_a_contact(stream, how_fast(stream))
+        yield _pair(stream, 1, how_fast, 0.1, 0.5)
     yield draws.until(
         lambda drawn: _centres_slide_the_other_way(*drawn),
-        lambda: _moving_at_a_contact(stream, -draws.creep(stream)),
+        partial(_pair, stream, -1, draws.creep, 0.1, 0.5),
     )
 
 
-def _moving_at_a_contact(stream: Random, vn: float) -> Arguments:
-    """Return a pair of bodies that part at vn along an oblique normal, and slide."""
+def _pair(
+    stream: Random, way: int, how_fast: draws.Speed, smoothest: float, roughest: float
+) -> Arguments:
+    """Return two bodies that part along an oblique normal, or meet where `way` is -1, and slide."""
     n, arms = draws.oblique_normal(stream), (draws.lever(stream), draws.lever(stream))
-    bodies = _bodies(stream, n, arms, vn)
-    return *bodies, n, draws.restitution(stream), round(stream.uniform(0.1, 0.5), 2)
+    mu = round(stream.uniform(smoothest, roughest), 2)
+    bodies = _bodies(stream, n, arms, way * how_fast(stream))
+    return *bodies, n, draws.restitution(stream), mu
 
 
 def _centres_slide_the_other_way(

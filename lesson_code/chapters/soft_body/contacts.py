@@ -17,6 +17,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.formulas.arithmetic import dot
+
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
 
@@ -96,8 +98,7 @@ class Skins:
         points = np.concatenate((p, self._tips))
         x, y = (points[:, None, axis] - p[None, :, axis] for axis in (0, 1))
         ex, ey = (following - p).T
-        along = (x * ex + y * ey) / np.maximum(ex * ex + ey * ey, 1e-12)
-        along = np.minimum(np.maximum(along, 0.0), 1.0)
+        along = np.clip((x * ex + y * ey) / np.maximum(ex * ex + ey * ey, 1e-12), 0.0, 1.0)
         cx, cy = x - along * ex, y - along * ey
         squares = (cx * cx + cy * cy).reshape(-1, rings, m)
         flat = squares.argmin(axis=2) + m * np.arange(rings)
@@ -130,7 +131,7 @@ class Skins:
     def _with_ledge(self, p: Floats, ledge: Ledge, reach: float) -> Contacts:
         """Return the contacts of masses with a ledge."""
         start, way = np.array(ledge.start), np.subtract(ledge.end, ledge.start)
-        along = np.minimum(np.maximum((p - start) @ way / (way @ way), 0.0), 1.0)
+        along = np.clip((p - start) @ way / (way @ way), 0.0, 1.0)
         away = p - start - along[:, None] * way
         distance = np.maximum(np.hypot(away[:, 0], away[:, 1]), 1e-9)
         gap = distance - ledge.radius - self._radius
@@ -157,9 +158,9 @@ def resolve(
     for _ in range(SWEEPS):
         moving = parts * v[masses]
         u = moving[:, 0] + moving[:, 1] + moving[:, 2]
-        new_n = np.maximum(jn - gain * (_dot(u, n) + allowed), 0.0)
+        new_n = np.maximum(jn - gain * (dot(u.T, n.T) + allowed), 0.0)
         limit = friction * new_n
-        new_t = np.minimum(np.maximum(jt - gain * _dot(u, t), -limit), limit)
+        new_t = np.minimum(np.maximum(jt - gain * dot(u.T, t.T), -limit), limit)
         push = (new_n - jn)[:, None] * n + (new_t - jt)[:, None] * t
         np.add.at(v, masses, parts * push[:, None] / mass)
         jn, jt = new_n, new_t
@@ -172,11 +173,6 @@ def resolve(
     along = np.maximum(np.abs(v) - friction * stopped[:, ::-1], 0.0)
     v[:] = np.where(stopped[:, ::-1] > 0.0, np.copysign(along, v), v)
     return jn
-
-
-def _dot(a: Floats, b: Floats) -> Floats:
-    """Return the dot products of two rows of vectors, (K, 2)."""
-    return a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]
 
 
 def walls_at(p: Floats, size: tuple[float, float], radius: float, h: float) -> Walls:

@@ -363,9 +363,8 @@ def numbers(*shape: int) -> Callable[[Any], NDArray[np.float64]]:
             array = np.array(answer, dtype=float)
         except (TypeError, ValueError):
             array = np.array(np.nan)
-        fits = array.shape == shape or (
-            array.ndim == len(shape)
-            and all(n in (-1, length) for n, length in zip(shape, array.shape, strict=True))
+        fits = array.ndim == len(shape) and all(
+            wanted in (-1, length) for wanted, length in zip(shape, array.shape, strict=True)
         )
         if not fits or not np.isfinite(array).all():
             size = " x ".join("N" if length < 0 else str(length) for length in shape)
