@@ -27,27 +27,35 @@ def until(holds: Callable[[T], bool], draw: Callable[[], T]) -> T:
     return drawn
 
 
+def number(stream: Random, low: float, high: float) -> float:
+    """Return a number with two decimals that is neither 1 nor 2.
+
+    A factor too many does not show with 1, nor a square in place of the double with 2.
+    """
+    return until(lambda drawn: drawn not in {1.0, 2.0}, lambda: round(stream.uniform(low, high), 2))
+
+
 def unequal_masses(stream: Random) -> tuple[float, float]:
     """Return two masses, kg, one at least 1.5 times the other; either may be the heavier."""
-    light = round(stream.uniform(0.5, 3.0), 2)
-    heavy = round(light * stream.uniform(1.5, 6.0), 2)
+    light = number(stream, 0.5, 3.0)
+    heavy = number(stream, 1.5 * light, 6.0 * light)
     return (light, heavy) if stream.random() < 0.5 else (heavy, light)
 
 
 def head_on(stream: Random) -> tuple[float, float]:
     """Return velocities, m/s, of two bodies that move against each other."""
-    return round(stream.uniform(1.0, 6.0), 2), -round(stream.uniform(0.5, 4.0), 2)
+    return number(stream, 1.0, 6.0), -number(stream, 0.5, 4.0)
 
 
 def catching_up(stream: Random) -> tuple[float, float]:
     """Return velocities, m/s, of a faster body behind a slower one."""
-    slow = round(stream.uniform(0.5, 2.0), 2)
-    return round(slow + stream.uniform(1.0, 4.0), 2), slow
+    slow = number(stream, 0.5, 2.0)
+    return number(stream, slow + 1.0, slow + 4.0), slow
 
 
 def speed(stream: Random) -> float:
     """Return a speed, m/s."""
-    return round(stream.uniform(1.0, 6.0), 2)
+    return number(stream, 1.0, 6.0)
 
 
 def creep(stream: Random) -> float:
@@ -151,7 +159,7 @@ def _sum(a: Vector, b: Vector) -> Vector:
 
 def angular_velocity(stream: Random) -> float:
     """Return an angular velocity, rad/s, either way round."""
-    return stream.choice((-1, 1)) * round(stream.uniform(1.0, 8.0), 2)
+    return stream.choice((-1, 1)) * number(stream, 1.0, 8.0)
 
 
 def lever(stream: Random) -> Vector:

@@ -100,10 +100,7 @@ def crowded_fields(stream: Random) -> Iterator[Arguments]:
     The first one is hit from both sides, so that it is thrown back at the second one when their
     turn is over. Two others part.
     """
-    places = tuple(
-        (1.4 * (k % 3) + stream.uniform(-0.2, 0.2), 1.4 * (k // 3) + stream.uniform(-0.2, 0.2))
-        for k in (1, 0, 2, *range(3, 9))
-    )
+    places, radii = draws.until(lambda drawn: _first_overlaps(*drawn), lambda: _crowd(stream))
     thrown = (
         (0.0, 0.2),
         (round(stream.uniform(0.5, 1.0), 2), 0.0),
@@ -111,8 +108,21 @@ def crowded_fields(stream: Random) -> Iterator[Arguments]:
     )
     parting = ((-draws.speed(stream), 0.0), (draws.speed(stream), 0.0))
     moving = (*thrown, *parting, *(_velocity(stream) for _ in range(4)))
-    radii = tuple(round(stream.uniform(0.85, 0.95), 2) for _ in range(9))
     yield places, moving, FIELD_MASSES, radii, draws.restitution(stream)
+
+
+def _crowd(stream: Random) -> tuple[tuple[draws.Vector, ...], tuple[float, ...]]:
+    """Return places and radii of nine asteroids; the first is in the middle of the lowest row."""
+    places = tuple(
+        (1.4 * (k % 3) + stream.uniform(-0.2, 0.2), 1.4 * (k // 3) + stream.uniform(-0.2, 0.2))
+        for k in (1, 0, 2, *range(3, 9))
+    )
+    return places, tuple(round(stream.uniform(0.85, 0.95), 2) for _ in places)
+
+
+def _first_overlaps(places: tuple[draws.Vector, ...], radii: tuple[float, ...]) -> bool:
+    """Return whether the first circle overlaps the next two."""
+    return all(math.dist(places[0], places[k]) < radii[0] + radii[k] for k in (1, 2))
 
 
 def _velocity(stream: Random) -> draws.Vector:

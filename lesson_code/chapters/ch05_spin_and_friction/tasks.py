@@ -164,10 +164,18 @@ def _across(a: Any, b: Any) -> float:
 
 
 def gripping(stream: Random) -> Iterator[Arguments]:
-    """Draw contacts that friction can hold, sliding either way."""
+    """Draw contacts that friction can hold, sliding either way; it takes more than mu N s."""
     for way in (1, -1):
-        vt, k = draws.speed(stream), _yielding(stream)
-        yield way * vt, *_pressed(stream, stream.uniform(1.1, 1.4) * vt / k), k
+        vt, jn, mu, k = draws.until(
+            lambda drawn: drawn[0] / drawn[3] > drawn[2], lambda: _gripping(stream)
+        )
+        yield way * vt, jn, mu, k
+
+
+def _gripping(stream: Random) -> tuple[float, float, float, float]:
+    """Return vt, jn, mu and k of a contact that friction can hold."""
+    vt, k = draws.speed(stream), _yielding(stream)
+    return vt, *_pressed(stream, stream.uniform(1.1, 1.4) * vt / k), k
 
 
 def slipping(stream: Random) -> Iterator[Arguments]:

@@ -69,14 +69,18 @@ def _turned_up(x: float, y: float) -> tuple[float, float]:
 def beyond_the_origin(stream: Random) -> Iterator[Arguments]:
     """Draw polygons that lie on one side of the origin along the axis, and on the other.
 
-    Their list begins with the vertex farthest along the axis, and with the nearest. In the first of
-    them, no end of the shadow is that of the vertex nearest to the origin.
+    Their list begins with the vertex farthest along the axis, and with the nearest. No end of the
+    shadow is, in the first, that of the vertex nearest to the origin, and in the second that of the
+    one farthest to the left.
     """
     yield draws.until(
-        lambda drawn: not _is_an_end(min(drawn[0], key=lambda vertex: math.hypot(*vertex)), *drawn),
+        lambda drawn: _none_is_an_end(drawn, _nearest(drawn[0])),
         lambda: _beyond_the_origin(stream, 1),
     )
-    yield _beyond_the_origin(stream, -1)
+    yield draws.until(
+        lambda drawn: _none_is_an_end(drawn, min(drawn[0])),
+        lambda: _beyond_the_origin(stream, -1),
+    )
 
 
 def _beyond_the_origin(stream: Random, side: int) -> Arguments:
@@ -90,13 +94,17 @@ def _beyond_the_origin(stream: Random, side: int) -> Arguments:
 def about_the_origin(stream: Random) -> Iterator[Arguments]:
     """Draw polygons with the origin inside them; the list ends with either end of the shadow.
 
-    In the first of them, the vertex farthest to the left is at no end of the shadow.
+    It begins with a vertex at no end. At none is, in the first of them, the vertex farthest to the
+    left, and in the second the one nearest to the origin.
     """
     yield draws.until(
-        lambda drawn: not _is_an_end(min(drawn[0]), *drawn),
+        lambda drawn: _none_is_an_end(drawn, drawn[0][0], min(drawn[0])),
         lambda: _about_the_origin(stream, 3, 1),
     )
-    yield _about_the_origin(stream, 4, -1)
+    yield draws.until(
+        lambda drawn: _none_is_an_end(drawn, drawn[0][0], _nearest(drawn[0])),
+        lambda: _about_the_origin(stream, 4, -1),
+    )
 
 
 def _about_the_origin(stream: Random, count: int, side: int) -> Arguments:
@@ -106,9 +114,15 @@ def _about_the_origin(stream: Random, count: int, side: int) -> Arguments:
     return (*others, first), axis
 
 
-def _is_an_end(vertex: draws.Vector, vertices: pairs.Polygon, axis: draws.Vector) -> bool:
-    """Return whether a vertex of a polygon is at an end of its shadow on an axis."""
-    return vertex in (_from_the_farthest(vertices, axis, side)[0] for side in (1, -1))
+def _nearest(vertices: pairs.Polygon) -> draws.Vector:
+    """Return the vertex nearest to the origin."""
+    return min(vertices, key=lambda vertex: math.hypot(*vertex))
+
+
+def _none_is_an_end(drawn: Arguments, *some: draws.Vector) -> bool:
+    """Return whether none of some vertices of a polygon is at an end of its shadow on an axis."""
+    vertices, axis = drawn
+    return not {_from_the_farthest(vertices, axis, side)[0] for side in (1, -1)} & set(some)
 
 
 def _from_the_farthest(
@@ -302,12 +316,21 @@ def beside_a_vertex(stream: Random) -> Iterator[Arguments]:
 
 
 def _beyond_a_vertex(stream: Random, part: float) -> tuple[pairs.Polygon, draws.Vector]:
-    """Return a polygon and a way out from vertex 1: `part` of the turn between its edges."""
-    vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
-    edges = np.diff(vertices[:3], axis=0)
-    first, second = (math.atan2(-x, y) for x, y in edges)
-    way = first + part * ((second - first) % (2 * math.pi))
+    """Return a polygon and a way out from vertex 1: `part` of the turn between its edges.
+
+    The turn is 1 rad or more: halfway, a point is clearly farther from the vertex than from the
+    lines of the edges.
+    """
+    vertices, first, turn = draws.until(lambda drawn: drawn[2] > 1, lambda: _corner(stream))
+    way = first + part * turn
     return vertices, (math.cos(way), math.sin(way))
+
+
+def _corner(stream: Random) -> tuple[pairs.Polygon, float, float]:
+    """Return a polygon, the way out of its first edge and the turn to that of the next, rad."""
+    vertices = draws.convex_polygon(stream, 4, draws.position(stream), size=2.5, width=0.6)
+    first, second = (math.atan2(-x, y) for x, y in np.diff(vertices[:3], axis=0))
+    return vertices, first, (second - first) % (2 * math.pi)
 
 
 def with_the_centre_inside(stream: Random) -> Iterator[Arguments]:

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lesson_code.chapters import draws
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 from lesson_code.evidence.orders import fit_order
@@ -140,9 +141,12 @@ def optimum_inside(stream: Random) -> Iterator[Arguments]:
 
 
 def optimum_at_an_end(stream: Random) -> Iterator[Arguments]:
-    """Draw tables in which the best split is one of the two ends; row 0 is better, at more work."""
+    """Draw tables in which the best split is one of the two ends; row 0 is better, at more work.
+
+    It is not the first row of equal work that stands.
+    """
     for sweeps, best in zip(SPLITS, stream.sample((0, 5), 2), strict=True):
-        yield _with_at(0, _splits(stream, sweeps, best), (6.0, sweeps / 2)), sweeps
+        yield _with_at(0, _best_is_not_first(stream, sweeps, best), (6.0, sweeps / 2)), sweeps
 
 
 def all_fell(stream: Random) -> Iterator[Arguments]:
@@ -162,6 +166,18 @@ def _with_at(end: int, table: Table, split: tuple[float, float]) -> Table:
     others = tuple(row for row in table if row[:2] != split)
     row = tuple(row for row in table if row[:2] == split)
     return row + others if end == 0 else others + row
+
+
+def _best_is_not_first(stream: Random, sweeps: float, best: int) -> Table:
+    """Return rows of which the best is not the first of equal work that stands."""
+
+    def first(table: Table) -> tuple[float, ...]:
+        return next(row[:2] for row in table if row[:2] in SPLITS[sweeps] and row[2] < math.inf)
+
+    return draws.until(
+        lambda table: first(table) != SPLITS[sweeps][best],
+        lambda: _splits(stream, sweeps, best),
+    )
 
 
 def _splits(stream: Random, sweeps: float, best: int) -> Table:
@@ -209,9 +225,13 @@ def one_is_cheapest(stream: Random) -> Iterator[Arguments]:
 def just_allowed(stream: Random) -> Iterator[Arguments]:
     """Draw a table and as the allowed error that of one of its rows.
 
-    The worst row comes first, and then the best, which is slow.
+    The worst row comes first, and then the best, which is slow. The fastest that is allowed does
+    not have the least product of time and error.
     """
-    best, *others, worst = sorted(_costs(stream), key=lambda row: row[1])
+    best, *others, worst = draws.until(
+        lambda rows: min(rows, key=math.prod) != min(rows[:5]),
+        lambda: sorted(_costs(stream), key=lambda row: row[1]),
+    )
     allowed = others[3][1]
     stream.shuffle(others)
     yield (worst, best, *others), allowed

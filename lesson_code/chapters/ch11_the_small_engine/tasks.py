@@ -26,15 +26,16 @@ Row = TypeVar("Row")
 def apart_in_one_direction(stream: Random) -> Iterator[Arguments]:
     """Draw a box with one that it overlaps, one beside it, and one above it.
 
-    From left to right, the one above stands before the box, or between it and the one it overlaps.
-    At first, no centre of these is inside the other one.
+    From left to right, the one above stands before the box, or between it and the one it overlaps,
+    and these two have other places than in the table. At first, no centre of these is inside the
+    other one.
     """
     for is_turned, left, aside in ((True, -1.0, 1.2), (False, 0.1, 0.5)):
         box = _box(stream, 2.0, 3.0)
         near = _moved(box, aside + stream.uniform(0.0, 0.3), stream.uniform(0.5, 1.4))
         beside = _moved(box, stream.uniform(3.5, 4.0), stream.uniform(-1.0, -0.5))
         above = _moved(box, left + stream.uniform(0.0, 0.3), stream.uniform(5.0, 6.0))
-        yield (_mixed(stream, [box, near, beside, above], is_turned),)
+        yield (_unlike_sorted(stream, [box, near, beside, above], is_turned),)
 
 
 def crossed_and_nested(stream: Random) -> Iterator[Arguments]:
@@ -81,6 +82,18 @@ def boxes_that_touch(stream: Random) -> Iterator[Arguments]:
     boxes = (box, beside, *_shuffled(stream, [above, corner, near]))
     yield (boxes,)
     yield (boxes[::-1],)
+
+
+def _unlike_sorted(stream: Random, boxes: list[Box], is_turned: bool) -> tuple[Box, ...]:
+    """Return boxes in any order in which the first two have other places than when sorted."""
+
+    def places(order: Sequence[Box]) -> set[int]:
+        return {order.index(box) for box in boxes[:2]}
+
+    return draws.until(
+        lambda mixed: places(mixed) != places(sorted(mixed)),
+        lambda: _mixed(stream, boxes, is_turned),
+    )
 
 
 def _mixed(stream: Random, boxes: list[Box], is_turned: bool) -> tuple[Box, ...]:

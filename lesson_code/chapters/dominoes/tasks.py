@@ -8,6 +8,7 @@ from itertools import count
 from random import Random
 from typing import Any
 
+from lesson_code.chapters import draws
 from lesson_code.chapters.dominoes import rules as dominoes_rules
 from lesson_code.course.grading.task import Arguments, Criterion, Task
 
@@ -40,7 +41,7 @@ def short_runs(stream: Random) -> Iterator[Arguments]:
     In the first one the fastest does not quite touch the next: its angle lies between spacing over
     height, 0.5, of which the arc tangent is 0.464, and the arc sine, 0.524, after the step.
     In the second one each pushes the next, and in the third only the second one does. In the last
-    one those in front are faster.
+    one those in front are faster, the second by .5 rad/s or more.
     """
     almost = tuple(round(stream.uniform(0.485, 0.495) - 0.15 * k, 3) for k in range(4))
     yield almost, (round(stream.uniform(1.0, 1.3), 2), 0.4, 0.3, 0.2), HEIGHT, SPACING, DT, 1
@@ -50,10 +51,15 @@ def short_runs(stream: Random) -> Iterator[Arguments]:
         yield angles, falling, HEIGHT, SPACING, DT, 1
     for steps in (1, 5):
         angles = tuple(round(stream.uniform(0.6, 0.9) - 0.2 * k, 3) for k in range(4))
-        rates = [round(stream.uniform(0.5, 3.0), 2) for _ in range(4)]
+        rates = _rates(stream)
         if steps > 1:
-            rates.sort()
+            rates = draws.until(lambda r: r[1] > r[0] + 0.5, lambda: sorted(_rates(stream)))
         yield angles, tuple(rates), HEIGHT, SPACING, DT, steps
+
+
+def _rates(stream: Random) -> list[float]:
+    """Return how fast four dominoes turn, rad/s."""
+    return [round(stream.uniform(0.5, 3.0), 2) for _ in range(4)]
 
 
 def while_it_falls(stream: Random) -> Iterator[Arguments]:
