@@ -15,7 +15,7 @@ from lesson_code.course.grading.exercises import exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.recognition.candidates import WHERE_WRONG
 from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
-from lesson_code.course.grading.verdict import Verdict, judge
+from lesson_code.course.grading.verdict import Verdict, judge, stream_of
 from lesson_code.course.isolation.call_outcome import CallOutcome
 
 ALL_TASKS = [task for exercise in exercises() for task in exercise.tasks]
@@ -167,15 +167,8 @@ def test_judge_stops_a_criterion_after_a_crash() -> None:
 def test_judge_same_seed_draws_the_same_inputs(task: Task) -> None:
     """A seed reproduces the inputs exactly; another one draws others."""
 
-    def inputs(seed: int) -> list[Arguments]:
-        seen: list[Arguments] = []
-
-        def records(_: str, arguments: Arguments) -> CallOutcome:
-            seen.append(arguments)
-            return CallOutcome("returned", None)
-
-        judge(task, records, seed)
-        return seen
+    def inputs(seed: int) -> list[list[Arguments]]:
+        return [list(each.cases(stream_of(task, each, seed))) for each in task.criteria]
 
     assert inputs(3) == inputs(3)
     assert inputs(3) != inputs(4)

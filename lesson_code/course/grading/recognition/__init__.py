@@ -195,8 +195,12 @@ class Evidence:
     def _explained_by(
         self, models: tuple[WrongModel, ...], criteria: Sequence[str]
     ) -> dict[WrongModel, tuple[str, ...]]:
-        """Return in which criteria each model explains the answer, of those that do."""
-        near = sorted({index for name in criteria for index in self._near(models, name)})
+        """Return in which criteria each model explains the answer, of those that do.
+
+        Only a listed model may explain a part: another one is tried in the first criterion alone.
+        """
+        tried = criteria if models is listed(self._task) else criteria[:1]
+        near = sorted({index for name in tried for index in self._near(models, name)})
         found = {models[index]: self._explained(models[index], criteria) for index in near}
         return {model: explained for model, explained in found.items() if explained}
 
