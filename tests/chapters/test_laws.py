@@ -103,9 +103,7 @@ def test_tour_keeps_energy_and_keeps_bodies_apart(name: str) -> None:
     game = program.game(0)
     energy, depth = ENERGY.get(name, lambda _: 0.0), APART.get(name, lambda _: 0.0)
     start = energy(game)
-    for k, was_given in tour(
-        program, game, share(MINUTES_10 // part, 12 if is_elastic else 24 // part)
-    ):
+    for k, was_given in tour(program, game, share(MINUTES_10 // part, 12 if is_elastic else 24)):
         now = energy(game)
         if was_given or (not is_elastic and getattr(game, "grip", None) is not None):
             start = now

@@ -110,6 +110,7 @@ THREE = {
 """Three programs; in each a function, a wrong model of it, and the function that shows it."""
 
 
+@pytest.mark.one_in(5)
 @pytest.mark.parametrize("is_wrong", [False, True])
 @pytest.mark.parametrize("name", THREE)
 def test_program_runs_on_solved_exercises_and_names_the_one_that_is_wrong(

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tiers import share
 
 from lesson_code.chapters.billiards import rules as billiards_table
 from lesson_code.chapters.billiards.game import CLOTH, PROGRAM, Billiards, draw, readings
@@ -332,9 +333,9 @@ def test_picture_a_ball_that_flew_away_is_no_crash(picture: Picture) -> None:
 
 
 def test_solution_random_states_agree_with_the_table(solution: ModuleType) -> None:
-    """All five functions give the table's answers on 2,000 random states, overlapping or not."""
+    """All five functions give the table's answers on random states, overlapping or not."""
     rng = np.random.default_rng(5)
-    for _ in range(2000):
+    for _ in range(share(2000)):
         p, v = rng.uniform((-20, -20), (620, 420)), rng.uniform(-1000, 1000, 2)
         if rng.random() < 0.5:
             p = rng.uniform((235, 135), (365, 265))

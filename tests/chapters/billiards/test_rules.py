@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pymunk
 import pytest
+from tiers import share
 
 from lesson_code.chapters.billiards.rules import (
     CUSHIONS,
@@ -330,9 +331,9 @@ def test_source_launch_on_this_table_needs_38_seconds() -> None:
 
 
 def test_step_long_random_runs_stay_inside_and_never_gain_energy() -> None:
-    """40 shots for 10 s: the ball never leaves the table, and its speed never grows."""
+    """Shots for 10 s: the ball never leaves the table, and its speed never grows."""
     low, high = np.array((12.0, 12.0)), np.array((588.0, 388.0))
-    for position, velocity in shots(40):
+    for position, velocity in shots(share(40)):
         p, v = position, velocity
         for _ in range(600):
             speed = math.hypot(*v)
@@ -352,10 +353,10 @@ def test_max_launch_speed_is_less_than_the_bumpers_reach_a_step() -> None:
 
 
 def test_step_at_max_launch_speed_never_passes_the_bumper() -> None:
-    """Aimed at the bumper from 2,000 places and at top speed, no step crosses its middle line."""
+    """Aimed at the bumper from anywhere and at top speed, no step crosses its middle line."""
     rng = np.random.default_rng(11)
-    hit = 0
-    for position, _ in shots(2000):
+    count, hit = share(2000), 0
+    for position, _ in shots(count):
         target = np.array(TABLE.bumper_start) + rng.uniform() * 80
         away = target - position
         p, v = position, away * (MAX_LAUNCH_SPEED / math.hypot(*away))
@@ -366,7 +367,7 @@ def test_step_at_max_launch_speed_never_passes_the_bumper() -> None:
             if hits:
                 break
         hit += "bumper" in hits
-    assert hit == 2000
+    assert hit == count
 
 
 def test_step_far_above_max_launch_speed_does_pass_the_bumper() -> None:

@@ -6,6 +6,7 @@ import math
 from random import Random
 
 import pytest
+from tiers import share
 
 from lesson_code.chapters.breakout.game import BRICK, PADDLE, PROGRAM, RADIUS, Breakout, steady
 from lesson_code.engine.core.constants import IMPACT_DEPTH, SLOP
@@ -72,7 +73,7 @@ def test_breakout_ball_of_any_speed_ends_a_step_outside_of_bricks_and_walls() ->
     From there the rules give it the speed of the level, and never back into what it has hit.
     """
     stream = Random(6)  # noqa: S311 - a test
-    for _ in range(120):
+    for _ in range(share(120)):
         game = Breakout(0)
         game.level = 2
         game._build()

@@ -138,7 +138,7 @@ def test_as_many_whole_steps_are_made_as_fit(duration: float, dt: float, steps: 
     assert times[-1] == pytest.approx(steps * dt)
 
 
-@pytest.mark.parametrize("steps", [30, 49, 1000, 4321])
+@pytest.mark.parametrize("steps", [30, 49, 1000, pytest.param(4321, marks=pytest.mark.full)])
 def test_duration_of_so_many_steps_gives_so_many(steps: int) -> None:
     """A product that rounds down just below a whole number does not lose a step."""
     for dt in (0.1, 1 / 60, 1 / 3, 0.007):

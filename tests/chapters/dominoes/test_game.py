@@ -31,7 +31,8 @@ def test_dominoes_all_fall_and_in_order_on_both_branches() -> None:
     assert game.order.index(game.tall) < game.order.index(game.above[0])
 
 
-@pytest.mark.parametrize("spacing", [0.24, 0.42])
+@pytest.mark.one_in(2)
+@pytest.mark.parametrize("spacing", [0.42, 0.24])
 def test_dominoes_wave_is_timed_all_fall_and_energy_never_grows(spacing: float) -> None:
     """The speed is that of the fronts seen by the game, from another domino than the game's first.
 

@@ -94,12 +94,12 @@ def deepest(game: SoftBody) -> float:
 
 
 def test_soft_bodies_stay_out_of_one_another_however_they_are_kicked() -> None:
-    """Five bodies, kicked 20 times: no mass and no ledge gets into a body by 1 % of its radius.
+    """Five bodies, kicked every second: no mass and no ledge gets into a body by 1 % of its radius.
 
     With contacts of mass and mass alone they stayed in one another, and the ledge pierced them.
     """
     game, worst = SoftBody(0), -1.0
-    for k in range(1_200):
+    for k in range(share(1_200)):
         if k in (100, 250):
             game.press("b")
         if k % 60 == 30:
