@@ -8,18 +8,8 @@ start the outermost cells go on for ever, so that a disc that flies away crosses
 
 from __future__ import annotations
 
-import math
-
 from lesson_code.engine.core.broad_phase import slot_of
 from lesson_code.engine.event_driven.rows import DiscRow, ExactState, SlotRow, Tables
-
-
-def enter_cell(tables: Tables, i: int) -> None:
-    """Note a disc in the cell of its centre."""
-    disc, state = tables.discs[i], tables.state
-    disc.cell_x = min(max(math.floor(disc.x / state.cell_size), state.first_x), state.last_x)
-    disc.cell_y = min(max(math.floor(disc.y / state.cell_size), state.first_y), state.last_y)
-    put_into_slot(tables, i)
 
 
 def slot_under(tables: Tables, disc: DiscRow) -> SlotRow:

@@ -15,9 +15,9 @@ from lesson_code.engine.event_driven import ExactSolver
 from lesson_code.engine.event_driven.cells import (
     border_gap,
     cross_border,
-    enter_cell,
     is_endless,
     leave_cell,
+    put_into_slot,
 )
 from lesson_code.engine.event_driven.loop import next_event, next_time
 from lesson_code.engine.event_driven.motion import place_at
@@ -114,7 +114,7 @@ def test_discs_may_enter_and_leave_in_any_order() -> None:
         if i in present:
             leave_cell(tables, i)
         else:
-            enter_cell(tables, i)
+            put_into_slot(tables, i)
         present ^= {i}
         assert sorted(found_in_cell(tables, 0, 0)) == sorted(present)
 
