@@ -78,7 +78,7 @@ def beyond_the_origin(stream: Random) -> Iterator[Arguments]:
         lambda: _beyond_the_origin(stream, 1),
     )
     yield draws.until(
-        lambda drawn: _none_is_an_end(drawn, min(drawn[0])),
+        lambda drawn: _none_is_an_end(drawn, _leftmost(drawn[0])),
         lambda: _beyond_the_origin(stream, -1),
     )
 
@@ -98,7 +98,7 @@ def about_the_origin(stream: Random) -> Iterator[Arguments]:
     left, and in the second the one nearest to the origin.
     """
     yield draws.until(
-        lambda drawn: _none_is_an_end(drawn, drawn[0][0], min(drawn[0])),
+        lambda drawn: _none_is_an_end(drawn, drawn[0][0], _leftmost(drawn[0])),
         lambda: _about_the_origin(stream, 3, 1),
     )
     yield draws.until(
@@ -117,6 +117,11 @@ def _about_the_origin(stream: Random, count: int, side: int) -> Arguments:
 def _nearest(vertices: pairs.Polygon) -> draws.Vector:
     """Return the vertex nearest to the origin."""
     return min(vertices, key=lambda vertex: math.hypot(*vertex))
+
+
+def _leftmost(vertices: pairs.Polygon) -> draws.Vector:
+    """Return the first of the vertices farthest to the left."""
+    return min(vertices, key=lambda vertex: vertex[0])
 
 
 def _none_is_an_end(drawn: Arguments, *some: draws.Vector) -> bool:
