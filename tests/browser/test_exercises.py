@@ -45,8 +45,8 @@ STOPS = 40_000
 SOON = 10_000
 
 SEED = 9
-"""Of the grader. A page's draws are fixed; what a mistake earns may hang on luck once in hundreds
-of seeds, and that is the self-check's to find."""
+"""Of the grader, so that every run finds the same: a page's draws are fixed, and what a mistake
+earns may hang on luck once in hundreds of seeds."""
 
 
 @pytest.fixture(scope="session")
