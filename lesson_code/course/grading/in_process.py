@@ -25,6 +25,8 @@ from lesson_code.course.isolation.inside import answers
 from lesson_code.course.isolation.inside.vectors import used_modules
 from lesson_code.course.isolation.limits import PATIENCE
 
+AGAIN_SECONDS = 0.1
+
 
 def call_here(
     functions: dict[str, Any],
@@ -86,7 +88,8 @@ def time_limit(seconds: float) -> Iterator[None]:
 
     Seconds are of the processor; the clock ends what sleeps, after `PATIENCE` times as long.
     Only the main thread of a process on a system with timers can be interrupted in this way;
-    elsewhere there is no limit.
+    elsewhere there is no limit. Where Python drops the error (in a destructor, in a callback of the
+    garbage collector) or the code catches it, it is raised again, `AGAIN_SECONDS` later.
     """
     if (
         not hasattr(signal, "setitimer")
@@ -95,19 +98,28 @@ def time_limit(seconds: float) -> Iterator[None]:
         yield
         return
 
+    runs = True
+
     def stop(*_: Any) -> None:
-        raise TimeLimitError
+        if runs:
+            raise TimeLimitError
 
     timers = (
         (signal.ITIMER_PROF, signal.SIGPROF, seconds),
         (signal.ITIMER_REAL, signal.SIGALRM, PATIENCE * seconds),
     )
     before = [signal.signal(number, stop) for _, number, _ in timers]
+    report = sys.unraisablehook
+    sys.unraisablehook = lambda dropped: (
+        None if dropped.exc_type is TimeLimitError else report(dropped)
+    )
     for timer, _, most in timers:
-        signal.setitimer(timer, most)
+        signal.setitimer(timer, most, AGAIN_SECONDS)
     try:
         yield
     finally:
+        runs = False
+        sys.unraisablehook = report
         for (timer, number, _), handler in zip(timers, before, strict=True):
             signal.setitimer(timer, 0)
             signal.signal(number, handler)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+import contextlib
 import importlib
 import json
 import math
@@ -47,8 +48,25 @@ def test_call_here_cuts_off_an_endless_loop() -> None:
             pass
         yield 1.0
 
+    class SlowToGo:
+        def __del__(self) -> None:  # Python drops what is raised in here
+            end = time.process_time() + 0.2
+            while time.process_time() < end:
+                pass
+
+    def loops_after_a_dropped_limit() -> None:
+        SlowToGo()
+        loops()
+
+    def loops_and_catches_everything() -> None:
+        with contextlib.suppress(BaseException):
+            loops()
+        loops()
+
     late = CallOutcome("timeout", text="it did not finish within 0.1 s")
     assert here(loops, seconds=0.1) == late
+    assert here(loops_after_a_dropped_limit, seconds=0.1) == late
+    assert here(loops_and_catches_everything, seconds=0.1) == late
     assert here(yields_for_ever, seconds=0.1) == late
     assert here(lambda: time.sleep(60), seconds=0.1) == late
 
