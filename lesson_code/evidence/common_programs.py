@@ -70,7 +70,7 @@ def common_programs() -> Iterator[Program]:
 def live_programs() -> Iterator[Program]:
     """Yield the programs of live worlds with many bodies: discs that fly, and what is stepped."""
     yield ExactSolver(gas_of(MANY, 0.3, seed=1), combine=MixingRule()).program()
-    yield from map(program_for, ("sequential", "substep"))
+    yield program_for("substep")
 
 
 def stepped(scene: Scene, *, splits_steps: bool = False) -> Program:

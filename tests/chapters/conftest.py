@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from lesson_code.course.notebooks.root import home
+from lesson_code.engine.core.penetration import deepest_overlaps
+from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.geometry.shapes import Circle
 from lesson_code.view.pygame.game import Game
@@ -44,6 +46,13 @@ def deepest_overlap(world: LiveWorld) -> float:
     gaps = np.hypot(*(p[:, None] - p[None]).T) - r[:, None] - r[None]
     np.fill_diagonal(gaps, np.inf)
     return float(-(gaps / np.minimum(r[:, None], r[None])).min())
+
+
+def deepest_of_outlines(world: LiveWorld) -> float:
+    """Return the deepest overlap of any two bodies, as a part of the least circumradius."""
+    states, bodies = world.states(), world.bodies()
+    depth = deepest_overlaps(Scene(bodies), states[None, :, :2], states[None, :, 2])[0]
+    return float(depth / min(b.shape.bounding_radius for b in bodies if not b.is_static))
 
 
 def deepest_in_room(world: LiveWorld, width: float, height: float) -> float:

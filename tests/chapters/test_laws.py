@@ -1,8 +1,7 @@
 """Laws that the programs keep while they are played: energy, momentum, and nobody in anybody.
 
 In the quick tier for some seconds of the tour and some hundred inputs; in the full tier for ten
-minutes of the tour and for 10,000 inputs. What sweeps move (large heaps in the simulator) is not
-held to the bound of overlap.
+minutes of the tour and for 10,000 inputs.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from lesson_code.chapters.programs import load
 from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.program import Program
 
-from .conftest import deepest_in_room, deepest_overlap
+from .conftest import deepest_in_room, deepest_of_outlines, deepest_overlap
 from .conftest import energy as energy_of
 
 KEPT = 1e-9
@@ -89,8 +88,14 @@ APART: dict[str, Callable[[Any], float]] = {
     "pool": overlap,
     "cradle": overlap,
     "breakout": overlap,
+    "dominoes": lambda game: deepest_of_outlines(game.world),
 }
-"""How deep round bodies are in one another, as a part of the smaller radius."""
+"""How deep bodies are in one another, as a part of the smaller radius; of dominoes, which have a
+corner each in the floor, of half the diagonal."""
+
+IN_HEAPS = {"simulator": 0.1}
+"""The same, where inputs heap up hundreds of balls: their weight presses the springs of sub-steps
+together, by up to 0.06 for three seeds. Swept, balls were four radii deep in one another."""
 
 
 @pytest.mark.parametrize("name", sorted({*ENERGY, *APART}))
@@ -112,17 +117,18 @@ def test_tour_keeps_energy_and_keeps_bodies_apart(name: str) -> None:
         assert k % LOOK or depth(game) < DEEPEST
 
 
-@pytest.mark.parametrize("name", ["demo", "pool", "cradle", "breakout"])
+@pytest.mark.parametrize("name", APART)
 def test_inputs_let_nobody_into_anybody(name: str) -> None:
     """The same for 10,000 random keys and clicks, a step after every second one."""
-    program = load(name)
-    game, look = program.game(1), in_room if name == "demo" else overlap
+    game: Any = load(name).game(1)
     for k, given in enumerate(random_inputs(5, share(INPUTS, 12))):
         game.take(given)
         if k % 2:
             game.step()
+            if game.world.wants_code:
+                game.world.compile()
         if k % (2 * LOOK) == 1:
-            assert look(game) < DEEPEST
+            assert APART[name](game) < IN_HEAPS.get(name, DEEPEST)
 
 
 def test_asteroids_inputs_keep_the_ledger_of_momentum() -> None:

@@ -71,8 +71,8 @@ def test_compiled_world_is_the_plain_one_bit_for_bit(sweeps: int | None) -> None
     assert plain.touching() == fast.touching()
 
 
-def test_world_whose_solver_changes_waits_for_no_compiler() -> None:
-    """One in sub-steps that is compiled, and grows: the sweeps that take over begin plain."""
+def test_world_that_grows_stays_in_machine_code() -> None:
+    """One in sub-steps that is compiled, and gets eighty bodies more."""
     world = LiveWorld(crowd(30), gravity=(0.0, -9.81))
     assert not world.wants_code  # nobody has let time pass
     world.step()
@@ -81,7 +81,7 @@ def test_world_whose_solver_changes_waits_for_no_compiler() -> None:
     assert (world.compiled, world.wants_code) == (True, False)
     for k in range(80):
         world.add(Body(Circle(0.2), position=(20 + k, 3), mass=1.0))
-    assert (world.solver, world.compiled, world.wants_code) == ("sequential", False, True)
+    assert (world.solver, world.compiled, world.wants_code) == ("substep", True, False)
 
 
 def test_push_changes_momentum_by_the_impulse_and_spin_by_its_moment() -> None:

@@ -29,6 +29,7 @@ from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.skin import skin_of
 from lesson_code.engine.effects import friction, gravity, restitution
 from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
@@ -198,11 +199,12 @@ def pair_impact_time(
     """Return when two bodies first touch, s; ``math.inf``: not within the duration.
 
     Of two that touch already it is now if they would pass through each other, and else never: the
-    solver has seen them.
+    solver has seen them, as it has seen two of which only the skins touch.
     """
     touch(world, a, b, effects)
     if world.manifold.count > 0:
-        return 0.0 if is_far(world, way_into(world.manifold, a, b, duration)) else math.inf
+        passes = overlaps(world, a, b) and is_far(world, way_into(world.manifold, a, b, duration))
+        return 0.0 if passes else math.inf
     return free_impact_time(world, a, b, duration, 0.1 * depth_into(a, b), effects)
 
 
@@ -215,6 +217,13 @@ def free_impact_time(
     if effects.manifolds:
         return impact_time(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
     return impact_time_with_circle(world.corners, a, b, b.vx - a.vx, b.vy - a.vy)
+
+
+def overlaps(world: World, a: BodyRow, b: BodyRow) -> bool:
+    """Return whether two bodies whose manifold is filled overlap without their skins, too."""
+    m = world.manifold
+    deepest = max(m.penetration0, m.penetration1) if m.count > 1 else m.penetration0
+    return deepest > skin_of(world, a) + skin_of(world, b)
 
 
 def way_into(m: ManifoldRow, a: BodyRow, b: BodyRow, duration: float) -> float:

@@ -203,7 +203,7 @@ def test_world_that_has_become_large_goes_on_in_machine_code(
 
     Its program is kept. Else it would come when another process has made it.
     """
-    compiled(program_for("sequential"))
+    compiled(program_for("substep"))
     monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
     inputs = tmp_path / "more.json"
     recording = Recording("simulator", 0)

@@ -349,7 +349,7 @@ def test_large_world_is_never_waited_for(monkeypatch: pytest.MonkeyPatch) -> Non
     world = LiveWorld(balls)
     world.step()
     code.look_at(world)
-    code._threads["sequential"].join()
+    code._threads["substep"].join()
     assert asked != [threading.get_ident()]
     assert len(asked) == 1
     code.close()
