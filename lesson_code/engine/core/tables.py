@@ -84,7 +84,7 @@ def arrays_of(
         iterations=iterations,
         restitution_rule=RULES[combine.restitution],
         friction_rule=RULES[combine.friction],
-        cell_size=cell_size_for(columns),
+        cell_size=cell_size_for(columns, skin),
         slot_count=slots,
         row_stride=row_stride_for(slots),
         thinnest=thinnest,
@@ -193,10 +193,13 @@ def _least(widths: Floats) -> float:
     return float(widths.min(initial=math.inf))
 
 
-def cell_size_for(c: Columns) -> float:
-    """Return the width of a grid cell, m: the largest box's, the few much larger ones left out."""
+def cell_size_for(c: Columns, skin: float = 0.0) -> float:
+    """Return the width of a grid cell, m: that of the largest box with its skin.
+
+    The few bodies that are much larger are left out.
+    """
     if not len(c):
         return 1.0
-    sizes = np.sort(2 * c.bounding_radius + 2 * MOST_MARGIN * c.min_width)
+    sizes = np.sort(2 * c.bounding_radius + 2 * (MOST_MARGIN + skin) * c.min_width)
     limit = LARGEST_IN_GRID * sizes[(len(c) - 1) // 2]  # the median, or the lower of two
     return float(CELL_MARGIN * sizes[sizes <= limit][-1])
