@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
 from itertools import groupby
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,6 +118,8 @@ def touches_in(
     pairs: dict[Pair, list[list[float]]] = {}
     for row in impulses.tolist():
         pairs.setdefault((int(row[1]), int(row[2])), []).append(row)
+    e, mu = (_of_bodies(world, name) for name in ("restitution", "friction"))
+    e_rule, mu_rule = world.state.restitution_rule, world.state.friction_rule
     return {
         (numbers[a], numbers[b]): Touch(
             time=time,
@@ -126,8 +128,8 @@ def touches_in(
             normal=(rows[0][5], rows[0][6]),
             points=tuple((row[3], row[4]) for row in rows),
             penetration=max(row[9] for row in rows),
-            restitution=_of_pair(world, "restitution", a, b),
-            friction=_of_pair(world, "friction", a, b),
+            restitution=mixed(e_rule, e[a], e[b]),
+            friction=mixed(mu_rule, mu[a], mu[b]),
             normal_impulse=sum(row[7] for row in rows),
             tangent_impulse=sum(row[8] for row in rows),
         )
@@ -135,15 +137,12 @@ def touches_in(
     }
 
 
-def _of_pair(world: World, name: str, a: int, b: int) -> float:
-    """Return a pair's coefficient from those of its bodies."""
-    one, other = (_field(world.bodies[k], name) for k in (a, b))
-    return mixed(getattr(world.state, f"{name}_rule"), one, other)
-
-
-def _field(row: Any, name: str) -> float:
-    """Return a field of a row, or of the record that it is compiled as."""
-    return float(row[name] if isinstance(row, np.void) else getattr(row, name))
+def _of_bodies(world: World, name: str) -> list[float]:
+    """Return a coefficient of each body, from rows or from the records they are compiled as."""
+    bodies: Any = world.bodies
+    if isinstance(bodies, np.ndarray):
+        return cast(list[float], bodies[name].tolist())
+    return [getattr(row, name) for row in bodies]
 
 
 def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:
