@@ -6,9 +6,13 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.callbacks import Callbacks, Touch
+from lesson_code.engine.core.penetration import deepest_overlaps
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 
 ROUNDING = 1e-12
@@ -82,6 +86,56 @@ def test_world_that_grows_stays_in_machine_code() -> None:
     for k in range(80):
         world.add(Body(Circle(0.2), position=(20 + k, 3), mass=1.0))
     assert (world.solver, world.compiled, world.wants_code) == ("substep", True, False)
+
+
+def pit(seed: int, e: float, mu: float, speed: float) -> list[Body]:
+    """Return a pit, and 17 to 59 discs and boxes above its floor, thrown at random."""
+    random, material = np.random.default_rng(seed), Material(e, mu)
+    bodies = [
+        Body(Polygon.box(6, 1), position=(0, -0.5), material=material),
+        *(Body(Polygon.box(1, 40), position=(x, 15), material=material) for x in (-2.5, 2.5)),
+    ]
+    for k in range(random.integers(17, 60)):
+        size = random.uniform(0.1, 0.2)
+        box = Polygon.box(2 * size, random.uniform(1, 2) * size)
+        bodies.append(
+            Body(
+                Circle(size) if random.random() < 0.5 else box,
+                mass=size * size,
+                position=(-1.5 + 0.6 * (k % 6), 0.4 + 0.6 * (k // 6)),
+                velocity=tuple(random.normal(0, speed, 2)),
+                material=material,
+            )
+        )
+    return bodies
+
+
+@settings(max_examples=share(30, 10))
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    e=st.floats(0, 0.95),
+    mu=st.floats(0, 1),
+    speed=st.floats(0, 1.5).map(lambda power: 10**power),
+)
+def test_crowd_that_falls_is_never_far_inside_anybody(
+    seed: int, e: float, mu: float, speed: float
+) -> None:
+    """For three seconds, thrown at 1 to 30 m/s: nobody is in another by half the least radius.
+
+    Of twelve draws the deepest overlap was 0.084 m while contacts were sought once a step, and is
+    0.009 m now: springs give way, and an impact that goes through many bodies leaves some speed.
+    """
+    world = LiveWorld(pit(seed, e, mu, speed), gravity=(0.0, -9.81))
+    world.compile()
+    states = []
+    for _ in range(180):
+        world.step()
+        states.append(world.states())
+    found = np.array(states)
+    depths = deepest_overlaps(Scene(world.bodies()), found[..., :2], found[..., 2])
+    assert world.solver == "substep"
+    assert depths.max() < 0.05
+    assert np.quantile(depths, 0.9) < 0.01
 
 
 def test_push_changes_momentum_by_the_impulse_and_spin_by_its_moment() -> None:

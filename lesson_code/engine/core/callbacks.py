@@ -28,7 +28,7 @@ class Touch:
     points : tuple of (float, float)
         One or two contact points, midway between the two surfaces, m.
     penetration : float
-        Of the deepest point, m, > 0.
+        Of the deepest point, m; < 0 where the solver sees contacts before bodies touch.
     restitution, friction : float
         The pair's, >= 0; before the impulses a callback may set them for this step.
     ignored : bool
