@@ -28,7 +28,7 @@ in a warm start. So an impact with e = 1 keeps its energy, and nothing fast is l
 
 Where the points have parted within the step, they may come together again as far as the gap is
 wide, and no faster: no contact pulls, and none is missed. The same holds for a contact that bodies
-with skins have before they touch. None of those may bounce: it would do so too soon.
+with skins have before they touch; if they bounce, it is in the sub-step in which they would meet.
 
 Two points of one manifold are solved together here too. In turn, a tower of 20 boxes that does
 not stand straight has leaned over by 0.3 m after 20 s; together, by 2 mm.
