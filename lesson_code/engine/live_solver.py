@@ -7,12 +7,11 @@
 4. Up to 64 bodies that nothing presses together: the direct solver.
 5. Others: the solver with sub-steps, which gains no energy in a pile.
 
-Its springs give way, but nobody enters anybody: here each sub-step searches for contacts anew, and
-sees bodies before they touch. Dominoes of 0.1 m by 0.6 m, at six spacings, overlap by 0.0023 m at
-the most, where they did so by 0.03 to 0.07 m with one search a step. Of 500 discs that fall in a
-heap of 8 m the radii are 0.06 to 0.12 m, and the deepest overlap is 0.006 m; sweeps, which would
-take a third of the time, leave 0.27 m. It begins in plain Python, and goes on in machine code as
-soon as that is there.
+Its springs give way, but bodies hardly enter one another: here each sub-step searches for contacts
+anew, and sees them before the bodies touch. Dominoes of 0.1 m by 0.6 m, at six spacings, overlap by
+0.0023 m at the most; with one search a step it was 0.03 to 0.07 m. Of 500 falling discs with radii
+of 0.06 to 0.12 m the deepest overlap is 0.006 m; sweeps would take a third of the time, and leave
+0.27 m. It begins in plain Python, and goes on in machine code as soon as that is there.
 """
 
 from __future__ import annotations

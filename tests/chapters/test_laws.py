@@ -90,8 +90,8 @@ APART: dict[str, Callable[[Any], float]] = {
     "breakout": overlap,
     "dominoes": lambda game: deepest_of_outlines(game.world),
 }
-"""How deep bodies are in one another, as a part of the smaller radius; of dominoes, which have a
-corner each in the floor, of half the diagonal."""
+"""How deep bodies are in one another, as a part of the smaller radius; dominoes, as a part of half
+the least diagonal."""
 
 IN_HEAPS = {"simulator": 0.1}
 """The same, where inputs heap up hundreds of balls: their weight presses the springs of sub-steps

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
 from itertools import groupby
-from typing import Any, TypeAlias, cast
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.compiled.arrays import column
 from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
 from lesson_code.engine.core.mixing import mixed
@@ -118,7 +119,9 @@ def touches_in(
     pairs: dict[Pair, list[list[float]]] = {}
     for row in impulses.tolist():
         pairs.setdefault((int(row[1]), int(row[2])), []).append(row)
-    e, mu = (_of_bodies(world, name) for name in ("restitution", "friction"))
+    e, mu = (
+        np.asarray(column(world.bodies, name)).tolist() for name in ("restitution", "friction")
+    )
     e_rule, mu_rule = world.state.restitution_rule, world.state.friction_rule
     return {
         (numbers[a], numbers[b]): Touch(
@@ -135,14 +138,6 @@ def touches_in(
         )
         for (a, b), rows in pairs.items()
     }
-
-
-def _of_bodies(world: World, name: str) -> list[float]:
-    """Return a coefficient of each body, from rows or from the records they are compiled as."""
-    bodies: Any = world.bodies
-    if isinstance(bodies, np.ndarray):
-        return cast(list[float], bodies[name].tolist())
-    return [getattr(row, name) for row in bodies]
 
 
 def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:

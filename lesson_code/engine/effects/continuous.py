@@ -7,7 +7,7 @@ every other; and what is left of the step follows. Scenes without fast bodies pa
 the speeds.
 
 With a skin contacts are seen before the bodies touch, and a body is fast as soon as it moves by
-more than the skin; ``next_contact`` says how far its step goes.
+more than the skin. Of the direct solver ``next_contact`` says how far its step goes.
 
 After many impacts within one step the fast bodies wait for the next step. They lose time then,
 but pass through nothing.
