@@ -19,17 +19,16 @@ def agrees(got: Any, expected: Any) -> bool:
     >>> agrees([3, 4.0], [3.0, 4.0]), agrees(float("nan"), 0.0), agrees(None, 0.0)
     (True, False, False)
     """
+    if type(got) is float and type(expected) is float:  # by far the most frequent kind comes first
+        # Written so that nan, which makes every comparison false, does not agree.
+        return abs(got - expected) <= ANSWER_TOLERANCE * max(1.0, abs(expected))
     if isinstance(expected, list):
-        return (
-            isinstance(got, list)
-            and len(got) == len(expected)
-            and all(agrees(g, x) for g, x in zip(got, expected, strict=True))
-        )
+        is_as_long = isinstance(got, list) and len(got) == len(expected)
+        return is_as_long and all(map(agrees, got, expected))
     if expected is None or isinstance(expected, str | bool):
         return type(got) is type(expected) and bool(got == expected)
     if isinstance(got, bool) or not isinstance(got, int | float):
         return False
-    # Written so that nan, which makes every comparison false, does not agree.
     return bool(abs(got - expected) <= ANSWER_TOLERANCE * max(1.0, abs(expected)))
 
 

@@ -13,8 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from lesson_code.course.isolation.call_outcome import one_line
+from lesson_code.course.isolation.inside.files import is_notebook
 from lesson_code.course.isolation.inside.reading import parsed
-from lesson_code.course.isolation.reader import TOO_SLOW, read_units, reader
+from lesson_code.course.isolation.reader import TOO_SLOW, read_file, reader
 
 LARGEST_FILE = 50_000_000
 """Bytes. A notebook with every figure in it stays under 2 MB; films and printed loops take more."""
@@ -119,16 +120,17 @@ def read_submission(path: Path) -> Submission:
         a notebook, or holds no code at all.
     """
     _must_be_readable(path)
-    is_notebook = _is_notebook(path)
-    sources, exercise = _notebook_cells(path) if is_notebook else (_program(path), None)
-    given = [{"name": name, "source": code, "is_cell": is_notebook} for name, code in sources]
-    read = read_units(given)
+    found = read_file(str(path.absolute()))
+    if "problem" in found:
+        cause = f"; {CLEAR}" if found["problem"] == TOO_SLOW and is_notebook(str(path)) else ""
+        raise SubmissionError(f"{path}: {found['problem']}{cause}")
+    read = found["units"]
     units = tuple(_unit(part) for part in read if _may_answer(part))
     unread = [(one_line(part["unreadable"]), part["lost"]) for part in read if "lost" in part]
     if not units and not unread:
         raise SubmissionError(f"{path}: holds no code to grade")
     lost = {function: why for why, functions in unread for function in functions}
-    return Submission(path, units, tuple(why for why, _ in unread), exercise, lost)
+    return Submission(path, units, tuple(why for why, _ in unread), found.get("exercise"), lost)
 
 
 def _may_answer(read: dict[str, Any]) -> bool:
@@ -154,36 +156,5 @@ def _must_be_readable(path: Path) -> None:
     if path.suffix.lower() not in (".ipynb", ".py"):
         raise SubmissionError(f"{path}: a submission ends in .ipynb or .py")
     if path.stat().st_size > LARGEST_FILE:
-        cause = f"; {CLEAR}" if _is_notebook(path) else ""
+        cause = f"; {CLEAR}" if is_notebook(str(path)) else ""
         raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{cause}")
-
-
-def _is_notebook(path: Path) -> bool:
-    """Return whether a file is a notebook by its name."""
-    return path.suffix.lower() == ".ipynb"
-
-
-def _program(path: Path) -> list[tuple[str, str]]:
-    """Return name and code of a program, as its only part."""
-    found = _found_in(path, "program", TOO_SLOW)
-    return [(f"your {path.name}", found["source"])]
-
-
-def _notebook_cells(path: Path) -> tuple[list[tuple[str, str]], str | None]:
-    """Return name and code of a notebook's code cells, and the exercise it says it is."""
-    found = _found_in(path, "notebook", f"{TOO_SLOW}; {CLEAR}")
-    return [(name, source) for name, source in found["cells"]], found["exercise"]
-
-
-def _found_in(path: Path, kind: str, too_much: str) -> dict[str, Any]:
-    """Return what the reader finds in a file: 50 MB, in any encoding and any form of JSON.
-
-    Raises
-    ------
-    SubmissionError
-        It is no file of that kind, or takes too much to read.
-    """
-    found: dict[str, Any] = reader().ask(kind, str(path.absolute())) or {"problem": too_much}
-    if "problem" in found:
-        raise SubmissionError(f"{path}: {found['problem']}")
-    return found

@@ -23,6 +23,20 @@ def reader() -> Clerk:
     return Clerk(python("reading"), environment(), SECONDS)
 
 
+def read_file(path: str) -> dict[str, Any]:
+    """Return the ``units`` in a file, and the ``exercise`` that a notebook says it is.
+
+    Of what is no notebook or program, or takes too much to read, why (``problem``): 50 MB, in any
+    encoding and any form of JSON.
+    """
+    found: dict[str, Any] | None = reader().ask("file", path)
+    if found is None:  # once more, so that one slow cell costs its own answers alone
+        found = reader().ask("sources", path) or {"problem": TOO_SLOW}
+        if "problem" not in found:
+            found["units"] = read_units(found.pop("sources"))
+    return found
+
+
 def read_units(sources: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return sources as units; those that cannot be read in time say so, and the others are read.
 

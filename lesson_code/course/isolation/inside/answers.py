@@ -92,6 +92,9 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
     if value is None or value is True or value is False or type(value) is float:
         return value
     if type(value) is list or type(value) is tuple:  # by far the most frequent kinds come first
+        if depth > 0 and len(value) <= room[0] and set(map(type, value)) == {float}:
+            room[0] -= len(value)
+            return list(value)
         return [_plain(item, room, depth - 1) for item in value]
     if isinstance(value, str):
         text = str.__str__(value)  # str(value) would ask a class of its own

@@ -23,19 +23,37 @@ NO_TEXT = "is not text in UTF-8; save it as UTF-8"
 TOO_MUCH_CODE = f"has more than {MOST_CODE:,} characters of code; leave out what is no answer"
 
 
-def program(path: str) -> dict[str, Any]:
-    """Return the code of a program (``source``); of what is none, why (``problem``)."""
+def handed_in(path: str) -> dict[str, Any]:
+    """Return the ``sources`` in a file, and the ``exercise`` that a notebook says it is.
+
+    A source has a ``name``, a ``source``, and says whether it ``is_cell``. Of what is no notebook
+    or program, why (``problem``).
+    """
+    is_cell = is_notebook(path)
+    found = _notebook(path) if is_cell else _program(path)
+    if "problem" not in found:
+        found["sources"] = [
+            {"name": f"your {place}", "source": code, "is_cell": is_cell}
+            for place, code in found["sources"]
+        ]
+    return found
+
+
+def is_notebook(path: str) -> bool:
+    """Return whether a file is a notebook by its name."""
+    return path.lower().endswith(".ipynb")
+
+
+def _program(path: str) -> dict[str, Any]:
+    """Return the code of a program."""
     text, problem = _text_in(path, may_name_its_encoding=True)
     if not problem and len(text) > MOST_CODE:
         problem = TOO_MUCH_CODE
-    return {"problem": problem} if problem else {"source": text}
+    return {"problem": problem} if problem else {"sources": [(Path(path).name, text)]}
 
 
-def notebook(path: str) -> dict[str, Any]:
-    """Return the code cells of a notebook, each with its name, and the exercise it says it is.
-
-    Of what is no notebook, why (``problem``).
-    """
+def _notebook(path: str) -> dict[str, Any]:
+    """Return the code cells of a notebook, and the exercise it says it is."""
     text, problem = _text_in(path, may_name_its_encoding=False)
     if problem:
         return {"problem": problem}
@@ -49,14 +67,14 @@ def notebook(path: str) -> dict[str, Any]:
     if len(cells) > MOST_CELLS:
         return {"problem": f"has more than {MOST_CELLS} cells"}
     sources = [
-        (f"your cell {number}", _cell_source(cell))
+        (f"cell {number}", _cell_source(cell))
         for number, cell in enumerate(cells, start=1)
         if cell.get("cell_type") == "code"
     ]
     if sum(len(source) for _, source in sources) > MOST_CODE:
         return {"problem": TOO_MUCH_CODE}
     exercise = _deep(whole, "metadata", "workbook", "exercise")
-    return {"cells": sources, "exercise": exercise if isinstance(exercise, str) else None}
+    return {"sources": sources, "exercise": exercise if isinstance(exercise, str) else None}
 
 
 def _text_in(path: str, *, may_name_its_encoding: bool) -> tuple[str, str]:

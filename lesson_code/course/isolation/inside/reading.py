@@ -103,6 +103,14 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     return units
 
 
+def file(path: str) -> dict[str, Any]:
+    """Return what stands in a file that was handed in, its sources read as ``units``."""
+    found = files.handed_in(path)
+    if "problem" not in found:
+        found["units"] = read(found.pop("sources"))
+    return found
+
+
 def _kept_of(body: list[ast.stmt], missing: set[str], *, is_cell: bool) -> dict[str, Any]:
     """Return what a unit holds beside its name and source."""
     prints = fingerprints(body)
@@ -368,8 +376,8 @@ def _written(statement: ast.stmt, missing: Collection[str], source: str) -> str:
 
 
 DEEDS: dict[str, Callable[[Any], Any]] = {
-    "notebook": files.notebook,
-    "program": files.program,
+    "file": file,
+    "sources": files.handed_in,
     "read": read,
     "kept": kept_sources,
     "lost": DEFINITION.findall,

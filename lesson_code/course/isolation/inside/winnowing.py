@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import ast
 import hashlib
+from collections.abc import Iterator
 from functools import cache, lru_cache
 from typing import Any
 
@@ -50,14 +51,23 @@ def fingerprints(body: list[ast.stmt]) -> list[dict[str, Any]]:
 
 def winnowed(nodes: list[str]) -> list[str]:
     """Return the fingerprints of a sequence, each once, in the order in which they come."""
-    hashes = [_hash(" ".join(nodes[k : k + K])) for k in range(len(nodes) - K + 1)]
-    return list(dict.fromkeys(min(hashes[k : k + W]) for k in range(len(hashes) - W + 1)))
+    hashes = list(map(_hash, _in_a_row(nodes, K)))
+    return list(dict.fromkeys(map(min, _in_a_row(hashes, W))))
+
+
+def _in_a_row(sequence: list[str], count: int) -> Iterator[tuple[str, ...]]:
+    """Return all runs of so many in a row, from the first on.
+
+    >>> list(_in_a_row(["a", "b", "c"], 2))
+    [('a', 'b'), ('b', 'c')]
+    """
+    return zip(*(sequence[k:] for k in range(count)), strict=False)
 
 
 @lru_cache(maxsize=50_000)  # answers of a class have most runs in common
-def _hash(run: str) -> str:
+def _hash(run: tuple[str, ...]) -> str:
     """Return the hash of some nodes in a row."""
-    return _digest(run)
+    return _digest(" ".join(run))
 
 
 def _digest(text: str) -> str:
