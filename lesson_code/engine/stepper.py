@@ -331,17 +331,18 @@ class EngineStepper(Stepper):
             super().note_steps(steps, frames, first)
             return
         last, bodies = first + steps, len(self.world.bodies)
+        rotation = self.pipeline.effects.rotation
         while first < last:
             at_once = frames_at_once(bodies, is_plain=not self._compiled)
             block = slice(first, min(first + at_once, last))
-            if not self.pipeline.effects.rotation:
-                frames.angles[block], frames.spins[block] = self.column("angle"), self.column("w")
+            if not rotation:
+                frames.stay_turned(block, self.column("angle"), self.column("w"))
             self.world = frames.lend(block, self.world)
             self.world.state.steps_a_frame = self._steps_a_step
             self.advance(block.stop - first)
             self.world.state.steps_a_frame = self.world.state.frame_rows = 0
-            frames.take(block, self.world, rotation=self.pipeline.effects.rotation)
-            frames.require_numbers(block)
+            frames.take(block, self.world, rotation=rotation)
+            frames.require_numbers(block, rotation=rotation)
             self.world = given_back(self.world)
             first = block.stop
 

@@ -7,12 +7,14 @@ import dataclasses
 import re
 import typing
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 from operator import attrgetter
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from lesson_code.engine.compiled.linker import PROGRAMS_REMEMBERED
 
 Tables = TypeVar("Tables", bound=tuple[Any, ...])
 
@@ -51,7 +53,7 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
     >>> as_arrays(world, "pair.b += box.cell_x").pairs.dtype.names
     ('b',)
     """
-    used = frozenset(re.findall(r"\.(\w+)", source))
+    used = fields_named(source)
     return type(tables)(
         *[
             _array(table, kind, used, first)
@@ -62,6 +64,12 @@ def as_arrays(tables: Tables, source: str, rows: Tables | None = None) -> Tables
             )
         ]
     )
+
+
+@lru_cache(maxsize=PROGRAMS_REMEMBERED)
+def fields_named(source: str) -> frozenset[str]:
+    """Return the names of all fields that a program reads or writes."""
+    return frozenset(re.findall(r"\.(\w+)", source))
 
 
 def new_table(kind: type, rows: int, **columns: Any) -> Any:

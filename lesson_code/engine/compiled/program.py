@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from lesson_code.engine.compiled.arrays import dtype_of, lists_in, row_kinds
+from lesson_code.engine.compiled.arrays import dtype_of, fields_named, lists_in, row_kinds
 from lesson_code.engine.compiled.linker import PROGRAMS_REMEMBERED
 
 
@@ -64,7 +63,7 @@ def program_of(source: str, entry: str, tables: type) -> Program:
     >>> next(table.dtype.names for table in program.layout if table.name == "pairs")
     ('b',)
     """
-    used = frozenset(re.findall(r"\.(\w+)", source))
+    used = fields_named(source)
     lists = lists_in(tables)
     return Program(
         source,

@@ -61,7 +61,7 @@ class Frames:
         shape = (len(times), bodies)
         self.times = np.array(times, dtype=float)
         self.positions, self.velocities = np.empty((*shape, 2)), np.empty((*shape, 2))
-        self.angles, self.spins = np.empty(shape), np.empty(shape)
+        self.angles, self.spins = np.zeros(shape), np.zeros(shape)
 
     def put(self, frames: Any, states: Floats, bodies: Any = slice(None)) -> None:
         """Write down the states of some bodies, all of them unless told, in some frames.
@@ -78,6 +78,15 @@ class Frames:
         self.angles[frames, bodies] = states[..., 2]
         self.velocities[frames, bodies] = states[..., 3:5]
         self.spins[frames, bodies] = states[..., 5]
+
+    def stay_turned(self, frames: slice, angles: Any, spins: Any) -> None:
+        """Write down in some frames how all bodies have turned, where nothing turns them further.
+
+        Zeros stand there already: memory that nobody writes takes no time.
+        """
+        for table, values in ((self.angles, angles), (self.spins, spins)):
+            if np.any(values):
+                table[frames] = values
 
     def tables(self, frames: slice) -> dict[str, Any]:
         """Return some frames as the tables in which a program notes them, in this memory."""
@@ -109,8 +118,8 @@ class Frames:
                 for field in here.dtype.names or ():
                     here[field] = column(noted[: len(here)], field)
 
-    def require_numbers(self, frames: slice) -> None:
-        """Look at some frames.
+    def require_numbers(self, frames: slice, *, rotation: bool = True) -> None:
+        """Look at some frames; `rotation` says whether anything turns.
 
         Raises
         ------
@@ -118,6 +127,8 @@ class Frames:
             A number is not finite: a body has left the range of floating point.
         """
         for name in NOTED:
+            if not rotation and name in OF_ROTATION:
+                continue
             is_number = np.isfinite(getattr(self, name)[frames])
             if not is_number.all():
                 frame, body, *_ = np.argwhere(~is_number)[0].tolist()

@@ -28,11 +28,12 @@ CELLS_IN_ROW = 4 * int(LAST_CELL)
 neighbour of the next one's start."""
 
 
-def has_neighbour(scene: Scene) -> Flags:
+def has_neighbour(scene: Scene, margin: float = LEAST_MARGIN) -> Flags:
     """Return whether each body's box overlaps another's, where one of the two can be pushed.
 
-    The boxes of bodies that can be pushed have the least margin that the broad phase gives them.
-    Where there are too many pairs to look at, all bodies count as having a neighbour.
+    The boxes of bodies that can be pushed have a margin of so many widths: the least that the broad
+    phase gives them, unless another is given. Where there are too many pairs to look at, all bodies
+    count as having a neighbour.
 
     Examples
     --------
@@ -41,7 +42,7 @@ def has_neighbour(scene: Scene) -> Flags:
     >>> has_neighbour(Scene(discs)).tolist()
     [True, True, False]
     """
-    sides, is_free = sides_of(*outlined_bodies(scene)), scene.columns.is_free
+    sides, is_free = sides_of(*outlined_bodies(scene), margin), scene.columns.is_free
     with np.errstate(over="ignore", invalid="ignore"):  # a box may reach to infinity
         pairs = _candidate_pairs(sides, cell_size_for(scene.columns))
     if pairs is None:
@@ -55,10 +56,10 @@ def has_neighbour(scene: Scene) -> Flags:
     return found
 
 
-def sides_of(bodies: Any, corners: Any) -> Floats:
+def sides_of(bodies: Any, corners: Any, widths: float = LEAST_MARGIN) -> Floats:
     """Return left, low, right and high of the boxes around all bodies, shape (4, N), m.
 
-    The tables are arrays. Bodies that can be pushed have a margin.
+    The tables are arrays. Bodies that can be pushed have a margin of so many widths.
     """
     sides = np.zeros((4, len(bodies)))
     cornered = bodies["corner_count"] > 0
@@ -70,7 +71,7 @@ def sides_of(bodies: Any, corners: Any) -> Floats:
         sides[HIGH, cornered] = np.maximum.reduceat(corners["y"], first)
     x, y, radius = bodies["x"], bodies["y"], bodies["radius"]
     is_free = bodies["inv_m"] > 0.0
-    margin = LEAST_MARGIN * np.where(is_free, bodies["min_width"], 0.0)
+    margin = widths * np.where(is_free, bodies["min_width"], 0.0)
     sides[LEFT], sides[RIGHT] = (
         x + sides[LEFT] - radius - margin,
         x + sides[RIGHT] + radius + margin,

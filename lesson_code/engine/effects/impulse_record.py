@@ -8,8 +8,9 @@ from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.question import Effect, Finding
 
-STEPS_KEPT = 32
-"""Steps whose impulses fit into the table: so seldom is a run interrupted to empty it."""
+STEPS_KEPT, ROWS_KEPT = 32, 8192
+"""Steps whose impulses fit into the table, at the least, and rows that it has where they fit more
+of the steps ahead: so seldom is a run interrupted to empty it."""
 
 
 def rule(_facts: Facts) -> Finding:
@@ -31,7 +32,7 @@ def has_capacity_for_record(world: World) -> bool:
     wanted = state.contact_count + state.resting_count
     if state.impulse_count + wanted <= len(world.impulses):
         return True
-    state.impulses_wanted = STEPS_KEPT * wanted
+    state.impulses_wanted = wanted * max(STEPS_KEPT, min(state.steps_left, ROWS_KEPT // wanted))
     return False
 
 

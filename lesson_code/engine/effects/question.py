@@ -63,7 +63,15 @@ class Question:
 
     @cached_property
     def facts(self) -> Facts:
-        """What the rules ask of the scene, from one look at it."""
+        """What the rules ask of the scene, from one look at it, which is kept with the scene."""
+        kept: dict[Any, Facts] = vars(self.scene).setdefault("_facts", {})
+        how = self.dt, self.duration, self.combine, self.skin
+        if how not in kept:
+            kept[how] = self._look()
+        return kept[how]
+
+    def _look(self) -> Facts:
+        """Return the facts of the scene, if it is run so."""
         scene = self.scene
         gravity_x, gravity_y = scene.gravity
         facts = Facts(

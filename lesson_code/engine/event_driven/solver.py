@@ -205,17 +205,18 @@ class ExactSolver:
     def note_frames(self, frames: Frames) -> None:
         """Go on to the times of some frames, which ascend; the program notes the states there."""
         first, last = 0, len(frames.times)
+        rotation = self._flags.rotation
         while first < last:
             at_once = frames_at_once(len(self._start), is_plain=isinstance(self.tables.discs, list))
             block = slice(first, min(first + at_once, last))
             times = frames.times[block]
-            if not self._flags.rotation:
-                frames.angles[block], frames.spins[block] = self._start[:, ANGLE], 0.0
+            if not rotation:
+                frames.stay_turned(block, self._start[:, ANGLE], 0.0)
             self._keep_frames(times, frames, block)
             self.advance(times[-1])
-            frames.take(block, self.tables, rotation=self._flags.rotation)
+            frames.take(block, self.tables, rotation=rotation)
             frames.put(block, self._obstacles_at(times), self._fixed)  # plain rows hold none
-            frames.require_numbers(block)
+            frames.require_numbers(block, rotation=rotation)
             self.tables = given_back(self.tables)
             self.tables.state.moments = 0
             first = block.stop

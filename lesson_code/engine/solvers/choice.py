@@ -133,7 +133,7 @@ def is_apart(scene: Scene) -> bool:
     """Return whether no two bodies touch, one of which is a disc that can be pushed."""
     if len(scene.bodies) < FEWEST_FOR_GRID:
         return not any(_touch(a, b) for a, b in combinations(scene.bodies, 2))
-    near = [scene.bodies[n] for n in np.flatnonzero(has_neighbour(scene))]
+    near = _with_neighbours(scene).bodies
     larger = [replace(body, shape=_with_edge(body)) for body in near]
     positions = np.array([[body.position for body in near]])
     angles = np.array([[body.angle for body in near]])
@@ -159,15 +159,21 @@ def _with_edge(body: Body) -> Shape:
 
 def falling(scene: Scene) -> int:
     """Return how many bodies fall: gravity acts, and they touch no other one."""
-    free = int(scene.columns.is_free.sum())
     if not any(scene.gravity):
         return 0
-    world = world_of(scene, dt=1.0, iterations=0, combine=MixingRule(), skin=SKIN)
-    while not see_contacts(world, BROAD_PHASES[broad_phase_for(scene)], EVERY_OVERLAP):
+    free, near = int(scene.columns.is_free.sum()), _with_neighbours(scene)
+    world = world_of(near, dt=1.0, iterations=0, combine=MixingRule(), skin=SKIN)
+    while not see_contacts(world, BROAD_PHASES[broad_phase_for(near)], EVERY_OVERLAP):
         world = add_capacity(world)
     contacts = world.contacts[: world.state.contact_count]
     touching = {number for c in contacts for number in (c.a, c.b)}
-    return free - sum(not scene.bodies[number].is_static for number in touching)
+    return free - sum(not near.bodies[number].is_static for number in touching)
+
+
+def _with_neighbours(scene: Scene) -> Scene:
+    """Return the bodies of a scene that may touch another one: their boxes with a skin overlap."""
+    near = has_neighbour(scene, margin=2 * SKIN)
+    return Scene([scene.bodies[n] for n in np.flatnonzero(near)])
 
 
 def mass_ratio(scene: Scene) -> float:

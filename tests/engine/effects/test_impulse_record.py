@@ -7,6 +7,7 @@ import pytest
 from lesson_code import Body, Circle, MixingRule, Scene, Segment
 from lesson_code.engine.core.rows import ContactRow, ImpulseRow, World
 from lesson_code.engine.core.tables import world_of
+from lesson_code.engine.effects import impulse_record
 from lesson_code.engine.effects.impulse_record import (
     STEPS_KEPT,
     has_capacity_for_record,
@@ -69,14 +70,25 @@ def lying(keep_impulses: bool) -> EngineStepper:
     )  # fmt: skip
 
 
-def test_record_of_a_long_run_is_complete_and_in_order_of_time() -> None:
+def test_record_of_a_long_run_is_complete_and_in_order_of_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """A table for 48 rows is emptied many times in 500 steps; no step is lost, none is twice."""
+    monkeypatch.setattr(impulse_record, "ROWS_KEPT", 0)
     stepper = lying(keep_impulses=True)
     stepper.advance(500)
     times = stepper.events()[:, 0]
     assert times == pytest.approx([(k + 1) / 60 for k in range(500)])
     assert len(stepper.world.impulses) == 48
     assert len(stepper.events()) == 500  # to look at them takes nothing away
+
+
+@pytest.mark.parametrize(("steps", "rows"), [(10, 48), (500, 750)])
+def test_table_has_room_for_the_steps_that_are_ahead(steps: int, rows: int) -> None:
+    """For 32 steps at least, and half as many rows again."""
+    stepper = lying(keep_impulses=True)
+    stepper.advance(steps)
+    assert len(stepper.world.impulses) == rows
 
 
 def test_run_without_a_record_has_the_same_bits_and_no_impulses() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from lesson_code import (
@@ -22,10 +23,11 @@ from lesson_code.engine.core.constants import (
     MOST_FALLING,
     MOST_FOR_DIRECT,
     MOST_STANDING,
+    SKIN,
     TOUCHING,
 )
 from lesson_code.engine.effects.question import Question
-from lesson_code.engine.solvers import exact
+from lesson_code.engine.solvers import choice, exact
 from lesson_code.engine.solvers.choice import (
     SolverChoice,
     flies_freely,
@@ -99,6 +101,27 @@ def test_exact_solver_is_for_discs_that_part_again(scene: Scene, expected: bool)
 def test_discs_that_touch_at_the_start_are_not_apart(gap: float, expected: bool) -> None:
     """Nearer than a millionth of the radius is touching; walls that overlap are of no interest."""
     assert is_apart(Scene([disc(0), disc(1 + gap), FLOOR, FLOOR])) is expected
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_bodies_that_fall_are_counted_as_if_all_had_been_looked_at(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Discs and turned boxes in columns, with gaps about as wide as the skin; and a floor."""
+    rng = np.random.default_rng(seed)
+    shapes, gaps = (
+        (Circle(0.5), Polygon.box(1, 1)),
+        SKIN * rng.uniform(-1, 4, size=(6, 5)).cumsum(1),
+    )
+    bodies = [
+        Body(shapes[(row + column) % 2], mass=1.0, position=(2.0 * column, 0.5 + row + gap),
+             angle=rng.uniform(0, 1e-3))
+        for column, some in enumerate(gaps) for row, gap in enumerate(some)
+    ]  # fmt: skip
+    scene = Scene([Body(Segment((-9, 0), (20, 0))), *bodies], gravity=(0, -10))
+    found = choice.falling(scene)
+    monkeypatch.setattr(choice, "_with_neighbours", lambda scene: scene)
+    assert 0 < found == choice.falling(scene) < len(bodies)
 
 
 def test_few_bodies_are_for_the_direct_solver() -> None:
