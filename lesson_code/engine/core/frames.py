@@ -63,7 +63,9 @@ class Frames:
         self.positions, self.velocities = np.empty((*shape, 2)), np.empty((*shape, 2))
         self.angles, self.spins = np.zeros(shape), np.zeros(shape)
 
-    def put(self, frames: Any, states: Floats, bodies: Any = slice(None)) -> None:
+    def put(
+        self, frames: Any, states: Floats, bodies: Any = slice(None), *, rotation: bool = True
+    ) -> None:
         """Write down the states of some bodies, all of them unless told, in some frames.
 
         Parameters
@@ -73,11 +75,14 @@ class Frames:
         states : ndarray, shape (N, 6) or (K, N, 6)
             x, y, angle, vx, vy, w.
         bodies : array of int, shape (N,), optional
+        rotation : bool
+            Whether angles and spins are among it.
         """
         self.positions[frames, bodies] = states[..., 0:2]
-        self.angles[frames, bodies] = states[..., 2]
         self.velocities[frames, bodies] = states[..., 3:5]
-        self.spins[frames, bodies] = states[..., 5]
+        if rotation:
+            self.angles[frames, bodies] = states[..., 2]
+            self.spins[frames, bodies] = states[..., 5]
 
     def stay_turned(self, frames: slice, angles: Any, spins: Any) -> None:
         """Write down in some frames how all bodies have turned, where nothing turns them further.

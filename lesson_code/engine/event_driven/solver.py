@@ -215,7 +215,8 @@ class ExactSolver:
             self._keep_frames(times, frames, block)
             self.advance(times[-1])
             frames.take(block, self.tables, rotation=rotation)
-            frames.put(block, self._obstacles_at(times), self._fixed)  # plain rows hold none
+            obstacles = self._obstacles_at(times)  # plain rows hold none
+            frames.put(block, obstacles, self._fixed, rotation=rotation)
             frames.require_numbers(block, rotation=rotation)
             self.tables = given_back(self.tables)
             self.tables.state.moments = 0
