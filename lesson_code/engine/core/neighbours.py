@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.core.broad_phase import most_pairs
 from lesson_code.engine.core.columns import Flags, Floats
-from lesson_code.engine.core.constants import LAST_CELL, LEAST_MARGIN
+from lesson_code.engine.core.constants import LAST_CELL
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.tables import cell_size_for, outlined_bodies
 
@@ -28,18 +28,17 @@ CELLS_IN_ROW = 4 * int(LAST_CELL)
 neighbour of the next one's start."""
 
 
-def has_neighbour(scene: Scene, margin: float = LEAST_MARGIN) -> Flags:
+def has_neighbour(scene: Scene, margin: float) -> Flags:
     """Return whether each body's box overlaps another's, where one of the two can be pushed.
 
-    The boxes of bodies that can be pushed have a margin of so many widths: the least that the broad
-    phase gives them, unless another is given. Where there are too many pairs to look at, all bodies
-    count as having a neighbour.
+    The boxes of bodies that can be pushed have a margin of so many widths. Where there are too many
+    pairs to look at, all bodies count as having a neighbour.
 
     Examples
     --------
     >>> from lesson_code import Body, Circle, Scene
     >>> discs = [Body(Circle(1), mass=1.0, position=(x, 0)) for x in (0, 2, 5)]
-    >>> has_neighbour(Scene(discs)).tolist()
+    >>> has_neighbour(Scene(discs), margin=0.05).tolist()
     [True, True, False]
     """
     sides, is_free = sides_of(*outlined_bodies(scene), margin), scene.columns.is_free
@@ -56,10 +55,10 @@ def has_neighbour(scene: Scene, margin: float = LEAST_MARGIN) -> Flags:
     return found
 
 
-def sides_of(bodies: Any, corners: Any, widths: float = LEAST_MARGIN) -> Floats:
+def sides_of(bodies: Any, corners: Any, margin: float = 0.0) -> Floats:
     """Return left, low, right and high of the boxes around all bodies, shape (4, N), m.
 
-    The tables are arrays. Bodies that can be pushed have a margin of so many widths.
+    The tables are arrays. Those of bodies that can be pushed have a margin of so many widths.
     """
     sides = np.zeros((4, len(bodies)))
     cornered = bodies["corner_count"] > 0
@@ -71,12 +70,9 @@ def sides_of(bodies: Any, corners: Any, widths: float = LEAST_MARGIN) -> Floats:
         sides[HIGH, cornered] = np.maximum.reduceat(corners["y"], first)
     x, y, radius = bodies["x"], bodies["y"], bodies["radius"]
     is_free = bodies["inv_m"] > 0.0
-    margin = widths * np.where(is_free, bodies["min_width"], 0.0)
-    sides[LEFT], sides[RIGHT] = (
-        x + sides[LEFT] - radius - margin,
-        x + sides[RIGHT] + radius + margin,
-    )
-    sides[LOW], sides[HIGH] = y + sides[LOW] - radius - margin, y + sides[HIGH] + radius + margin
+    way = margin * np.where(is_free, bodies["min_width"], 0.0)
+    sides[LEFT], sides[RIGHT] = x + sides[LEFT] - radius - way, x + sides[RIGHT] + radius + way
+    sides[LOW], sides[HIGH] = y + sides[LOW] - radius - way, y + sides[HIGH] + radius + way
     return sides
 
 
