@@ -91,6 +91,8 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
         raise NotPlainError("returned more than any task asks for")
     if value is None or value is True or value is False or type(value) is float:
         return value
+    if type(value) is int and abs(value) <= LARGEST_INTEGER:
+        return value
     if type(value) is list or type(value) is tuple:  # by far the most frequent kinds come first
         if depth > 0 and len(value) <= room[0] and set(map(type, value)) == {float}:
             room[0] -= len(value)
