@@ -153,9 +153,22 @@ def f():
 
 def test_child_can_import_what_answers_need(children: Children) -> None:
     """The standard library and installed packages are there, those not loaded before too."""
-    source = "def f():\n    import csv, numpy.fft, pygame\n    return pygame.Vector2(3, 4)"
+    source = """\
+def f():
+    import csv, numpy.fft, numpy.random, pygame, random, statistics
+    return pygame.Vector2(3, 4 + 0 * random.random())
+"""
     with StudentProcess(units(source), children) as student:
         assert student.call("f", ()).value == [3.0, 4.0]
+
+
+def test_child_spends_no_time_on_what_acts_after_a_fork(children: Children) -> None:
+    """Each fork would seed random, and look through the threads; answers seldom want either."""
+    source = (
+        "import sys\ndef f():\n    return [n for n in ('random', 'threading') if n in sys.modules]"
+    )
+    with StudentProcess(units(source), children) as student:
+        assert student.call("f", ()).value == []
 
 
 def test_child_can_use_files_and_threads_of_its_own(rung: Rung, children: Children) -> None:
