@@ -19,16 +19,15 @@ def agrees(got: Any, expected: Any) -> bool:
     >>> agrees([3, 4.0], [3.0, 4.0]), agrees(float("nan"), 0.0), agrees(None, 0.0)
     (True, False, False)
     """
-    if type(got) is float and type(expected) is float:  # by far the most frequent kind comes first
-        # Written so that nan, which makes every comparison false, does not agree.
-        return abs(got - expected) <= ANSWER_TOLERANCE * max(1.0, abs(expected))
-    if isinstance(expected, list):
-        is_as_long = isinstance(got, list) and len(got) == len(expected)
-        return is_as_long and all(map(agrees, got, expected))
-    if expected is None or isinstance(expected, str | bool):
-        return type(got) is type(expected) and bool(got == expected)
-    if isinstance(got, bool) or not isinstance(got, int | float):
-        return False
+    if type(got) is not float or type(expected) is not float:  # most answers are floats
+        if isinstance(expected, list):
+            is_as_long = isinstance(got, list) and len(got) == len(expected)
+            return is_as_long and all(map(agrees, got, expected))
+        if expected is None or isinstance(expected, str | bool):
+            return type(got) is type(expected) and bool(got == expected)
+        if isinstance(got, bool) or not isinstance(got, int | float):
+            return False
+    # Written so that nan, which makes every comparison false, does not agree.
     return bool(abs(got - expected) <= ANSWER_TOLERANCE * max(1.0, abs(expected)))
 
 

@@ -122,8 +122,8 @@ def read_submission(path: Path) -> Submission:
     _must_be_readable(path)
     found = read_file(str(path.absolute()))
     if "problem" in found:
-        cause = f"; {CLEAR}" if found["problem"] == TOO_SLOW and is_notebook(str(path)) else ""
-        raise SubmissionError(f"{path}: {found['problem']}{cause}")
+        cure = _cure(path) if found["problem"] == TOO_SLOW else ""
+        raise SubmissionError(f"{path}: {found['problem']}{cure}")
     read = found["units"]
     units = tuple(_unit(part) for part in read if _may_answer(part))
     unread = [(one_line(part["unreadable"]), part["lost"]) for part in read if "lost" in part]
@@ -156,5 +156,9 @@ def _must_be_readable(path: Path) -> None:
     if path.suffix.lower() not in (".ipynb", ".py"):
         raise SubmissionError(f"{path}: a submission ends in .ipynb or .py")
     if path.stat().st_size > LARGEST_FILE:
-        cause = f"; {CLEAR}" if is_notebook(str(path)) else ""
-        raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{cause}")
+        raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{_cure(path)}")
+
+
+def _cure(path: Path) -> str:
+    """Return what helps against a file that is too large, where it is a notebook."""
+    return f"; {CLEAR}" if is_notebook(str(path)) else ""

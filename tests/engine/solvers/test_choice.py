@@ -109,10 +109,8 @@ def test_bodies_that_fall_are_counted_as_if_all_had_been_looked_at(
 ) -> None:
     """Discs and turned boxes in columns, with gaps about as wide as the skin; and a floor."""
     rng = np.random.default_rng(seed)
-    shapes, gaps = (
-        (Circle(0.5), Polygon.box(1, 1)),
-        SKIN * rng.uniform(-1, 4, size=(6, 5)).cumsum(1),
-    )
+    shapes = Circle(0.5), Polygon.box(1, 1)
+    gaps = SKIN * rng.uniform(-1, 4, size=(6, 5)).cumsum(1)
     bodies = [
         Body(shapes[(row + column) % 2], mass=1.0, position=(2.0 * column, 0.5 + row + gap),
              angle=rng.uniform(0, 1e-3))
