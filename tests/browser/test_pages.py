@@ -44,6 +44,17 @@ JUMPS = """() => new Promise((done) => {
 })"""
 """In the page: how far its parts have jumped since it was opened, as Cumulative Layout Shift."""
 
+MOVED = """() => new Promise((done) => {
+    const moved = [];
+    new PerformanceObserver((list) => {
+        for (const { sources } of list.getEntries())
+            for (const { node } of sources)
+                if (node?.parentElement?.closest("#search-results")) moved.push(node.textContent);
+    }).observe({ type: "layout-shift", buffered: true });
+    setTimeout(() => done(moved), 200);
+})"""
+"""In the page of the search: the results that have moved since they were shown."""
+
 LITTLE_JUMPS = 0.02
 """A fifth of what the web's vitals call good: the words above the picture may take another line."""
 
@@ -160,6 +171,8 @@ def test_search_answers_with_a_sentence_of_the_page(
     said = sentence.inner_text()
     assert answer in said.lower()
     assert len(said.split()) >= 3
+    page.get_by_text("Search finished").wait_for(timeout=SOON)
+    assert page.evaluate(MOVED) == []
     with page.expect_navigation():  # to the end: a chapter is long
         result.locator("a").first.click()
     text = " ".join(page.locator("article").inner_text().split())
