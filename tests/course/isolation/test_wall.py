@@ -482,30 +482,28 @@ def test_removal_follows_no_link(tmp_path: Path) -> None:
 @pytest.mark.parametrize("machine", sorted(seccomp.ARCHITECTURES))
 def test_seccomp_program_allows_reading_and_no_network(machine: str) -> None:
     """The filter, run here by hand, lets computing pass and refuses the rest with its reason."""
-    calls = seccomp.numbers(seccomp.ALLOWED, machine) | seccomp.numbers(seccomp.REFUSED, machine)
-    clone, (kill, _) = seccomp.CLONE[machine], seccomp.SIGNALS[machine]
+    allowed = seccomp.numbers(seccomp.ALLOWED, machine)
+    refused = seccomp.numbers(seccomp.REFUSED, machine)
+    clone, (kill, kill_thread) = seccomp.CLONE[machine], seccomp.SIGNALS[machine]
     run = _Filter(seccomp.program(machine, process=7), seccomp.ARCHITECTURES[machine])
-    assert run(calls["read"]) == seccomp.ALLOW
-    assert run(calls["exit_group"]) == seccomp.ALLOW
-    assert run(calls["socket"]) == seccomp.REFUSE | 1
-    assert run(calls["execve"]) == seccomp.REFUSE | 1
+    asks = {clone, kill, kill_thread, seccomp.PRLIMIT[machine]}
+    asks |= {seccomp.FCNTL[machine], seccomp.IOCTL[machine]}
+    for number in {*range(1_000), 100_000, 0x4000_0000, 0xFFFF_FFFF} - asks:
+        is_refused = seccomp.REFUSE | (1 if number in refused.values() else 38)
+        assert run(number) == (seccomp.ALLOW if number in allowed.values() else is_refused)
     assert run(clone, seccomp.CLONE_THREAD | 0x100) == seccomp.ALLOW
     assert run(clone, 17) == seccomp.REFUSE | 1
     assert run(kill, 7) == seccomp.ALLOW
     assert run(kill, 8) == seccomp.REFUSE | 1
-    for table, allowed, refused in (
+    for table, these, others in (
         (seccomp.FCNTL, seccomp.FCNTL_ALLOWED, {"F_SETLK": 6, "F_SETOWN": 8, "F_SETSIG": 10}),
         (seccomp.IOCTL, seccomp.IOCTL_ALLOWED, {"TIOCSTI": 0x5412, "SIOCGIFCONF": 0x8912}),
     ):
-        assert {run(table[machine], 3, what) for what in allowed.values()} == {seccomp.ALLOW}
-        assert {run(table[machine], 3, what) for what in refused.values()} == {seccomp.REFUSE | 1}
+        assert {run(table[machine], 3, what) for what in these.values()} == {seccomp.ALLOW}
+        assert {run(table[machine], 3, what) for what in others.values()} == {seccomp.REFUSE | 1}
         assert run(table[machine], 0, 0x8912) == seccomp.REFUSE | 1
-    assert run(calls["flock"]) == seccomp.REFUSE | 1
-    assert run(100_000) == seccomp.REFUSE | 38
-    assert run(calls["read"], architecture=1) == seccomp.KILL
-    assert set(seccomp.numbers(seccomp.ALLOWED, machine)).isdisjoint(
-        seccomp.numbers(seccomp.REFUSED, machine)
-    )
+    assert run(allowed["read"], architecture=1) == seccomp.KILL
+    assert set(allowed).isdisjoint(refused)
 
 
 class _Filter:
@@ -536,6 +534,8 @@ class _Filter:
                 loaded = data[operand]
             elif operation == seccomp.EQUAL:
                 at += if_true if loaded == operand else if_false
+            elif operation == seccomp.AT_LEAST:
+                at += if_true if loaded >= operand else if_false
             else:
                 at += if_true if loaded & operand else if_false
 

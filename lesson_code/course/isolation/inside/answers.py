@@ -32,7 +32,7 @@ from functools import partial
 from typing import Any, BinaryIO
 
 from .reading import compiled, parsed, read
-from .vectors import is_vector, shape_of, vector
+from .vectors import is_array_of_floats, is_vector, shape_of, vector
 
 MOST_NUMBERS = 10_000
 """Numbers and letters in an answer at most; no task asks for more than a thousand."""
@@ -48,6 +48,9 @@ GOES_ON = ("returned", "raised")
 
 DEEPEST = 20
 """Levels of nesting in an answer at most; no task needs more than four."""
+
+EXACT = frozenset({float, bool, type(None)})
+"""What is plain as it is; a class made from one of these is another, and may do anything."""
 
 UNORDERED = (dict, set, frozenset, bytes)
 """Containers that do not say which number comes first, or what the numbers are."""
@@ -89,22 +92,25 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
     room[0] -= 1
     if room[0] < 0 or depth < 0:
         raise NotPlainError("returned more than any task asks for")
-    if value is None or value is True or value is False or type(value) is float:
+    kind = type(value)
+    if kind in EXACT or (kind is int and abs(value) <= LARGEST_INTEGER):
         return value
-    if type(value) is int and abs(value) <= LARGEST_INTEGER:
-        return value
-    if type(value) is list or type(value) is tuple:  # by far the most frequent kinds come first
-        if depth > 0 and len(value) <= room[0] and set(map(type, value)) == {float}:
+    if kind is list or kind is tuple:  # by far the most frequent kinds come first
+        if depth > 0 and len(value) <= room[0] and EXACT.issuperset(map(type, value)):
             room[0] -= len(value)
             return list(value)
         return [_plain(item, room, depth - 1) for item in value]
+    if isinstance(value, float):  # NumPy's, too
+        return float.__float__(value)
+    if is_array_of_floats(value) and value.size <= room[0]:
+        return _plain(value.tolist(), room, depth)
     if isinstance(value, str):
         text = str.__str__(value)  # str(value) would ask a class of its own
         room[0] -= len(text)
         if room[0] < 0:
             raise NotPlainError("returned more than any task asks for")
         return text
-    if type(value).__name__ == "bool" and hasattr(value, "item"):  # NumPy's own bool
+    if kind.__name__ == "bool" and hasattr(value, "item"):  # NumPy's own bool
         return bool(value)
     if isinstance(value, numbers.Integral):
         number = int(value)
@@ -117,8 +123,9 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
         return _plain(value.item(), room, depth - 1)
     if isinstance(value, Iterable) and not isinstance(value, UNORDERED):
         return [_plain(item, room, depth - 1) for item in value]
-    kind = type(value).__name__
-    raise NotPlainError(f"returned an object of type {kind}, which is no number, vector or tuple")
+    raise NotPlainError(
+        f"returned an object of type {kind.__name__}, which is no number, vector or tuple"
+    )
 
 
 def arguments_from(values: Iterable[Any]) -> list[Any]:

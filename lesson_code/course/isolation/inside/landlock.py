@@ -44,30 +44,28 @@ def is_strong() -> bool:
     return version() >= OLDEST_VERSION
 
 
-def restrict(rules: Iterable[tuple[str, int]], handled: int = READ | ALL_WRITES) -> None:
-    """Restrict this process, and all it may start, to what the rules say; there is no way back.
+def ruleset(rules: Iterable[tuple[str, int]]) -> int:
+    """Return the descriptor of a set of rules: what is allowed at and beneath each path.
 
-    Parameters
-    ----------
-    rules : iterable of (path, rights)
-        What is allowed at and beneath a path. A path that is not there is passed over.
-    handled : int
-        The rights that are refused where no rule grants them.
+    A path that is not there is passed over.
     """
-    ruleset = _ruleset(handled)
-    try:
-        for path, rights in rules:
-            _add(ruleset, path, rights & handled)
-        system.prctl(system.PR_SET_NO_NEW_PRIVS, 1)
-        system.syscall("landlock", system.LANDLOCK_RESTRICT_SELF, ruleset, 0)
-    finally:
-        os.close(ruleset)
+    made = _empty_ruleset()
+    for path, rights in rules:
+        _add(made, path, rights)
+    return made
 
 
-def _ruleset(handled: int) -> int:
+def restrict(ruleset: int) -> None:
+    """Restrict this process, and all it may start, to what the rules say; there is no way back."""
+    system.prctl(system.PR_SET_NO_NEW_PRIVS, 1)
+    system.syscall("landlock", system.LANDLOCK_RESTRICT_SELF, ruleset, 0)
+    os.close(ruleset)
+
+
+def _empty_ruleset() -> int:
     """Return a new set of rules, which also refuses TCP and signals where the kernel can."""
     newest = version()
-    files = handled | (DEVICE_CONTROL if newest >= 5 else 0)
+    files = READ | ALL_WRITES | (DEVICE_CONTROL if newest >= 5 else 0)
     attributes = struct.pack(
         "QQQ",
         files,

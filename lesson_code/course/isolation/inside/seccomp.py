@@ -11,6 +11,7 @@ import errno
 import os
 import struct
 from functools import cache
+from itertools import groupby
 
 from . import system
 
@@ -77,7 +78,7 @@ PRLIMIT = {"x86_64": 302, "aarch64": 261}
 SIGNALS = {"x86_64": (62, 234), "aarch64": (129, 131)}
 """kill and tgkill; both name the process in their first argument."""
 
-LOAD, EQUAL, ANY_BIT, RETURN = 0x20, 0x15, 0x45, 0x06
+LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 NUMBER, ARCHITECTURE, FIRST_ARGUMENT, SECOND_ARGUMENT = 0, 4, 16, 24
 ALLOW, REFUSE, KILL = 0x7FFF0000, 0x00050000, 0x80000000
 
@@ -86,6 +87,13 @@ ANY_PROCESS = 0x7FFF_FFFE
 
 Instruction = tuple[int, int, int, int]
 """Operation, how far to jump if true, how far if false, operand."""
+
+Lines = list[Instruction]
+
+ALLOWS: Instruction = (RETURN, 0, 0, ALLOW)
+REFUSES: Instruction = (RETURN, 0, 0, REFUSE | errno.EPERM)
+DENIES: Instruction = (RETURN, 0, 0, REFUSE | errno.ENOSYS)
+"""What becomes of a call. One that is denied does not exist."""
 
 
 def is_known_machine() -> bool:
@@ -103,39 +111,61 @@ def numbers(table: str, machine: str) -> dict[str, int]:
     return {row[0]: int(row[COLUMN[machine]]) for row in rows if row[COLUMN[machine]] != "-"}
 
 
-def program(machine: str, process: int) -> list[Instruction]:
+def program(machine: str, process: int) -> Lines:
     """Return the filter for one process of a machine."""
-    lines: list[Instruction] = [
+    return [
         (LOAD, 0, 0, ARCHITECTURE),
         (EQUAL, 1, 0, ARCHITECTURES[machine]),
         (RETURN, 0, 0, KILL),
         (LOAD, 0, 0, NUMBER),
+        *_searched(_ranges(_answers(machine, process))),
     ]
-    for number in numbers(ALLOWED, machine).values():
-        lines += [(EQUAL, 0, 1, number), (RETURN, 0, 0, ALLOW)]
-    lines += _if_argument(CLONE[machine], FIRST_ARGUMENT, ANY_BIT, CLONE_THREAD)
-    lines += _if_argument(PRLIMIT[machine], FIRST_ARGUMENT, EQUAL, 0)
+
+
+def _answers(machine: str, process: int) -> dict[int, Lines]:
+    """Return the lines that answer each call that exists, by its number."""
+    answers = {number: [REFUSES] for number in numbers(REFUSED, machine).values()}
+    answers |= {number: [ALLOWS] for number in numbers(ALLOWED, machine).values()}
+    answers[CLONE[machine]] = _if_argument(FIRST_ARGUMENT, ANY_BIT, CLONE_THREAD)
+    answers[PRLIMIT[machine]] = _if_argument(FIRST_ARGUMENT, EQUAL, 0)
     for number in SIGNALS[machine]:
-        lines += _if_argument(number, FIRST_ARGUMENT, EQUAL, process)
-    lines += _if_argument(FCNTL[machine], SECOND_ARGUMENT, EQUAL, *FCNTL_ALLOWED.values())
-    lines += _if_argument(IOCTL[machine], SECOND_ARGUMENT, EQUAL, *IOCTL_ALLOWED.values())
-    for number in numbers(REFUSED, machine).values():
-        lines += [(EQUAL, 0, 1, number), (RETURN, 0, 0, REFUSE | errno.EPERM)]
-    return [*lines, (RETURN, 0, 0, REFUSE | errno.ENOSYS)]
+        answers[number] = _if_argument(FIRST_ARGUMENT, EQUAL, process)
+    answers[FCNTL[machine]] = _if_argument(SECOND_ARGUMENT, EQUAL, *FCNTL_ALLOWED.values())
+    answers[IOCTL[machine]] = _if_argument(SECOND_ARGUMENT, EQUAL, *IOCTL_ALLOWED.values())
+    return answers
 
 
-def _if_argument(number: int, place: int, test: int, *values: int) -> list[Instruction]:
+def _ranges(answers: dict[int, Lines]) -> list[tuple[int, Lines]]:
+    """Return the least number of each range of calls with one answer, and that answer.
+
+    >>> [(least, lines == [DENIES]) for least, lines in _ranges({1: [ALLOWS], 2: [ALLOWS]})]
+    [(0, True), (1, False), (3, True)]
+    """
+    borders = sorted({0, *answers, *(number + 1 for number in answers)})
+    ranges = groupby(borders, lambda number: answers.get(number, [DENIES]))
+    return [(next(numbers), answer) for answer, numbers in ranges]
+
+
+def _searched(ranges: list[tuple[int, Lines]]) -> Lines:
+    """Return lines that find the range of a call by halves, and answer it.
+
+    The kernel tries each new filter out on every number: by halves with a twelfth of the lines
+    that one comparison after another would take.
+    """
+    if len(ranges) == 1:
+        return ranges[0][1]
+    half = len(ranges) // 2
+    below, above = _searched(ranges[:half]), _searched(ranges[half:])
+    return [(AT_LEAST, len(below), 0, ranges[half][0]), *below, *above]
+
+
+def _if_argument(place: int, test: int, *values: int) -> Lines:
     """Return lines that allow a call if an argument passes a test with a value, or refuse it.
 
     The lower half of an argument is looked at, as the kernel does with these.
     """
-    tests = [line for value in values for line in ((test, 0, 1, value), (RETURN, 0, 0, ALLOW))]
-    return [
-        (EQUAL, 0, len(tests) + 2, number),
-        (LOAD, 0, 0, place),
-        *tests,
-        (RETURN, 0, 0, REFUSE | errno.EPERM),
-    ]
+    tests = [line for value in values for line in ((test, 0, 1, value), ALLOWS)]
+    return [(LOAD, 0, 0, place), *tests, REFUSES]
 
 
 class _Filter(ctypes.Structure):

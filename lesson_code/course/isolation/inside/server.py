@@ -77,11 +77,11 @@ class Server:
     def _become_child(self, request: dict[str, Any], descriptor: int) -> None:
         """Close the wall and answer; never return into the server's own code."""
         try:
+            self._wall.close()
             os.dup2(descriptor, 3)
             system.close_from(4)
             _open_nothing()
             with open(3, "rb") as requests, open(3, "wb", closefd=False) as replies:
-                self._wall.close()
                 if request["fork"] == "probe":
                     reply = {"possible": probe.attempts(request["target"])}
                     replies.write(json.dumps(reply).encode() + b"\n")

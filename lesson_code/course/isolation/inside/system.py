@@ -132,7 +132,10 @@ def processor_time(process: int) -> float | None:
     return None
 
 
+HEADER_OF_CAPABILITIES = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
+NO_CAPABILITIES = (ctypes.c_uint32 * 6)()
+
+
 def drop_capabilities() -> None:
     """Give up every privilege that root, or the first user of a namespace, has."""
-    header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
-    _checked("capset", _libc().capset(header, (ctypes.c_uint32 * 6)()))
+    _checked("capset", _libc().capset(HEADER_OF_CAPABILITIES, NO_CAPABILITIES))

@@ -108,6 +108,11 @@ def is_vector(value: Any) -> bool:
     return isinstance(value, kind)
 
 
+def is_array_of_floats(value: Any) -> bool:
+    """Return whether a value is NumPy's own array of floats: of no class made from it."""
+    return np is not None and type(value) is np.ndarray and value.dtype == float
+
+
 def shape_of(value: Any) -> tuple[int, ...]:
     """Return how many values stand in each direction of a vector, or of rows; () of a number.
 

@@ -61,6 +61,7 @@ class Wall:
         running = 0 if orders.user else limits.processes_of(os.getuid())
         self._processes = running + limits.MORE_PROCESSES
         self._count = 0
+        self._rules: int | None = None
 
     @property
     def folder(self) -> str:
@@ -73,10 +74,22 @@ class Wall:
         system.prctl(system.PR_SET_CHILD_SUBREAPER, 1)
         seccomp.prepare()
         if landlock.is_strong():
-            landlock.restrict(_rules_of_the_server(self.orders))
+            landlock.restrict(landlock.ruleset(_rules_of_the_server(self.orders)))
 
     def before_fork(self) -> None:
-        """Make the next child's folder."""
+        """Make the next child's folder, and the rules for its files.
+
+        A child would have to copy each page of memory that it writes to in doing so.
+        """
+        self._make_folder()
+        os.environ["HOME"] = os.environ["TMPDIR"] = self.folder
+        if landlock.is_strong():
+            writable = (self.folder, os.devnull) if self.orders.bytes_a_file else (os.devnull,)
+            rules = [(path, landlock.ALL_WRITES) for path in writable]
+            self._rules = landlock.ruleset([("/", landlock.READ), *rules])
+
+    def _make_folder(self) -> None:
+        """Make a folder for the next child."""
         self._count += 1
         os.mkdir(self.folder, 0o700)  # noqa: PTH102 - paths are texts on this side
         if self.orders.user is not None:
@@ -85,7 +98,6 @@ class Wall:
     def close(self) -> None:
         """Close the wall round this process: in a child, once, for good."""
         os.chdir(self.folder)
-        os.environ["HOME"] = os.environ["TMPDIR"] = self.folder
         os.setsid()
         os.umask(0o077)
         orders = self.orders
@@ -94,10 +106,8 @@ class Wall:
         )
         self._become_nobody()
         system.prctl(system.PR_SET_PDEATHSIG, signal.SIGKILL)
-        if landlock.is_strong():
-            writable = (self.folder, os.devnull) if orders.bytes_a_file else (os.devnull,)
-            rules = [(path, landlock.ALL_WRITES) for path in writable]
-            landlock.restrict([("/", landlock.READ), *rules])
+        if self._rules is not None:
+            landlock.restrict(self._rules)
         seccomp.restrict()
 
     def _become_nobody(self) -> None:
@@ -113,7 +123,13 @@ class Wall:
         return disk.is_overfull(self.folder)
 
     def after_end(self) -> None:
-        """End what the last child has left running, and remove its folder."""
+        """End what the last child has left running, and remove its folder and rules."""
+        self._remove_folder()
+        if self._rules is not None:
+            os.close(self._rules)
+
+    def _remove_folder(self) -> None:
+        """Remove the folder of a child, and end first whoever could write in it."""
         _end_orphans()
         disk.remove(self.folder)
 
@@ -162,17 +178,21 @@ class NamespaceWall(Wall):
         return namespaces.WORKING_FOLDER
 
     def before_fork(self) -> None:
-        """Mount the next child's folder, and put the child into its own process namespace."""
+        """Put the next child into a process namespace of its own, too."""
+        super().before_fork()
+        self._apart.prepare()
+
+    def _make_folder(self) -> None:
+        """Mount a folder for the next child."""
         user = os.getuid() if self.orders.user is None else self.orders.user
         group = os.getgid() if self.orders.user is None else self.orders.user
         namespaces.mount_folder(self.folder, user, group)
-        self._apart.prepare()
 
     def is_overfull(self) -> bool:
         """Return False: the folder itself has a size."""
         return False
 
-    def after_end(self) -> None:
+    def _remove_folder(self) -> None:
         """Take the folder off; the kernel has ended all processes with the first one."""
         namespaces.unmount_folder(self.folder)
 
