@@ -101,6 +101,7 @@ class Grader:
         ValueError
             The file cannot be graded (SubmissionError), or there is no such exercise.
         """
+        self._children.prepare()
         submission = read_submission(path)
         chosen = exercise_by_name(exercise) if exercise else exercise_of(submission)
         drawn = secrets.randbelow(LARGEST_SEED) if seed is None else seed

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 from lesson_code.course.grading.feedback import NOT_WRITTEN, hidden_message, message
 from lesson_code.course.grading.recognition import Diagnosis, diagnoses
 from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
-from lesson_code.course.grading.tried import TriedCall
+from lesson_code.course.grading.tried import TriedCall, quietly
 from lesson_code.course.isolation.call_outcome import CallOutcome
 from lesson_code.course.isolation.inside.answers import GOES_ON, arguments_from, plain
 
@@ -141,11 +141,12 @@ def judge(task: Task, call: Call, seed: int, *, hide_inputs: bool = False) -> Ve
         expected is None for each in task.criteria for _, expected in drawn(task, each, seed)
     )
     calls = [call for _, calls in tried for call in calls]
-    marks = [_mark(task, criterion, some, hide_inputs, may_be_none) for criterion, some in tried]
-    if _is_constant(calls):
-        marks = [mark if mark.message else _by_chance(mark) for mark in marks]
-    is_written = {mark.message for mark in marks if mark.message} != {NOT_WRITTEN}
-    found = diagnoses(task, calls, seed) if is_written else ()  # nothing explains what is not there
+    with quietly():
+        marks = [_mark(task, each, some, hide_inputs, may_be_none) for each, some in tried]
+        if _is_constant(calls):
+            marks = [mark if mark.message else _by_chance(mark) for mark in marks]
+        is_written = {mark.message for mark in marks if mark.message} != {NOT_WRITTEN}
+        found = diagnoses(task, calls, seed) if is_written else ()
     return Verdict(task, tuple(marks), found, seed)
 
 

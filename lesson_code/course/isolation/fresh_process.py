@@ -24,12 +24,13 @@ class FreshProcess:
         self._process: subprocess.Popen[bytes] | None = None
         self._channel: PipeChannel | None = None
         self._folder = ""
+        self._is_new = False
 
     def open(self) -> None:
         """Do nothing: each submission starts from nothing."""
 
-    def start(self) -> Channel:
-        """Return the way to a new child in a new folder; the one before it is ended."""
+    def prepare(self) -> None:
+        """Start a child in a new folder; the one before it is ended."""
         self.end()
         limits = self._limits
         self._folder = tempfile.mkdtemp(prefix="grading-")
@@ -47,6 +48,14 @@ class FreshProcess:
         assert self._process.stdout is not None  # noqa: S101
         most = limits.bytes_an_answer
         self._channel = PipeChannel(self._process.stdin, self._process.stdout, most)
+        self._is_new = True
+
+    def start(self) -> Channel:
+        """Return the way to a child that nothing has been asked yet."""
+        if not self._is_new:
+            self.prepare()
+        assert self._channel is not None  # noqa: S101 - prepare has made it
+        self._is_new = False
         return self._channel
 
     def end(self) -> None:
@@ -63,6 +72,7 @@ class FreshProcess:
         with contextlib.suppress(RecursionError):  # from folders nested by the thousand
             shutil.rmtree(self._folder, ignore_errors=True)
         self._process = self._channel = None
+        self._is_new = False
 
     def spent(self) -> float | None:
         """Return the processor time of the current child, s; None where the system has no clock."""

@@ -39,8 +39,14 @@ class Children(Protocol):
     def open(self) -> None:
         """Make ready."""
 
+    def prepare(self) -> None:
+        """Have the next child made while this process does something else."""
+
     def start(self) -> Channel:
-        """Return the way to a new child; the one before it is ended."""
+        """Return the way to a new child, the prepared one if there is one.
+
+        The child before it is ended.
+        """
 
     def spent(self) -> float | None:
         """Return the processor time of the current child, s; None where nobody can tell."""

@@ -70,6 +70,7 @@ class WarmServer:
         self._user = UnprivilegedUser() if drop_user else None
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
+        self._next: Channel | None = None
 
     def open(self) -> None:
         """Start the server, and wait until its wall stands.
@@ -123,6 +124,10 @@ class WarmServer:
             bytes_a_file=BYTES_A_FILE if self._has_own_root else 0,
         )
 
+    def prepare(self) -> None:
+        """Have the server make the next child; one that waits already is kept."""
+        self._next = self._next or self._forked({"fork": "answers"})
+
     def start(self) -> Channel:
         """Return the way to a new child, whose wall is closed; the one before it is ended.
 
@@ -135,7 +140,9 @@ class WarmServer:
             if attempt:  # where a submission could end the server, it ended nothing but that
                 self._end_server()
                 self.open()
-            channel = self._forked({"fork": "answers"})
+            self.prepare()
+            channel, self._next = self._next, None
+            assert channel is not None  # noqa: S101 - prepare() has made it
             if channel.ask(b"", SECONDS_TO_FORK) == b'{"wall": "closed"}\n':
                 return channel
             channel.close()
@@ -183,6 +190,9 @@ class WarmServer:
 
     def _end_server(self) -> None:
         """End the server, if it runs; it ends its child and cleans up first."""
+        if self._next is not None:
+            self._next.close()
+            self._next = None
         if self._control is not None:
             self._control.close()
             self._control = None

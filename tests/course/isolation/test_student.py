@@ -79,6 +79,17 @@ def test_submission_leaves_no_state_to_the_next(children: Children) -> None:
         assert student.call("f", ()).value == [6.283185307179586, 3.141592653589793]
 
 
+def test_child_that_is_prepared_serves_one_submission(children: Children) -> None:
+    """However often the next child is asked for beforehand, each submission has its own."""
+    source = "import os\ndef f():\n    os.environ['SEEN'] = os.environ.get('SEEN', '') + 'x'\n"
+    source += "    return os.environ['SEEN']\n"
+    for times in (2, 0, 1):
+        for _ in range(times):
+            children.prepare()
+        with StudentProcess(units(source), children) as student:
+            assert student.call("f", ()).value == "x"
+
+
 def test_load_errors_are_kept_and_the_rest_is_loaded(best: Children) -> None:
     """What failed while loading is told in a line each."""
     parts = (*units("1 / 0"), *units("def f(): return 1"))
