@@ -48,6 +48,8 @@ from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
     IMPACT_ROUNDING,
     IMPACT_SWEEPS,
+    IMPACT_WAY,
+    MOST_IMPACT_SWEEPS,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -83,7 +85,8 @@ from lesson_code.formulas.arithmetic import clamp, cross
 def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Compute what stays the same during the sub-steps, and let impacts and deep overlaps pass."""
     contact_solver.prepare(world, effects)
-    world.state.omega = 2 * math.pi * SOFT_FREQUENCY / world.state.dt
+    sweeps = world.state.iterations
+    world.state.omega = 2 * math.pi * SOFT_FREQUENCY * math.sqrt(sweeps) / world.state.dt
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -102,11 +105,11 @@ def close_gap(c: ContactRow, a: BodyRow, b: BodyRow, h: float) -> None:
     """Let two bodies with skins, of which only those touch, come as near as the gap is wide.
 
     If they are to bounce, and would meet in this sub-step, they bounce now: later they would be in
-    each other.
+    each other. Two that part may be pressed together again, but come no nearer than that either.
     """
     closing = c.penetration / h
     if c.target_vn <= 0.0 or normal_velocity(c, a, b) > closing:
-        c.target_vn = min(c.target_vn, closing)
+        c.target_vn = closing
 
 
 def way_apart(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
@@ -141,6 +144,9 @@ def solve_impacts(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
     A pair that parts may be pressed together by a third body, up to e times its speed. It then
     approaches, and bounces in the next step.
+
+    Where many bodies are pressed together the limit is reached before all impacts fit. What is left
+    over moves bodies into one another: there it goes on for as long as that would be much.
     """
     state = world.state
     gravity = math.sqrt(state.gravity_x * state.gravity_x + state.gravity_y * state.gravity_y)
@@ -150,6 +156,20 @@ def solve_impacts(world: World, effects: Effects = EVERY_EFFECT) -> None:
         contact_solver.solve(world, effects)
         most = IMPACT_ROUNDING
         sweeps += 1
+    while sweeps < MOST_IMPACT_SWEEPS and would_enter(world):
+        contact_solver.solve(world, effects)
+        sweeps += 1
+
+
+def would_enter(world: World) -> bool:
+    """Return whether bodies would enter one another in a sub-step, by more than a little."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        way = -missing_velocity(c, a, b) * world.state.dt
+        if way > IMPACT_WAY * min(a.min_width, b.min_width):
+            return True
+    return False
 
 
 def is_off_target(world: World, most: float) -> bool:
