@@ -120,10 +120,10 @@ def pit(seed: int, e: float, mu: float, speed: float) -> list[Body]:
 def test_crowd_that_falls_is_never_far_inside_anybody(
     seed: int, e: float, mu: float, speed: float
 ) -> None:
-    """For three seconds, thrown at 1 to 30 m/s: nobody is in another by half the least radius.
+    """For three seconds, thrown at 1 to 30 m/s: nobody is in another by a tenth of a radius.
 
-    Of twelve draws the deepest overlap was 0.084 m while contacts were sought once a step, and is
-    0.009 m now: springs give way, and an impact that goes through many bodies leaves some speed.
+    Of sixty draws the deepest overlap was 0.003 m: springs give way, and an impact that goes through
+    many bodies leaves some speed. Where contacts were sought once a step it was 0.084 m.
     """
     world = LiveWorld(pit(seed, e, mu, speed), gravity=(0.0, -9.81))
     world.compile()
@@ -134,8 +134,8 @@ def test_crowd_that_falls_is_never_far_inside_anybody(
     found = np.array(states)
     depths = deepest_overlaps(Scene(world.bodies()), found[..., :2], found[..., 2])
     assert world.solver == "substep"
-    assert depths.max() < 0.05
-    assert np.quantile(depths, 0.9) < 0.01
+    assert depths.max() < 0.01
+    assert np.quantile(depths, 0.9) < 0.002
 
 
 def test_push_changes_momentum_by_the_impulse_and_spin_by_its_moment() -> None:
