@@ -122,8 +122,8 @@ def test_crowd_that_falls_is_never_far_inside_anybody(
 ) -> None:
     """For three seconds, thrown at 1 to 30 m/s: nobody is in another by a tenth of a radius.
 
-    Of sixty draws the deepest overlap was 0.003 m: springs give way, and an impact that goes through
-    many bodies leaves some speed. Where contacts were sought once a step it was 0.084 m.
+    Of sixty draws the deepest overlap was 0.003 m: springs give way, and an impact that goes
+    through many bodies leaves some speed. Where contacts were sought once a step it was 0.084 m.
     """
     world = LiveWorld(pit(seed, e, mu, speed), gravity=(0.0, -9.81))
     world.compile()
