@@ -66,8 +66,8 @@ def simulate(
         The time step, s, > 0. All steps have this length.
     iterations : int, optional
         Sweeps over the contacts in each step, >= 1; 10 unless given. For "substep": sweeps before
-        and again after each of its motions; 1 unless given. The naive solver makes one, and Box2D
-        one before and one after each motion.
+        and again after each of its motions, whose springs are as many times as stiff; 1 unless
+        given. The naive solver makes one, and Box2D one before and one after each motion.
     substeps : int, optional
         Equal parts that a step is made in, >= 1, each with its own contacts and sweeps; 1 unless
         given. For "substep" and "box2d": motions in a step, for which contacts are found once; 4
