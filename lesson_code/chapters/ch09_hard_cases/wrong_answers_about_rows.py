@@ -6,6 +6,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lesson_code.chapters.ch09_hard_cases.right_answers import by_mirrors
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
@@ -92,6 +93,19 @@ def pass_after_pass() -> None:
 )
 def each_pair_once() -> None:
     """Each pair strikes once at the most, in the order of how fast they approach at the start."""
+
+
+@wrong_model("9.5", "Four balls have three contacts. How often may one and the same pair strike?")
+@edited(
+    by_mirrors,
+    {
+        "while np.min(pairs @ v) < -1e-9:\n": (
+            "for _ in pairs:\n        if np.min(pairs @ v) >= -1e-9:\n            break\n"
+        )
+    },
+)
+def one_strike_a_contact() -> None:
+    """There are as many strikes as contacts, and no more."""
 
 
 @wrong_model("9.5", "A fast ball follows one that is as fast. Do they approach fast?")

@@ -44,6 +44,17 @@ def all_changes_in_both(before: Table, now: Table) -> Any:
     return changed, changed
 
 
+@wrong_model(
+    "11.4", "3 and 8 touch, and 3 and 5 begin to. What does `pair in table` ask of an array?"
+)
+def one_number_in_the_column(before: Table, now: Table) -> Any:
+    """A pair is in a table if one of its numbers stands in the table, in the same column."""
+    return (
+        [tuple(pair) for pair in now if not (before == pair).any()],
+        [tuple(pair) for pair in before if not (now == pair).any()],
+    )
+
+
 @wrong_model("11.5", "Half of it is left after one half-life. What is left after two? Nothing?")
 def fades_by_a_fixed_amount(brightness: Vector, hit: Vector, dt: float, half_life: float) -> Any:
     """The light goes down evenly, to one half in a half-life."""

@@ -676,7 +676,7 @@ def energy_ratio(mass, inertia, velocity, w, arm, impulse):
     Wrong(
         "9.5",
         "Believes that N balls, with N - 1 contacts, strike no more than N - 1 times.",
-        (),
+        ("one_strike_a_contact",),
         """
 import numpy as np
 
@@ -795,7 +795,7 @@ def bodies_asleep(inverse_masses, still, touches):
     Wrong(
         "11.1",
         "Looks whether a corner of the later box lies in the earlier one.",
-        (),
+        ("corners_of_the_later_box",),
         """
 def near_pairs(boxes):
     pairs = []
@@ -897,7 +897,7 @@ def step_discs(positions, velocities, masses, radii, restitution, gravity, room,
     Wrong(
         "11.4",
         "Tests `pair in table` of an array, which is true as soon as one number matches.",
-        (),
+        ("one_number_in_the_column",),
         """
 import numpy as np
 
