@@ -127,6 +127,7 @@ class Wall:
         self._remove_folder()
         if self._rules is not None:
             os.close(self._rules)
+            self._rules = None
 
     def _remove_folder(self) -> None:
         """Remove the folder of a child, and end first whoever could write in it."""
