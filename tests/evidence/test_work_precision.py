@@ -154,18 +154,22 @@ def test_substeps_beat_iterations_under_a_heavy_box() -> None:
     assert errors[1] < errors[0] / 10
 
 
-def test_springs_under_a_tower_want_both() -> None:
-    """The same sweeps in one sub-step, in 5 and in 25: the best is in the middle, by far.
+def test_springs_under_a_tower_are_as_stiff_as_sweeps_can_follow() -> None:
+    """In one sub-step more sweeps carry the tower higher; split into 25 of one it shakes.
 
-    Ten boxes for two seconds, so that it is soon seen.
+    Ten boxes for two seconds, so that it is soon seen. From 1 to 25 sweeps the springs get 25 times
+    as stiff, and the tower sinks by so much less: 135, 23 and 1.5 mm were measured.
     """
     given_scene = pressed(stack(10).scene)
     tower = replace(scenes()["stack of 20"], scene=given_scene, duration=2.0, times=(1.0, 2.0))
-    errors = [
-        tower.error(sampled(tower, METHODS["substep"], Setting(1 / 60, k, n), compiled=False))
-        for n, k in ((1, 25), (5, 5), (25, 1))
-    ]
-    assert errors[1] < min(errors[0], errors[2]) / 10
+    method = METHODS["substep"]
+    errors = {
+        (n, k): tower.error(sampled(tower, method, Setting(1 / 60, k, n), compiled=False))
+        for n, k in ((1, 1), (1, 5), (1, 25), (25, 1))
+    }
+    assert errors[1, 5] < errors[1, 1] / 5
+    assert errors[1, 25] < errors[1, 1] / 25
+    assert errors[1, 25] < errors[25, 1] / 10
 
 
 def test_settings_of_equal_work_have_equal_sweeps() -> None:
@@ -412,12 +416,14 @@ def test_stored_orders_are_those_of_the_lesson() -> None:
         assert fits[line].order == pytest.approx(1, abs=FIRST_ORDER)
 
 
-def test_stored_splits_of_springs_have_an_optimum_inside() -> None:
-    """100 sweeps a step under a tower: the solver with springs stands best between the ends."""
-    points = splits(stored(), "stack of 20", 100)["substep"]
-    best = min(points, key=lambda p: p.error)
-    assert points[0].substeps < best.substeps < points[-1].substeps
-    assert points[0].failure == points[-1].failure == "fell"
+def test_stored_splits_of_springs_want_sweeps_under_a_tower_and_substeps_under_a_load() -> None:
+    """100 sweeps a step: the tower stands best in one sub-step, the heavy box in fifty."""
+    tower, load = (
+        splits(stored(), scene, 100)["substep"] for scene in ("stack of 20", "heavy on light")
+    )
+    assert [p.error for p in tower] == sorted(p.error for p in tower)
+    assert tower[-1].failure == "fell"
+    assert [p.error for p in load] == sorted((p.error for p in load), reverse=True)
 
 
 @pytest.mark.parametrize("method", ["sequential", "pymunk"])
