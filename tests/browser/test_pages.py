@@ -36,24 +36,18 @@ AXE: Any = {"resultTypes": ["violations"], "preload": False}
 """What axe-core is asked. By itself it would load style sheets, which a folder does not let it."""
 
 JUMPS = """() => new Promise((done) => {
-    let sum = 0;
+    const jumps = [];
     new PerformanceObserver((list) => {
-        for (const { value } of list.getEntries()) sum += value;
+        for (const { value, sources } of list.getEntries()) {
+            const nodes = sources.map((source) => source.node);
+            const moved = nodes.filter((one) => one?.parentElement?.closest("#search-results"));
+            jumps.push([value, moved.map((one) => one.textContent)]);
+        }
     }).observe({ type: "layout-shift", buffered: true });
-    setTimeout(() => done(sum), 200);
+    setTimeout(() => done(jumps), 200);
 })"""
-"""In the page: how far its parts have jumped since it was opened, as Cumulative Layout Shift."""
-
-MOVED = """() => new Promise((done) => {
-    const moved = [];
-    new PerformanceObserver((list) => {
-        for (const { sources } of list.getEntries())
-            for (const { node } of sources)
-                if (node?.parentElement?.closest("#search-results")) moved.push(node.textContent);
-    }).observe({ type: "layout-shift", buffered: true });
-    setTimeout(() => done(moved), 200);
-})"""
-"""In the page of the search: the results that have moved since they were shown."""
+"""In the page: each jump of its parts since it was opened, how far, as Cumulative Layout Shift sums
+them up; and which results of a search it moved."""
 
 LITTLE_JUMPS = 0.02
 """A fifth of what the web's vitals call good: the words above the picture may take another line."""
@@ -132,7 +126,7 @@ def test_first_throw_needs_no_scrolling_and_nothing_jumps(
         box = part.bounding_box()
         assert box
         assert box["y"] + box["height"] <= view["height"]
-    assert page.evaluate(JUMPS) <= LITTLE_JUMPS
+    assert sum(value for value, _ in page.evaluate(JUMPS)) <= LITTLE_JUMPS
 
 
 def test_dark_and_light_follow_the_reader(site: Path, page: Page) -> None:
@@ -172,7 +166,7 @@ def test_search_answers_with_a_sentence_of_the_page(
     assert answer in said.lower()
     assert len(said.split()) >= 3
     page.get_by_text("Search finished").wait_for(timeout=SOON)
-    assert page.evaluate(MOVED) == []
+    assert [results for _, results in page.evaluate(JUMPS) if results] == []
     with page.expect_navigation():  # to the end: a chapter is long
         result.locator("a").first.click()
     text = " ".join(page.locator("article").inner_text().split())

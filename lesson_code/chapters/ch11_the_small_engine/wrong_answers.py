@@ -45,15 +45,12 @@ def corners_inside(boxes: Table) -> Any:
 
 
 @wrong_model("11.1", "A large box lies around a small one. Where are the corners of the large one?")
-def corners_of_the_later_box(boxes: Table) -> Any:
+@edited(
+    corners_inside,
+    {"((boxes[i], boxes[j]), (boxes[j], boxes[i]))": "((boxes[i], boxes[j]),)"},
+)
+def corners_of_the_later_box() -> None:
     """Boxes overlap if a corner of the one that comes later is inside the other."""
-    return [
-        (i, j)
-        for i in range(len(boxes))
-        for j in range(i + 1, len(boxes))
-        if any(boxes[i][0] <= x <= boxes[i][1] for x in boxes[j][:2])
-        and any(boxes[i][2] <= y <= boxes[i][3] for y in boxes[j][2:])
-    ]
 
 
 @wrong_model("11.1", "The pair of 2 and 5 is that of 5 and 2. Is it hit twice?")

@@ -52,7 +52,7 @@ def of_any_answer(look: Callable[[], Any], otherwise: Any) -> Any:
     """Return what a chapter's own code makes of an answer, or something else where it fails.
 
     Such code is written for answers of the form that was asked for. An answer may be anything:
-    whatever that ends in is no error of the grader.
+    whatever that ends in is no error of the grader. What it warns of is kept back by `quietly`.
 
     >>> of_any_answer(lambda: 1e308**2, "beyond all floats")
     'beyond all floats'

@@ -486,6 +486,10 @@ def test_seccomp_program_allows_reading_and_no_network(machine: str) -> None:
     refused = seccomp.numbers(seccomp.REFUSED, machine)
     clone, (kill, kill_thread) = seccomp.CLONE[machine], seccomp.SIGNALS[machine]
     run = _Filter(seccomp.program(machine, process=7), seccomp.ARCHITECTURES[machine])
+    assert run(allowed["read"]) == seccomp.ALLOW
+    assert run(allowed["exit_group"]) == seccomp.ALLOW
+    for name in ("socket", "execve", "flock"):
+        assert run(refused[name]) == seccomp.REFUSE | 1
     asks = {clone, kill, kill_thread, seccomp.PRLIMIT[machine]}
     asks |= {seccomp.FCNTL[machine], seccomp.IOCTL[machine]}
     for number in {*range(1_000), 100_000, 0x4000_0000, 0xFFFF_FFFF} - asks:

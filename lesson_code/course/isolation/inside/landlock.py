@@ -56,7 +56,10 @@ def ruleset(rules: Iterable[tuple[str, int]]) -> int:
 
 
 def restrict(ruleset: int) -> None:
-    """Restrict this process, and all it may start, to what the rules say; there is no way back."""
+    """Restrict this process, and all it may start, to what the rules say; there is no way back.
+
+    The set is closed.
+    """
     system.prctl(system.PR_SET_NO_NEW_PRIVS, 1)
     system.syscall("landlock", system.LANDLOCK_RESTRICT_SELF, ruleset, 0)
     os.close(ruleset)
