@@ -32,14 +32,14 @@ class Island(NamedTuple):
 
     contacts: list[ContactRow]
     bodies: list[BodyRow]
-    of_a: Integers  # the place of each row's body a among the bodies, shape (2m,)
-    of_b: Integers
-    on_a: Floats  # G in the columns of body a, shape (2m, 3)
-    on_b: Floats
+    of: Integers  # the place of each row's body a among the bodies, then of its b, shape (4m,)
+    on: Floats  # G in the columns of these bodies, shape (4m, 3)
+    columns: Integers  # the numbers of these columns, shape (12m,)
     inverse_masses: Floats  # W, shape (n, 3)
     delassus: Floats  # K, shape (2m, 2m), 1/kg
     scale: Floats  # of the impulses at each contact, kg^(1/2), shape (m,)
     friction: Floats  # mu, shape (m,)
+    mass: float  # of what can be pushed, kg
 
 
 def find_islands(world: World) -> None:
@@ -84,14 +84,22 @@ def _island(world: World, contacts: list[ContactRow]) -> Island:
     place = {number: k for k, number in enumerate(numbers)}
     bodies = [world.bodies[number] for number in numbers]
     w = np.array([(body.inv_m, body.inv_m, body.inv_i) for body in bodies])
-    of_a = np.array([place[c.a] for c in contacts] * 2)
-    of_b = np.array([place[c.b] for c in contacts] * 2)
-    on_a, on_b = _directions(contacts, world.bodies)
-    delassus = _delassus(of_a, of_b, on_a, on_b, w)
-    m = len(contacts)
-    scale = 1.0 / np.sqrt(w[of_a[:m], 0] + w[of_b[:m], 0])
-    friction = np.array([c.friction for c in contacts])
-    return Island(contacts, bodies, of_a, of_b, on_a, on_b, w, delassus, scale, friction)
+    of_a, of_b = [place[c.a] for c in contacts], [place[c.b] for c in contacts]
+    of = np.array([*of_a, *of_a, *of_b, *of_b])
+    on = _directions(contacts, world.bodies)
+    scale = 1.0 / np.sqrt(w[of_a, 0] + w[of_b, 0])
+    return Island(
+        contacts,
+        bodies,
+        of,
+        on,
+        (3 * of[:, np.newaxis] + np.arange(3)).ravel(),
+        w,
+        _delassus(of, on, w),
+        scale,
+        np.array([c.friction for c in contacts]),
+        sum(1.0 / body.inv_m for body in bodies if body.inv_m > 0.0),
+    )
 
 
 def velocities(island: Island) -> Floats:
@@ -129,48 +137,43 @@ def apply_pseudo_impulses(island: Island, x: Floats) -> None:
 
 def _at_contacts(island: Island, v: Floats) -> Floats:
     """Return G v."""
-    u: Floats = (island.on_a * v[island.of_a] + island.on_b * v[island.of_b]).sum(axis=1)
+    of_a, of_b = (island.on * v[island.of]).reshape(2, -1, 3)
+    u: Floats = (of_a + of_b).sum(axis=1)
     return u
 
 
 def changes_of(island: Island, x: Floats) -> list[list[float]]:
     """Return W G^T x: the changes of vx, vy, w of every body."""
-    count, impulses = len(island.bodies), x[:, np.newaxis]
-    of = np.concatenate((island.of_a, island.of_b))
-    parts = np.concatenate((island.on_a * impulses, island.on_b * impulses)).T
-    received = np.array([np.bincount(of, part, count) for part in parts]).T
-    changes: list[list[float]] = (island.inverse_masses * received).tolist()
+    parts = island.on * np.concatenate((x, x))[:, np.newaxis]
+    w = island.inverse_masses
+    received = np.bincount(island.columns, parts.ravel(), w.size).reshape(w.shape)
+    changes: list[list[float]] = (w * received).tolist()
     return changes
 
 
-def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> tuple[Floats, Floats]:
-    """Return the rows of G in the columns of body a, and of body b.
+def _directions(contacts: Sequence[ContactRow], bodies: Sequence[BodyRow]) -> Floats:
+    """Return the rows of G in the columns of body a, then those in the columns of body b.
 
     The normal of a disc goes through its centre: it has no lever arm, not even a rounding error.
     """
-    m = len(contacts)
-    nx, ny, ax, ay, bx, by = np.array(
-        [(c.nx, c.ny, c.ax, c.ay, c.bx, c.by) for c in contacts], dtype=float
-    ).T
-    on_a, on_b = np.empty((2 * m, 3)), np.empty((2 * m, 3))
-    for rows, d in ((slice(m), (nx, ny)), (slice(m, 2 * m), (-ny, nx))):
-        on_b[rows, 0], on_b[rows, 1], on_b[rows, 2] = *d, cross((bx, by), d)
-        on_a[rows, 2] = -cross((ax, ay), d)
-    on_a[:, :2] = -on_b[:, :2]
-    for k, c in enumerate(contacts):
-        if bodies[c.a].corner_count == 0:
-            on_a[k, 2] = -0.0
-        if bodies[c.b].corner_count == 0:
-            on_b[k, 2] = 0.0
-    return on_a, on_b
+    along_a, along_b, across_a, across_b = [], [], [], []
+    for c in contacts:
+        n, t, arm_a, arm_b = (c.nx, c.ny), (-c.ny, c.nx), (c.ax, c.ay), (c.bx, c.by)
+        lever_a = cross(arm_a, n) if bodies[c.a].corner_count > 0 else 0.0
+        lever_b = cross(arm_b, n) if bodies[c.b].corner_count > 0 else 0.0
+        along_a.append((-c.nx, -c.ny, -lever_a))
+        along_b.append((c.nx, c.ny, lever_b))
+        across_a.append((c.ny, -c.nx, -cross(arm_a, t)))
+        across_b.append((-c.ny, c.nx, cross(arm_b, t)))
+    return np.array(along_a + across_a + along_b + across_b)
 
 
-def _delassus(of_a: Integers, of_b: Integers, on_a: Floats, on_b: Floats, w: Floats) -> Floats:
+def _delassus(of: Integers, on: Floats, w: Floats) -> Floats:
     """Return K: each body that can be pushed couples all the rows that it has a part in."""
-    size = len(of_a)
-    k, of, on = np.zeros((size, size)), np.concatenate((of_a, of_b)), np.concatenate((on_a, on_b))
-    for body in np.nonzero(w.any(axis=1))[0]:
-        parts = np.nonzero(of == body)[0]
+    size = len(of) // 2
+    k = np.zeros((size, size))
+    for body in w.any(axis=1).nonzero()[0].tolist():
+        parts = (of == body).nonzero()[0]
         own, rows = on[parts], parts % size
         k[rows[:, np.newaxis], rows] += (own * w[body]) @ own.T
     return k

@@ -23,6 +23,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -111,7 +112,7 @@ def _solve(problem: Problem, guess: Cases | None) -> Answer:
 def _answers(problem: Problem, guess: Cases | None) -> Iterator[Answer]:
     """Yield the answers of one method after the other, the quickest first."""
     for spring in SPRINGS:
-        answer = by_pivoting(problem._replace(spring=spring), first_guess(problem, guess))
+        answer = by_pivoting(problem, first_guess(problem, guess), spring)
         yield answer
         if not answer.fits:
             break
@@ -126,8 +127,8 @@ def _error(answer: Answer) -> float:
 
 def _is_solved(problem: Problem, answer: Answer) -> bool:
     """Return whether so little is left of the error that no other method is worth trying."""
-    return answer.error <= max(
-        ENOUGH * float(np.abs(problem.velocity).max()), tolerance(problem, answer.impulses)
+    return answer.error <= ENOUGH * problem.fastest or answer.error <= tolerance(
+        problem, answer.impulses
     )
 
 
@@ -143,8 +144,7 @@ def least_error(problem: Problem, x: Floats) -> float:
     ----------
     Cottle, Pang and Stone, The Linear Complementarity Problem (1992), section 2.7 (Farkas' lemma).
     """
-    k, b, mu = problem[:3]
-    m = len(mu)
+    k, b, m = problem.delassus, problem.velocity, len(problem.friction)
     held = ((x[:m] > 0.0) | ((b + k @ x)[:m] < 0.0)).nonzero()[0]
     of_held = k[np.ix_(held, held)]
     left = b[held] + of_held @ np.linalg.lstsq(of_held, -b[held], rcond=RANK)[0]
@@ -197,7 +197,7 @@ def _lemke_impulses(problem: Problem) -> Floats | None:
     Anitescu and Potra, Formulating dynamic multi-rigid-body contact problems with friction as
     solvable linear complementarity problems (1997).
     """
-    k, b, mu = problem[:3]
+    k, b, mu = problem.delassus, problem.velocity, problem.friction
     m = len(mu)
     rough = np.flatnonzero(mu > 0.0)
     r = len(rough)
@@ -222,7 +222,7 @@ def _softened(problem: Problem) -> Answer:
     """Return the answer of a problem in which every contact gives way a little."""
     k = problem.delassus
     soft = k + SOFT * float(np.trace(k)) / len(k) * np.eye(len(k))
-    yielding = problem._replace(delassus=soft)
+    yielding = replace(problem, delassus=soft)
     answer = by_pivoting(yielding, first_guess(yielding, None))
     if not _is_solved(yielding, answer) and len(problem.friction) <= MOST_FOR_LEMKE:
         answer = min(answer, by_lemke(yielding), key=_error)

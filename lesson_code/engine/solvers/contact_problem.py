@@ -21,6 +21,8 @@ d           scale of each contact's impulses: x = d y                   kg^1/2
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -52,14 +54,29 @@ ROUNDING = 1e-14
 """Of the largest term in K x: what rounding leaves of velocities that cancel."""
 
 
-class Problem(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Problem:
     """A contact problem: K, b and mu, and the scale in which its bodies are alike."""
 
     delassus: Floats  # K, shape (2m, 2m), 1/kg
     velocity: Floats  # b, shape (2m,), m/s
     friction: Floats  # mu, shape (m,)
     scale: Floats | None = None  # d, shape (m,), kg^1/2; None: 1 for all
-    spring: float = SPRINGS[0]  # of the mean of K's diagonal
+
+    @cached_property
+    def own(self) -> Floats:
+        """The diagonal of K: the velocity that an impulse gives its own contact, 1/kg."""
+        return self.delassus.diagonal()
+
+    @cached_property
+    def sizes(self) -> Floats:
+        """The sizes of all numbers in K, 1/kg."""
+        return np.abs(self.delassus)
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest velocity in b, m/s."""
+        return float(np.abs(self.velocity).max())
 
     def part(self, points: Cases) -> Problem:
         """Return the problem of some of the contacts, given by their places, shape (p,)."""
@@ -106,23 +123,22 @@ def complementarity_error(problem: Problem, x: Floats) -> float:
     0.5
     """
     m = len(problem.friction)
-    own = problem.delassus.diagonal()
-    wanted = x - (problem.velocity + problem.delassus @ x) / own
+    wanted = x - (problem.velocity + problem.delassus @ x) / problem.own
     limit = problem.friction * np.maximum(x[:m], 0.0)
     normal = x[:m] - np.maximum(wanted[:m], 0.0)
     tangent = x[m:] - np.minimum(np.maximum(wanted[m:], -limit), limit)
-    return float(np.abs(np.concatenate((normal, tangent)) * own).max(initial=0.0))
+    return float(np.abs(np.concatenate((normal, tangent)) * problem.own).max(initial=0.0))
 
 
 def tolerance(problem: Problem, x: Floats) -> float:
     """Return the error at which impulses count as exact, m/s."""
-    terms = np.abs(problem.delassus) @ np.abs(x)
-    return float(SOLVED * np.abs(problem.velocity).max() + ROUNDING * terms.max())
+    terms = problem.sizes @ np.abs(x)
+    return float(SOLVED * problem.fastest + ROUNDING * terms.max())
 
 
-def spring_of(problem: Problem) -> float:
-    """Return what is added to the diagonal of K, 1/kg."""
-    return problem.spring * float(np.trace(problem.delassus)) / len(problem.delassus)
+def spring_of(problem: Problem, share: float = SPRINGS[0]) -> float:
+    """Return what is added to the diagonal of K, 1/kg: a share of its mean."""
+    return share * float(problem.delassus.trace()) / len(problem.delassus)
 
 
 def legal(problem: Problem, x: Floats) -> Floats:

@@ -7,6 +7,7 @@ of an island follow from its velocities, by a law of impacts (``impact_rules``).
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +55,8 @@ def next_closing(world: World, island: Island, gap: Floats, un: Floats) -> float
 
     Where bodies bounce, gravity alone may close it: gap = -un t + g t^2 / 2.
     """
+    if not gap.any():
+        return math.inf
     left, g = world.state.left, gravity_of(world.state)
     pulls = [pull(world, c) if c.restitution > 0.0 else 0.0 for c in island.contacts]
     falls = np.maximum(pulls, 0.0) * left * left / 2
@@ -93,7 +96,7 @@ def impacts_of(world: World, island: Island, gap: Floats, u: Floats, rule: Strik
         is_last = rounds == 0 or not has_answer or (u[:m][closes] >= -quiet).all()
         points = np.flatnonzero(touches)
         both = np.concatenate((points, m + points))
-        part = problem._replace(velocity=u).part(points)
+        part = replace(problem, velocity=u).part(points)
         if is_last:
             y = solve_contacts(part).impulses
         else:
@@ -126,8 +129,7 @@ def rounding_of(island: Island, speed: float) -> float:
     A light body between heavy ones shows it most: the impulses that stop those add up to nothing
     for it, but for their last digits.
     """
-    load = speed * sum(1.0 / body.inv_m for body in island.bodies if body.inv_m > 0.0)
-    return ROUNDING * float(island.delassus.diagonal().max()) * load
+    return ROUNDING * float(island.delassus.diagonal().max()) * (speed * island.mass)
 
 
 def pairs_of(contacts: list[ContactRow]) -> list[list[int]]:

@@ -35,6 +35,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
@@ -76,7 +77,7 @@ def newton(problem: Problem, restitution: Floats, guess: Cases | None = None) ->
     m = len(restitution)
     wanted = problem.velocity.copy()
     wanted[:m] *= 1.0 + restitution
-    return solve_contacts(problem._replace(velocity=wanted), guess).impulses
+    return solve_contacts(replace(problem, velocity=wanted), guess).impulses
 
 
 def energetic(problem: Problem, restitution: Floats) -> Floats:
@@ -133,7 +134,7 @@ def one_by_one(
             break
         points = np.array(pairs[fastest])
         both = np.concatenate((points, m + points))
-        strike = law(problem._replace(velocity=u).part(points), restitution[points])
+        strike = law(replace(problem, velocity=u).part(points), restitution[points])
         x[both] += strike
         u += problem.delassus[:, both] @ strike
     return x

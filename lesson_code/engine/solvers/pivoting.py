@@ -18,6 +18,8 @@ complementarity problems (1994): the rule that falls back to one change at a tim
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from lesson_code.engine.solvers.contact_problem import (
@@ -56,22 +58,47 @@ CENTRES = 4
 def first_guess(problem: Problem, guess: Cases | None) -> Cases:
     """Return the first guess: where nothing better is known, what does not part sticks."""
     m = len(problem.friction)
-    still = SOLVED * np.abs(problem.velocity).max()
+    still = SOLVED * problem.fastest
     cases = np.where(problem.velocity[:m] > still, OPEN, STICK)
     if guess is not None:
         cases = np.where(guess == UNKNOWN, cases, guess)
     return without_friction(problem.friction, cases)
 
 
-def by_pivoting(problem: Problem, cases: Cases) -> Answer:
+class Equations(NamedTuple):
+    """The equations of all cases. Unknown are jn of what is closed and jt of what sticks."""
+
+    cases: Cases  # shape (m,)
+    closed: Cases  # places of the contacts that are
+    tangents: Cases  # of the tangents of those that stick, among all 2m impulses
+    edge: Floats  # jt / jn of what is closed: +-mu where it slides, else 0
+    matrix: Floats  # velocities from what is unknown, 1/kg
+    right: Floats  # velocities without it, m/s
+    sprung: Floats  # the matrix with springs
+
+    def unknown(self, x: Floats) -> Floats:
+        """Return what is unknown out of the impulses of all contacts, shape (2m,)."""
+        return np.concatenate((x[self.closed], x[self.tangents]))
+
+    def impulses(self, y: Floats) -> Floats:
+        """Return the impulses of all contacts that belong to what was unknown."""
+        count, x = len(self.closed), np.zeros(2 * len(self.cases))
+        x[self.closed] = y[:count]
+        x[len(self.cases) + self.closed] = self.edge * y[:count]
+        x[self.tangents] = y[count:]
+        return x
+
+
+def by_pivoting(problem: Problem, cases: Cases, spring: float = SPRINGS[0]) -> Answer:
     """Return the answer by block principal pivoting, the error of the spring taken out."""
-    m = len(problem.friction)
-    centre = np.zeros(2 * m)
-    best, found = Answer(centre, complementarity_error(problem, centre), "pivoting"), False
+    stiffness, m = spring_of(problem, spring), len(problem.friction)
+    centre, approach = np.zeros(2 * m), -float(problem.velocity[:m].min())
+    best, found = Answer(centre, max(approach, 0.0), "pivoting"), False
     for _ in range(CENTRES):
-        cases, fits = _pivot(problem, cases, centre)
-        found = found or fits
-        centre = legal(problem, _solve_cases(problem, cases, centre, exact=True))
+        equations, y, fits = _pivot(problem, cases, centre, stiffness)
+        found, cases = found or fits, equations.cases
+        exact = _without_springs(equations.matrix, equations.sprung, equations.right, y)
+        centre = legal(problem, equations.impulses(exact))
         error = complementarity_error(problem, centre)
         gained = error < 0.5 * best.error
         best = Answer(centre, error, "pivoting") if error < best.error else best
@@ -80,15 +107,20 @@ def by_pivoting(problem: Problem, cases: Cases) -> Answer:
     return best._replace(fits=found)
 
 
-def _pivot(problem: Problem, cases: Cases, centre: Floats) -> tuple[Cases, bool]:
-    """Change cases until all of them fit the problem with springs; return whether they do."""
+def _pivot(
+    problem: Problem, cases: Cases, centre: Floats, stiffness: float
+) -> tuple[Equations, Floats, bool]:
+    """Change cases until all of them fit the problem with springs.
+
+    Returns their equations, what was unknown in them, and whether all fit.
+    """
     fewest, patience = len(cases) + 1, PATIENCE
     for _ in range(ROUNDS):
-        x = _solve_cases(problem, cases, centre)
-        fitting = _fitting_cases(problem, cases, x, centre)
+        equations, y = _solve_cases(problem, cases, centre, stiffness)
+        fitting = _fitting_cases(problem, cases, equations.impulses(y), centre, stiffness)
         misfits = (fitting != cases).nonzero()[0]
         if len(misfits) == 0:
-            return cases, True
+            return equations, y, True
         if len(misfits) < fewest:
             fewest, patience = len(misfits), PATIENCE
         else:
@@ -98,33 +130,25 @@ def _pivot(problem: Problem, cases: Cases, centre: Floats) -> tuple[Cases, bool]
         else:
             cases = cases.copy()
             cases[misfits[-1]] = fitting[misfits[-1]]
-    return cases, False
+    return *_solve_cases(problem, cases, centre, stiffness), False
 
 
-def _solve_cases(problem: Problem, cases: Cases, centre: Floats, *, exact: bool = False) -> Floats:
-    """Return the impulses that make the equations of all cases true, with springs or without.
-
-    Unknown are jn of what is closed and jt of what sticks; jt = +-mu jn of what slides.
-    """
-    k, b, mu = problem[:3]
-    m = len(mu)
-    closed, sticks = (cases != OPEN).nonzero()[0], (cases == STICK).nonzero()[0]
+def _solve_cases(
+    problem: Problem, cases: Cases, centre: Floats, stiffness: float
+) -> tuple[Equations, Floats]:
+    """Return the equations of all cases, with springs around a centre, and what was unknown."""
+    k, mu, m = problem.delassus, problem.friction, len(problem.friction)
+    closed, tangents = (cases != OPEN).nonzero()[0], m + (cases == STICK).nonzero()[0]
     edge = cases[closed] * mu[closed]
-    rows = np.concatenate((closed, m + sticks))
+    rows = np.concatenate((closed, tangents))
     of_rows = k[rows]
-    equations = np.empty((len(rows), len(rows)))
-    equations[:, : len(closed)] = of_rows[:, closed] + of_rows[:, m + closed] * edge
-    equations[:, len(closed) :] = of_rows[:, m + sticks]
-    start = np.concatenate((centre[closed], centre[m + sticks]))
-    sprung = _with_springs(equations, spring_of(problem))
-    y = start - _solution(sprung, b[rows] + equations @ start)
-    if exact:
-        y = _without_springs(equations, sprung, b[rows], y)
-    x = np.zeros(2 * m)
-    x[closed] = y[: len(closed)]
-    x[m + closed] = edge * y[: len(closed)]
-    x[m + sticks] = y[len(closed) :]
-    return x
+    matrix = np.empty((len(rows), len(rows)))
+    matrix[:, : len(closed)] = of_rows[:, closed] + of_rows[:, m + closed] * edge
+    matrix[:, len(closed) :] = of_rows[:, tangents]
+    right, sprung = problem.velocity[rows], _with_springs(matrix, stiffness)
+    equations = Equations(cases, closed, tangents, edge, matrix, right, sprung)
+    start = equations.unknown(centre)
+    return equations, start - _solution(sprung, right + matrix @ start)
 
 
 def least_solution(equations: Floats, b: Floats) -> Floats:
@@ -150,15 +174,16 @@ def _without_springs(equations: Floats, sprung: Floats, b: Floats, y: Floats) ->
     with the least sum of squares is found from the singular values, which takes far longer.
     """
     missing = b + equations @ y
+    most = _largest(missing)
     for _ in range(REFINEMENTS):
         better = y - _solution(sprung, missing)
         left = b + equations @ better
-        if not _largest(left) < 0.5 * _largest(missing):
+        if not (most_left := _largest(left)) < 0.5 * most:
             break
-        y, missing = better, left
-    if _largest(missing) > ENOUGH * _largest(b):
+        y, missing, most = better, left, most_left
+    if most > ENOUGH * _largest(b):
         least = np.linalg.lstsq(equations, -b, rcond=RANK)[0].astype(float)
-        if _largest(b + equations @ least) < _largest(missing):
+        if _largest(b + equations @ least) < most:
             return least
     return y
 
@@ -180,23 +205,23 @@ def _solution(matrix: Floats, right: Floats) -> Floats:
     return solution
 
 
-def _fitting_cases(problem: Problem, cases: Cases, x: Floats, centre: Floats) -> Cases:
+def _fitting_cases(
+    problem: Problem, cases: Cases, x: Floats, centre: Floats, stiffness: float
+) -> Cases:
     """Return the case that each contact should have had, to judge by impulses and velocities."""
-    k, b, mu = problem[:3]
-    m = len(mu)
-    w = b + k @ x + spring_of(problem) * (x - centre)
-    own = k.diagonal()
-    rounding = ROUNDING * (np.abs(k) @ np.abs(x) + np.abs(b))
-    jn, jt = x[:m], x[m:]
-    wn = np.where(np.abs(w[:m]) <= rounding[:m], 0.0, w[:m])
-    wt = np.where(np.abs(w[m:]) <= rounding[m:], 0.0, w[m:])
+    b, mu, own, m = problem.velocity, problem.friction, problem.own, len(problem.friction)
+    w = b + problem.delassus @ x + stiffness * (x - centre)
+    rounding = ROUNDING * (problem.sizes @ np.abs(x) + np.abs(b))
+    w = np.where(np.abs(w) <= rounding, 0.0, w)
+    ways = w / own
+    is_open = cases == OPEN
     # One step of the projection whose fixed point is the answer; see complementarity_error.
-    push = np.where(cases == OPEN, -wn / own[:m], jn)
-    rub = np.where(cases == STICK, jt, jt - wt / own[m:])
+    push = np.where(is_open, -ways[:m], x[:m])
+    rub = np.where(cases == STICK, x[m:], x[m:] - ways[m:])
     limit = mu * np.maximum(push, 0.0) * (1.0 + ROUNDING)
     fitting = np.where(rub > limit, FORWARD, np.where(rub < -limit, BACKWARD, STICK))
     # What slides and is not drawn back keeps sliding; only wt against jt makes it stick.
     slides = (cases == FORWARD) | (cases == BACKWARD)
-    fitting = np.where(slides, np.where(cases * wt <= 0.0, cases, STICK), fitting)
-    fitting = np.where(push <= np.where(cases == OPEN, 0.0, -rounding[:m] / own[:m]), OPEN, fitting)
-    return without_friction(problem.friction, fitting)
+    fitting = np.where(slides, np.where(cases * w[m:] <= 0.0, cases, STICK), fitting)
+    fitting = np.where(push <= np.where(is_open, 0.0, -rounding[:m] / own[:m]), OPEN, fitting)
+    return without_friction(mu, fitting)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -200,7 +201,7 @@ def test_velocities_without_friction_are_the_only_exact_answer(seed: int, contac
     """K is symmetric and not negative: whoever carries the load, the velocities are the same."""
     rng = np.random.default_rng(seed)
     problem = some_problem(rng, contacts, int(rng.integers(1, 4)), digits=6)
-    problem = problem._replace(friction=np.zeros(contacts))
+    problem = replace(problem, friction=np.zeros(contacts))
     answers = exact_answers(problem)
     assume(answers)
     answer = solve_contacts(problem)
@@ -324,7 +325,7 @@ def test_lemke_takes_over_where_pivoting_fails(monkeypatch: pytest.MonkeyPatch) 
     expected = solve_contacts(problem)
     assert expected.method == "pivoting"
 
-    def fail(problem: Problem, cases: Any) -> Answer:
+    def fail(problem: Problem, cases: Any, spring: float) -> Answer:
         zero = np.zeros(2 * len(problem.friction))
         return Answer(zero, complementarity_error(problem, zero), "pivoting")
 
