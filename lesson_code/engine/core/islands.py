@@ -172,7 +172,7 @@ def _delassus(of: Integers, on: Floats, w: Floats) -> Floats:
     """Return K: each body that can be pushed couples all the rows that it has a part in."""
     size = len(of) // 2
     k = np.zeros((size, size))
-    for body in w.any(axis=1).nonzero()[0].tolist():
+    for body in np.flatnonzero(w.any(axis=1)).tolist():
         parts = (of == body).nonzero()[0]
         own, rows = on[parts], parts % size
         k[rows[:, np.newaxis], rows] += (own * w[body]) @ own.T

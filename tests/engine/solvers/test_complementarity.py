@@ -325,7 +325,7 @@ def test_lemke_takes_over_where_pivoting_fails(monkeypatch: pytest.MonkeyPatch) 
     expected = solve_contacts(problem)
     assert expected.method == "pivoting"
 
-    def fail(problem: Problem, cases: Any, spring: float) -> Answer:
+    def fail(problem: Problem, cases: Any, spring: float = 0.0) -> Answer:
         zero = np.zeros(2 * len(problem.friction))
         return Answer(zero, complementarity_error(problem, zero), "pivoting")
 
