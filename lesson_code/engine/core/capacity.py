@@ -78,8 +78,10 @@ def longer(table: Any, wanted: int, row: type, *, is_read: bool = False) -> Any:
 
     Of one that has been read nothing is copied.
     """
-    rows = rows_for(wanted)
+    missing = rows_for(wanted) - len(table)
+    if missing <= 0:
+        return table
     if isinstance(table, np.ndarray):
-        return lengthened(table[:0] if is_read and rows > len(table) else table, rows)
-    table.extend(row() for _ in range(rows - len(table)))
+        return lengthened(table[:0] if is_read else table, len(table) + missing)
+    table += [row() for _ in range(missing)]
     return table

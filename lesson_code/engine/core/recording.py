@@ -80,7 +80,7 @@ def record(stepper: Stepper, scene: Scene, duration: float, sample: Sample, reas
     ahead = _steps_in_turn(steps, rests)
     at = done = 0
     while at < len(steps):
-        if (count := int(ahead[at])) > 0:
+        if (count := int(ahead[at])) > 1:
             stepper.note_steps(count, frames, at)
             at, done = at + count, done + count
         else:
@@ -104,7 +104,8 @@ def _steps_in_turn(steps: NDArray[np.int64], rests: Floats) -> NDArray[np.int64]
     >>> _steps_in_turn(np.array([0, 1, 2, 2, 3]), np.array([0, 0, 0, 0.5, 0])).tolist()
     [0, 2, 1, 0, 1]
     """
-    is_next = (rests == 0.0) & (np.diff(steps, prepend=0) == 1)
+    before = np.concatenate(([0], steps[:-1]))
+    is_next = (rests == 0.0) & (steps - before == 1)
     places = np.arange(len(steps))
     stops = np.append(np.flatnonzero(~is_next), len(steps))
     return np.asarray(stops[np.searchsorted(stops, places)] - places)

@@ -8,6 +8,7 @@ and so may the record of impulses. To leave out any other that is called for is 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from importlib import import_module
 
 from lesson_code.engine.core.plan import EffectChoice
@@ -30,6 +31,7 @@ OPTIONAL = tuple(name for name, effect in EFFECTS.items() if effect.is_optional)
 """What may be left out although it is called for: no state of the run depends on it."""
 
 
+@cache
 def capabilities(solver: str) -> tuple[Mapping[str, str], Mapping[str, str]]:
     """Return the effects that a solver lacks, and those that it cannot do without, and why.
 
