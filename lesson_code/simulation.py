@@ -81,9 +81,10 @@ def simulate(
         ``run.plan``, such as "friction" and "rotation".
     compiled : bool, optional
         Whether our own stages run as machine code, which Numba makes of them; the results are the
-        same to the last bit. True: a program that is not kept is compiled first, in some seconds.
-        None: what takes least time. Where no program is kept, a long run begins as plain Python,
-        and goes on as machine code when another process has compiled it; `run.plan` says so.
+        same to the last bit. True: by a program with what the plan calls for, and no more; one that
+        is not kept is compiled first, in half a minute. None: what takes least time. A longer run
+        takes a program with every effect, which came ready-made; the first time half a second goes
+        into its machine code. `run.plan` says what a run was made in.
     impacts : str
         Where bodies that touch are struck together: "simultaneous", all bounce at once, or
         "sequential", one pair after the other. A choice that only "direct" offers.

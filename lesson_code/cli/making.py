@@ -56,10 +56,11 @@ def regenerate(
     from lesson_code.course.notebooks import contents
     from lesson_code.course.notebooks.regenerate import derived_files, drifted
     from lesson_code.course.notebooks.root import find_root, require_instructors
+    from lesson_code.evidence import common_programs
     from lesson_code.view.browser import lab_still, programs, stills
 
     tasks = {exercise.name: exercise.task_ids for exercise in exercises()}
-    kinds = (programs, stills, lab_still)
+    kinds = (common_programs, programs, stills, lab_still)
     with clear_errors():
         root = find_root()
         require_instructors(root)

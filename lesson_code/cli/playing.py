@@ -61,11 +61,12 @@ def _prepare_once() -> None:
 def _prepare() -> None:
     """Compile what is not kept, one after the other, in a process that gives way to all others."""
     from lesson_code.evidence.common_programs import (
+        LIVE,
         compile_in_background,
-        live_programs_to_compile,
+        programs_to_compile,
     )
 
-    compile_in_background(live_programs_to_compile())
+    compile_in_background(programs_to_compile(*LIVE))
 
 
 @play.command("simulator", help=program_summaries()["simulator"])

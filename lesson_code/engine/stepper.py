@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lesson_code.engine.any_scene import SOLVERS, program_for_any_scene
 from lesson_code.engine.compiled import (
     Code,
     Program,
@@ -53,6 +54,7 @@ from lesson_code.engine.effects.choice import (
     choose_effects,
     flags_of,
     names_used,
+    suit_any_scene,
 )
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
@@ -235,7 +237,7 @@ class EngineStepper(Stepper):
         )
 
     def program(self) -> Program:
-        """Return the program that the stages make."""
+        """Return the program that the stages make: with what the scene calls for, no more."""
         return program_of(source_of(self.pipeline), "advance", World)
 
     @property
@@ -419,7 +421,14 @@ class EngineStepper(Stepper):
         steps = 0.0 if math.isinf(steps) else self._steps_a_step * steps
         state, scene = self.world.state, self._question.scene
         seconds = plain_seconds(scene, steps, state.iterations)
-        self._change_to(self._code.begin(self.program, seconds, self._now()))
+        self._change_to(self._code.begin(self._program, seconds, self._now()))
+
+    def _program(self) -> Program:
+        """Return the program to run in: its own if that was asked for, else one for any scene."""
+        is_for_any = self.solver in SOLVERS and suit_any_scene(self.effects)
+        if self._code.is_asked_for or not is_for_any:
+            return self.program()
+        return program_for_any_scene(self.solver, sleeping=self.pipeline.effects.sleeping)
 
     def _now(self) -> str:
         """Return which step comes next, in words; "" before the first."""
@@ -433,7 +442,7 @@ class EngineStepper(Stepper):
         """Go on in machine code if that is there now."""
         if self._may_change_code():
             ahead = (self._steps_planned - self._steps_made) / self._steps_made
-            if (entry := self._code.look(self.program, ahead, self._now())) is not None:
+            if (entry := self._code.look(self._program, ahead, self._now())) is not None:
                 self._change_to(entry)
 
     def _change_to(self, entry: Entry | None) -> None:

@@ -14,6 +14,7 @@ import tiers
 from every_scene import DT, SCENES
 
 from lesson_code import Body, Circle, MixingRule, Scene
+from lesson_code.engine.any_scene import stages_for_any_scene
 from lesson_code.engine.compiled import as_arrays
 from lesson_code.engine.compiled.arrays import row_kinds
 from lesson_code.engine.core.frames import Frames
@@ -46,7 +47,6 @@ from lesson_code.view.browser.programs.geometry import (
     look,
     look_ahead,
 )
-from lesson_code.view.browser.stepping import pipeline_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -339,7 +339,7 @@ def at_work(scene: Scene, solver: str) -> EngineStepper:
     substeps = 2 if our_solvers()[solver].shares_contacts else 1  # else they are steps of their own
     usual: Any = {"dt": DT, "iterations": 4, "combine": MixingRule(), "compiled": False}
     run = EngineStepper(scene, solver=solver, substeps=substeps, **usual)
-    run.pipeline = pipeline_of(our_solvers()[solver])
+    run.pipeline = stages_for_any_scene(our_solvers()[solver])
     return run
 
 

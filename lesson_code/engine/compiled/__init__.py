@@ -12,6 +12,7 @@ module            what it does
 ``machine_code``  compiles a program by Numba, into an object file, and links that
 ``compiler``      does so in a process of its own
 ``library``       keeps machine code for the next time
+``ready_made``    makes machine code of what was compiled before anybody asked
 ``loader``        loads machine code and calls it, without Numba
 ``choice``        decides what a run is made in, and changes over on the way
 ``webassembly``   makes programs for web pages of the same sources

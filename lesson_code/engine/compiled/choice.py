@@ -1,8 +1,9 @@
 """The code that a run is made in: plain Python, machine code, or first the one and then the other.
 
 Seconds decide. Machine code that is kept is used where plain Python would take longer than loading
-it. Where none is kept, a run that is long enough begins in plain Python while another process
-compiles, and goes on in machine code when that is there. Both give the same bits.
+it; a program that came ready-made, where it would take longer than making machine code of that.
+For other programs a run that is long enough begins in plain Python while another process compiles,
+and goes on in machine code when that is there. All give the same bits.
 """
 
 from __future__ import annotations
@@ -25,6 +26,9 @@ if TYPE_CHECKING:  # what a small run does not need is imported where it is used
 LOAD_SECONDS = 0.02
 """s, to find a source and its machine code, to load that and to turn the tables into arrays. It is
 half as much, but where no source is kept, linking takes five times as long."""
+
+FINISH_SECONDS = 4.5e-6
+"""s, to make machine code of a program that came ready-made, for each character of its source."""
 
 COMPILE_SECONDS = 1.5e-4
 """s, to compile a program, for each character of its source."""
@@ -109,6 +113,11 @@ class Code:
         return entry or compiler.compiled(made)
 
     @property
+    def is_asked_for(self) -> bool:
+        """Whether the user has asked for machine code, or against it."""
+        return self._asked is not None
+
+    @property
     def may_change(self) -> bool:
         """Whether a run in plain Python is to be looked at on the way."""
         return self._asked is None and not self._never
@@ -157,11 +166,13 @@ class Code:
             return None
         reason = self._never
         if not reason:
-            from lesson_code.engine.compiled import library
+            from lesson_code.engine.compiled import library, ready_made
 
             made = program()
             if (entry := library.load(made)) is not None:
                 return self._take(entry, now, "its machine code was kept")
+            if seconds > finish_seconds(made) and (entry := ready_made.finished(made)):
+                return self._take(entry, now, "a program with every effect came ready-made")
             reason = self._compile_if_long(made, seconds)
         self.choice = Choice(PLAIN, reason)
         return None
@@ -196,6 +207,11 @@ class Code:
 def load_seconds() -> float:
     """Return about how long it takes to find and to load machine code that is kept, s."""
     return slowness() * LOAD_SECONDS
+
+
+def finish_seconds(program: Program) -> float:
+    """Return about how long it takes to make machine code of a ready-made program, s."""
+    return slowness() * FINISH_SECONDS * len(program.source)
 
 
 def compile_seconds(program: Program) -> float:

@@ -20,8 +20,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import IO
 
-from lesson_code.engine.compiled import library
-from lesson_code.engine.compiled.loader import Entry
+from lesson_code.engine.compiled import library, ready_made
+from lesson_code.engine.compiled.loader import Entry, linked
 from lesson_code.engine.compiled.program import Program
 
 FINISH_SECONDS = 30.0
@@ -114,14 +114,14 @@ class Compiling:
 
 
 def compiled(program: Program) -> Entry:
-    """Return a program's machine code: what is kept, or else what another process makes of it now.
+    """Return a program's machine code: what is kept, or can be had now.
 
     Raises
     ------
     RuntimeError
         It cannot be compiled: it holds what Numba does not take, or no process can be started.
     """
-    if (entry := library.load(program)) is not None:
+    if (entry := library.load(program) or ready_made.finished(program)) is not None:
         return entry
     error = Compiling(program, in_background=False).wait()
     if (entry := library.load(program)) is None:
@@ -138,9 +138,9 @@ def main() -> None:
     if hasattr(os, "nice"):
         os.nice(niceness)
     with library.claimed(place, program):
-        if library.load(program) is not None:
+        if library.load(program) is not None or ready_made.finished(program) is not None:
             return
-        from lesson_code.engine.compiled.machine_code import linked, object_file
+        from lesson_code.engine.compiled.machine_code import object_file
 
         gc.disable()  # it ends soon, and a fifth of its time would go into looking for garbage
         made = object_file(program)

@@ -161,9 +161,16 @@ def claimed(place: Path, program: Program) -> Iterator[None]:
 @cache
 def name_of(program: Program) -> str:
     """Return the name of a program's file: what makes other machine code has another name."""
-    layout = [table.in_words() for table in program.layout]
-    told = (program.source, program.entry, layout, _processor(), _compiler())
+    told = sum_over(program), _processor()
     return "program_" + hashlib.sha256(repr(told).encode()).hexdigest()[:20]
+
+
+@cache
+def sum_over(program: Program) -> str:
+    """Return a sum over all that the machine code depends on, but for the processor."""
+    layout = [table.in_words() for table in program.layout]
+    told = (program.source, program.entry, layout, _compiler())
+    return hashlib.sha256(repr(told).encode()).hexdigest()
 
 
 @cache

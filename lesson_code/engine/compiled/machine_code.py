@@ -15,15 +15,10 @@ Numba documentation, Low-level extension API (`intrinsic`); LLVM Language Refere
 
 from __future__ import annotations
 
-import os
-import shutil
-import subprocess
-import tempfile
 import types
 from collections import namedtuple
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
@@ -36,7 +31,7 @@ from numba.np.numpy_support import as_dtype
 
 import lesson_code.engine.compiled.lane_types  # noqa: F401 - Numba learns from it what lanes are
 from lesson_code.engine.compiled.inlining import inlined, merged
-from lesson_code.engine.compiled.loader import SYMBOL, MachineCode, ObjectFile, target_machine
+from lesson_code.engine.compiled.loader import SYMBOL, ObjectFile, target_machine
 from lesson_code.engine.compiled.program import Layout, Program
 
 OPTIONS: dict[str, Any] = {
@@ -99,27 +94,6 @@ class _TextAlone(codegen.JITCPUCodegen):
 
     def _add_module(self, _module: Any) -> None:
         """Keep the module from what would run it."""
-
-
-def linked(file: ObjectFile) -> ObjectFile:
-    """Return an object file as a shared library, if there is a linker and the system can load it.
-
-    A process then needs neither LLVM nor time to load it.
-    """
-    linker = shutil.which("cc")
-    if linker is None or not hasattr(os, "memfd_create"):
-        return file
-    with tempfile.TemporaryDirectory() as place:
-        Path(place, "program.o").write_bytes(file.code)
-        words = [linker, "-shared", "-nostartfiles", "-o", "program.so", "program.o", "-lm"]
-        if subprocess.run(words, cwd=place, capture_output=True, check=False).returncode != 0:  # noqa: S603 - our own file
-            return file
-        library = file._replace(code=Path(place, "program.so").read_bytes(), is_library=True)
-    try:
-        MachineCode(library)
-    except LookupError:
-        return file
-    return library
 
 
 def module_of(program: Program, name: str, machine: Any) -> Any:

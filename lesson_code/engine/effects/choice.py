@@ -7,7 +7,7 @@ and so may the record of impulses. To leave out any other that is called for is 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib import import_module
 
@@ -89,6 +89,19 @@ def choose_effects(
     """
     wishes = checked_wishes(asked)
     return tuple(_choice(question, name, wishes.get(name)) for name in EFFECTS)
+
+
+IN_ANY_SCENE = ("broad_phase", "impulse_record")
+"""Effects without which a run cannot be made by a program for any scene: its tables are made for a
+grid, or not, and its impulses are written down, or not."""
+
+
+def suit_any_scene(choices: Iterable[EffectChoice]) -> bool:
+    """Return whether a program that has every effect does what a run with these asks for.
+
+    It does not where something is left out that the scene calls for.
+    """
+    return all(c.used or not (c.called_for or c.name in IN_ANY_SCENE) for c in choices)
 
 
 def flags_of(choices: tuple[EffectChoice, ...]) -> Effects:

@@ -36,8 +36,13 @@ from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.rows import ImpulseRow
 from lesson_code.engine.core.scene import Scene
-from lesson_code.engine.effects.choice import choose_effects, flags_of, names_used
-from lesson_code.engine.effects.flags import Effects
+from lesson_code.engine.effects.choice import (
+    choose_effects,
+    flags_of,
+    names_used,
+    suit_any_scene,
+)
+from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.event_driven.constants import (
     EVENT_SECONDS,
@@ -65,6 +70,11 @@ from lesson_code.engine.event_driven.work import events_expected
 def source_of(effects: Effects, record: Recorder | None) -> str:
     """Return the source of the program that the loop is compiled as."""
     return link(advance, effects=effects, record=record)
+
+
+def program_for_any_scene() -> Program:
+    """Return the program with every effect, which comes ready-made."""
+    return program_of(source_of(EVERY_EFFECT, note_impulse), "advance", Tables)
 
 
 ANGLE = 2
@@ -154,7 +164,7 @@ class ExactSolver:
         events = 0.0
         if self._flags.collisions:
             events = events_expected(scene, duration, has_grid=self._flags.broad_phase)
-        self._change_to(self._code.begin(self.program, events * EVENT_SECONDS))
+        self._change_to(self._code.begin(self._program, events * EVENT_SECONDS))
         self.advance(-1.0)  # no event yet, but all are predicted
 
     def plan(self, reason: str) -> Plan:
@@ -164,6 +174,12 @@ class ExactSolver:
     def program(self) -> Program:
         """Return the program of the loop, as it is compiled."""
         return program_of(self._source(), "advance", Tables)
+
+    def _program(self) -> Program:
+        """Return the program to run in: its own if that was asked for, else one for any scene."""
+        if self._code.is_asked_for or not suit_any_scene(self.effects):
+            return self.program()
+        return program_for_any_scene()
 
     def twin(self) -> ExactSolver:
         """Return a solver that goes on from here on its own; what is compiled serves both."""
@@ -315,14 +331,14 @@ class ExactSolver:
             left = max(self._duration - state.now, 0.0)
             ahead = min(left / state.now, MOST_AHEAD) if state.now > 0.0 else MOST_AHEAD
             now = f"t = {state.now:.3g} s"
-            self._change_to(self._code.look(self.program, ahead, now))
+            self._change_to(self._code.look(self._program, ahead, now))
 
     def _change_to(self, entry: Entry | None) -> None:
         """Go on with machine code, if there is any, and else with rows."""
         if entry is None:
             self.tables = full_rows(self.tables)
             return
-        self.tables = as_arrays(self.tables, self._source())
+        self.tables = as_arrays(self.tables, entry.program.source)
         self._advance = entry
 
     def _take_impulses(self) -> None:

@@ -31,5 +31,5 @@ class PlanOfEffects {
 
 const PLANNED = 10; // s
 const PLAN_WORDS =
-  `Python asks these rules before it runs a set-up, here for ${PLANNED} s, and compiles no line for an effect that is left out: ` +
+  `Python asks these rules before it runs a set-up, here for ${PLANNED} s, and passes over an effect that is left out: ` +
   "the result stays the same to the last bit. The page's own engine holds all of them all the time, but sleep.";

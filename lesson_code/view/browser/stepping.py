@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from lesson_code.engine.any_scene import stages_for_any_scene
 from lesson_code.engine.compiled.webassembly import WebProgram, table_program
 from lesson_code.engine.core import capacity
-from lesson_code.engine.core.broad_phase import uniform_grid
 from lesson_code.engine.core.constants import MOST_COLOURS, PAIRS_ANYWAY, PAIRS_PER_BODY
 from lesson_code.engine.core.mixing import RULES, MixingRule
-from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import State, World
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.solver import Solver
@@ -22,14 +21,9 @@ from lesson_code.engine.core.tables import world_of
 from lesson_code.view.browser.set_up import FAULTS, set_up
 
 
-def pipeline_of(solver: Solver) -> Pipeline:
-    """Return the stages of a solver for any scene: every effect but sleep and callbacks."""
-    return Pipeline(solver.make_part, uniform_grid, solver.stages_for({}))
-
-
 def stepped_program(solver: Solver) -> WebProgram:
     """Return the program of a solver."""
-    program = table_program(World, set_up, advance, pipeline=pipeline_of(solver))
+    program = table_program(World, set_up, advance, pipeline=stages_for_any_scene(solver))
     return program.telling(capacity=capacity_rules(), scene=scene_rules(solver))
 
 

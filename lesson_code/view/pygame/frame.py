@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import Code, library
+from lesson_code.engine.compiled import Code, library, ready_made
 from lesson_code.engine.live_solver import program_for
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.scene_file import set_up_in, write_scene
@@ -313,8 +313,10 @@ class MachineCode:
 
 
 def _load(solver: str) -> None:
-    """Load a solver's program if it is kept; else it is put together, at least."""
-    library.load(program_for(solver))
+    """Load a solver's program, or make machine code of it where it came ready-made."""
+    program = program_for(solver)
+    if library.load(program) is None:
+        ready_made.finished(program)
 
 
 def _check(
