@@ -82,9 +82,9 @@ def simulate(
     compiled : bool, optional
         Whether our own stages run as machine code, which Numba makes of them; the results are the
         same to the last bit. True: by a program with what the plan calls for, and no more; one that
-        is not kept is compiled first, in half a minute. None: what takes least time. A longer run
-        takes a program with every effect, which came ready-made; the first time half a second goes
-        into its machine code. `run.plan` says what a run was made in.
+        is not kept is compiled first, in half a minute. None: what takes least time. Where that
+        program is not kept, a longer run takes one with every effect, which came ready-made; the
+        first time half a second goes into its machine code. `run.plan` says what a run was made in.
     impacts : str
         Where bodies that touch are struck together: "simultaneous", all bounce at once, or
         "sequential", one pair after the other. A choice that only "direct" offers.

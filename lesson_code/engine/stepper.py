@@ -421,13 +421,13 @@ class EngineStepper(Stepper):
         steps = 0.0 if math.isinf(steps) else self._steps_a_step * steps
         state, scene = self.world.state, self._question.scene
         seconds = plain_seconds(scene, steps, state.iterations)
-        self._change_to(self._code.begin(self._program, seconds, self._now()))
+        entry = self._code.begin(self.program, seconds, self._now(), self.program_for_any)
+        self._change_to(entry)
 
-    def _program(self) -> Program:
-        """Return the program to run in: its own if that was asked for, else one for any scene."""
-        is_for_any = self.solver in SOLVERS and suit_any_scene(self.effects)
-        if self._code.is_asked_for or not is_for_any:
-            return self.program()
+    def program_for_any(self) -> Program | None:
+        """Return a program for any scene that does what this run asks for; None: none does."""
+        if self.solver not in SOLVERS or not suit_any_scene(self.effects):
+            return None
         return program_for_any_scene(self.solver, sleeping=self.pipeline.effects.sleeping)
 
     def _now(self) -> str:
@@ -442,7 +442,8 @@ class EngineStepper(Stepper):
         """Go on in machine code if that is there now."""
         if self._may_change_code():
             ahead = (self._steps_planned - self._steps_made) / self._steps_made
-            if (entry := self._code.look(self._program, ahead, self._now())) is not None:
+            entry = self._code.look(self.program, ahead, self._now(), self.program_for_any)
+            if entry is not None:
                 self._change_to(entry)
 
     def _change_to(self, entry: Entry | None) -> None:

@@ -21,12 +21,13 @@ from lesson_code.engine.compiled import choice, library, ready_made
 from lesson_code.engine.event_driven import why_not
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence import common_programs
+from lesson_code.evidence.scenes.gas import gas_of
 from lesson_code.evidence.scenes.speed import falling_discs
 
 pytest.importorskip("llvmlite")
 
-READY_MADE = ("compiled", "a program with every effect came ready-made")
-KEPT = ("compiled", "its machine code was kept")
+READY_MADE = ("compiled", "a program for any scene came ready-made")
+KEPT = ("compiled", "machine code for any scene was kept")
 
 GRID = {"broad_phase": True}
 """What few bodies do not call for, and a program for any scene has."""
@@ -62,7 +63,7 @@ def require_same(run: Run, plain: Run) -> None:
 @pytest.mark.parametrize("solver", ["sequential", "substep", "exact"])
 @pytest.mark.parametrize("name", SCENES)
 def test_scene_has_the_bits_of_plain_python(name: str, solver: str) -> None:
-    """Every kind of scene, longer than it takes to fall asleep: states and impulses of all steps."""
+    """Every kind of scene, longer than it takes to fall asleep: all states and impulses."""
     scene = SCENES[name]()
     if solver == "exact" and (reason := why_not(scene)):
         pytest.skip(reason)
@@ -132,22 +133,21 @@ def test_first_run_is_compiled_and_the_next_one_finds_it_kept(nothing_kept: Path
     assert len(kept) == 1
 
 
-@pytest.mark.usefixtures("at_once")
 @pytest.mark.parametrize(
-    ("effects", "is_own"),
+    ("effects", "is_suited"),
     [
-        ({"impulse_record": False}, True),
-        ({"sleeping": False}, True),
-        ({"broad_phase": False}, True),
-        ({"sleeping": True}, False),
-        ({"friction": True}, False),
-        ({}, False),
+        ({"impulse_record": False}, False),
+        ({"sleeping": False}, False),
+        ({"broad_phase": False}, False),
+        ({"sleeping": True}, True),
+        ({"friction": True}, True),
+        ({}, True),
     ],
 )
-def test_run_without_what_the_scene_calls_for_has_a_program_of_its_own(
-    effects: dict[str, bool], is_own: bool
+def test_run_without_what_its_scene_calls_for_is_not_made_by_a_program_for_any(
+    effects: dict[str, bool], is_suited: bool
 ) -> None:
-    """One for any scene would do what was not to be done, and write down what nobody wants."""
+    """It would do what was not to be done, and write down what nobody wants."""
     stepper = EngineStepper(
         falling_discs(60),
         solver="sequential",
@@ -156,18 +156,20 @@ def test_run_without_what_the_scene_calls_for_has_a_program_of_its_own(
         substeps=1,
         combine=MixingRule(),
         effects=effects,
-        compiled=None,
         duration=5.0,
     )
-    stepper.close()
-    assert (stepper._program() == stepper.program()) == is_own
+    expected = common_programs.common_programs()["sequential_with_sleep"] if is_suited else None
+    assert stepper.program_for_any() == expected
 
 
-def test_run_that_is_asked_to_be_compiled_has_only_what_its_scene_calls_for() -> None:
-    """That is how chapter 10 measures what an effect costs."""
-    usual = {"dt": DT, "iterations": 10, "substeps": 1, "combine": MixingRule()}
-    stepper = EngineStepper(falling_discs(60), solver="sequential", compiled=False, **usual)
-    assert stepper._program() == stepper.program()
+@pytest.mark.usefixtures("nothing_kept")
+def test_program_of_its_own_comes_first_once_it_is_kept() -> None:
+    """It has only what the scene calls for."""
+    pytest.importorskip("numba")
+    scene = gas_of(60, 0.3, seed=1)
+    simulate(scene, 0.1, compiled=True)
+    plan = simulate(scene, 200.0, sample="end").plan
+    assert (plan.code, plan.code_reason) == ("compiled", "its machine code was kept")
 
 
 def test_numba_is_not_needed(nothing_kept: Path) -> None:

@@ -1,8 +1,9 @@
 """The code that a run is made in: plain Python, machine code, or first the one and then the other.
 
 Seconds decide. Machine code that is kept is used where plain Python would take longer than loading
-it; a program that came ready-made, where it would take longer than making machine code of that.
-For other programs a run that is long enough begins in plain Python while another process compiles,
+it: that of the run's own program, or else of one for any scene. The latter comes ready-made, and is
+used where plain Python would take longer than making machine code of it. Where no other program
+will do, a run that is long enough begins in plain Python while another process compiles its own,
 and goes on in machine code when that is there. All give the same bits.
 """
 
@@ -13,7 +14,7 @@ import timeit
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from lesson_code.engine.compiled.program import Program
 
@@ -44,6 +45,14 @@ twice as many, and so on, for it has to link its program. While that is compiled
 
 REFERENCE_SECONDS = 2.5e-5
 """s, that the loop of `slowness` takes there."""
+
+
+Make: TypeAlias = Callable[[], Program]
+MakeOther: TypeAlias = Callable[[], Program | None]
+
+
+def no_other() -> None:
+    """Return no other program that would do."""
 
 
 class Choice(NamedTuple):
@@ -86,7 +95,9 @@ class Code:
         self._compiling: Compiling | None = None
         self.choice = Choice(PLAIN, "a small run" if asked is None else "asked for")
 
-    def begin(self, program: Callable[[], Program], seconds: float, now: str = "") -> Entry | None:
+    def begin(
+        self, program: Make, seconds: float, now: str = "", other: MakeOther = no_other
+    ) -> Entry | None:
         """Return machine code for a program, or None if plain Python is to run it.
 
         It is called again where a run needs another program.
@@ -99,9 +110,12 @@ class Code:
             About how long plain Python would work on the machine of the constants above.
         now : str
             How far the run has come, in words; "" at its start.
+        other : callable
+            Returns a program that does the same and more, or None: it will do where machine code of
+            the first one is not kept.
         """
         if self._asked is None:
-            return self._by_work(program, seconds * slowness(), now)
+            return self._by_work(program, seconds * slowness(), now, other)
         if not self._asked:
             return None
         from lesson_code.engine.compiled import compiler, library
@@ -113,16 +127,13 @@ class Code:
         return entry or compiler.compiled(made)
 
     @property
-    def is_asked_for(self) -> bool:
-        """Whether the user has asked for machine code, or against it."""
-        return self._asked is not None
-
-    @property
     def may_change(self) -> bool:
         """Whether a run in plain Python is to be looked at on the way."""
         return self._asked is None and not self._never
 
-    def look(self, program: Callable[[], Program], ahead: float, now: str) -> Entry | None:
+    def look(
+        self, program: Make, ahead: float, now: str, other: MakeOther = no_other
+    ) -> Entry | None:
         """Return machine code to go on with, or None if plain Python is to go on.
 
         Parameters
@@ -133,6 +144,8 @@ class Code:
             How much is left, over what is done.
         now : str
             How far the run has come, in words.
+        other : callable
+            As for :meth:`begin`.
         """
         time_now = time.process_time()  # what else the machine does changes nothing
         if not self.may_change or time_now < self._looked + self._pause:
@@ -140,7 +153,7 @@ class Code:
         self._looked = time_now
         if self._compiling is None:
             self._pause *= 2
-            return self._by_work(program, (time_now - self._began) * ahead, now)
+            return self._by_work(program, (time_now - self._began) * ahead, now, other)
         if not self._compiling.is_over():
             return None
         from lesson_code.engine.compiled import library
@@ -160,20 +173,23 @@ class Code:
             self._compiling.leave(to_finish=is_far)
             self._compiling = None
 
-    def _by_work(self, program: Callable[[], Program], seconds: float, now: str) -> Entry | None:
-        """Return machine code if it is kept and pays; let it be made if that pays."""
+    def _by_work(self, program: Make, seconds: float, now: str, other: MakeOther) -> Entry | None:
+        """Return machine code if it is kept or ready-made and pays; let it be made if that pays."""
         if seconds < load_seconds():
             return None
         reason = self._never
         if not reason:
             from lesson_code.engine.compiled import library, ready_made
 
-            made = program()
-            if (entry := library.load(made)) is not None:
+            own = program()
+            if (entry := library.load(own)) is not None:
                 return self._take(entry, now, "its machine code was kept")
-            if seconds > finish_seconds(made) and (entry := ready_made.finished(made)):
-                return self._take(entry, now, "a program with every effect came ready-made")
-            reason = self._compile_if_long(made, seconds)
+            more = other() or own
+            if (entry := library.load(more)) is not None:
+                return self._take(entry, now, "machine code for any scene was kept")
+            if seconds > finish_seconds(more) and (entry := ready_made.finished(more)):
+                return self._take(entry, now, "a program for any scene came ready-made")
+            reason = self._compile_if_long(own, seconds)
         self.choice = Choice(PLAIN, reason)
         return None
 

@@ -164,7 +164,8 @@ class ExactSolver:
         events = 0.0
         if self._flags.collisions:
             events = events_expected(scene, duration, has_grid=self._flags.broad_phase)
-        self._change_to(self._code.begin(self._program, events * EVENT_SECONDS))
+        seconds = events * EVENT_SECONDS
+        self._change_to(self._code.begin(self.program, seconds, other=self.program_for_any))
         self.advance(-1.0)  # no event yet, but all are predicted
 
     def plan(self, reason: str) -> Plan:
@@ -175,11 +176,9 @@ class ExactSolver:
         """Return the program of the loop, as it is compiled."""
         return program_of(self._source(), "advance", Tables)
 
-    def _program(self) -> Program:
-        """Return the program to run in: its own if that was asked for, else one for any scene."""
-        if self._code.is_asked_for or not suit_any_scene(self.effects):
-            return self.program()
-        return program_for_any_scene()
+    def program_for_any(self) -> Program | None:
+        """Return the program for any scene, if it does what this run asks for."""
+        return program_for_any_scene() if suit_any_scene(self.effects) else None
 
     def twin(self) -> ExactSolver:
         """Return a solver that goes on from here on its own; what is compiled serves both."""
@@ -331,7 +330,7 @@ class ExactSolver:
             left = max(self._duration - state.now, 0.0)
             ahead = min(left / state.now, MOST_AHEAD) if state.now > 0.0 else MOST_AHEAD
             now = f"t = {state.now:.3g} s"
-            self._change_to(self._code.look(self._program, ahead, now))
+            self._change_to(self._code.look(self.program, ahead, now, self.program_for_any))
 
     def _change_to(self, entry: Entry | None) -> None:
         """Go on with machine code, if there is any, and else with rows."""
