@@ -339,8 +339,9 @@ for solver, duration in (("sequential", 500.0), ("exact", 1500.0)):
     print((run.positions + 0.0).tobytes().hex(), run.plan.headline, sep="|")
 print("numba" in sys.modules)
 """
-"""Each is long enough for its program to be compiled, and none for any scene will do. When a run first looks whether it is, it
-waits: how fast the compiler is on this machine then decides nothing."""
+"""Each is long enough for its program to be compiled, and none for any scene will do. When a run
+first looks whether it is, it waits: how fast the compiler is on this machine then decides nothing.
+"""
 
 
 @pytest.mark.full
