@@ -138,10 +138,12 @@ def test_boxes_visited_in_lanes_have_the_bits_of_visits_one_by_one(seed: int, so
 def changes_at(steps: tuple[int, ...], monkeypatch: pytest.MonkeyPatch) -> None:
     """Let machine code come, or be given up again, at steps of a run."""
 
-    def look(self: Code, program: Callable[[], Program], ahead: float, now: str) -> Entry | None:
+    def look(
+        self: Code, program: Callable[[], Program], ahead: float, now: str, other: object
+    ) -> Entry | None:
         return compiled(program()) if now in {f"step {step + 1}" for step in steps} else None
 
-    monkeypatch.setattr(Code, "begin", lambda *_: None)
+    monkeypatch.setattr(Code, "begin", lambda *_, **__: None)
     monkeypatch.setattr(Code, "look", look)
 
 
