@@ -27,10 +27,23 @@ def solved(tmp_path: Path) -> Path:
     return tmp_path
 
 
+def make_step(game: Game) -> None:
+    """Make a step; what takes long in plain Python goes on in machine code."""
+    game.step()
+    go_on_in_code(game)
+
+
+def go_on_in_code(game: Game) -> None:
+    """Let a world for whose steps plain Python takes long go on in machine code: the same bits."""
+    world = getattr(game, "world", None)
+    if isinstance(world, LiveWorld) and world.wants_code:
+        world.compile()
+
+
 def run(game: Game, steps: int) -> None:
     """Make some steps."""
     for _ in range(steps):
-        game.step()
+        make_step(game)
 
 
 def deepest_overlap(world: LiveWorld) -> float:

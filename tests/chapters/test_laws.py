@@ -15,11 +15,10 @@ import pytest
 from tiers import share
 
 from lesson_code.chapters.programs import load
-from lesson_code.engine.live_world import LiveWorld
 from lesson_code.view.pygame.game import Game, Input
 from lesson_code.view.pygame.program import Program
 
-from .conftest import deepest_in_room, deepest_of_outlines, deepest_overlap
+from .conftest import deepest_in_room, deepest_of_outlines, deepest_overlap, make_step
 from .conftest import energy as energy_of
 
 KEPT = 1e-9
@@ -44,14 +43,6 @@ def tour(program: Program, game: Game, steps: int) -> Iterator[tuple[int, bool]]
             game.take(one)
         make_step(game)
         yield k, bool(given)
-
-
-def make_step(game: Any) -> None:
-    """Make a step; what takes long in plain Python goes on in machine code, to the same bits."""
-    game.step()
-    world = getattr(game, "world", None)
-    if isinstance(world, LiveWorld) and world.wants_code:
-        world.compile()
 
 
 def random_inputs(seed: int, count: int) -> Iterator[Input]:

@@ -31,6 +31,8 @@ from lesson_code.view.pygame.recording import Recording
 from lesson_code.view.pygame.session import Session
 from lesson_code.view.pygame.window import Window, pygame
 
+from .conftest import go_on_in_code
+
 PROGRAMS = [load(name) for name in program_summaries()]
 OWN_WORLDS = [CRADLE, DOMINOES, SOFT_BODY]
 
@@ -100,6 +102,7 @@ def mash(program: Program, window: Window, count: int, every: int) -> None:
         session.running = True
         if k % every == 0:
             session.step()
+            go_on_in_code(session.game)
         if k % (10 * every) == 0:
             painter.draw()
     assert np.isfinite(session.game.snapshot()).all()

@@ -9,7 +9,7 @@ import pytest
 from lesson_code.chapters.dominoes.game import FLOOR, PROGRAM, Dominoes
 from lesson_code.view.pygame.game import Input
 
-from ..conftest import run
+from ..conftest import make_step, run
 
 
 def test_dominoes_stand_until_they_are_pushed() -> None:
@@ -45,7 +45,7 @@ def test_dominoes_wave_is_timed_all_fall_and_energy_never_grows(spacing: float) 
     game.press("space")
     start = game.energy()
     for _ in range(420):
-        game.step()
+        make_step(game)
         assert game.energy() <= start * (1 + 1e-9)
     assert sorted(game.order) == game.dominoes
     first, end = game.timed[1], game.timed[-1]
@@ -83,5 +83,5 @@ def test_dominoes_tour_measures_four_waves() -> None:
         for step, given in PROGRAM.tour:
             if step == k:
                 game.take(given)
-        game.step()
+        make_step(game)
     assert len(game.measured) == 4
