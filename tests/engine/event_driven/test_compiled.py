@@ -190,11 +190,13 @@ def test_run_that_is_compiled_on_the_way_has_the_same_bits(
     scene, ahead = gas_of(100, 0.3, seed=1), []
     plain = simulate(scene, 40.0, solver="exact", compiled=False, sample="end")
 
-    def look(self: Code, program: Callable[[], Program], more: float, now: str) -> Entry:
+    def look(
+        self: Code, program: Callable[[], Program], more: float, now: str, other: object
+    ) -> Entry:
         ahead.append(more)
         return compiled(program())
 
-    monkeypatch.setattr(Code, "begin", lambda *_: None)
+    monkeypatch.setattr(Code, "begin", lambda *_, **__: None)
     monkeypatch.setattr(Code, "look", look)
     changed = simulate(scene, 40.0, solver="exact", sample="end")
     assert len(ahead) == 1
