@@ -6,7 +6,9 @@ import json
 import math
 import shutil
 from dataclasses import replace
+from itertools import count
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,8 +19,9 @@ from processes import printed, started
 from small_program import small_program
 from tiers import share
 
-from lesson_code import MixingRule, Run, Scene, simulate
+from lesson_code import Material, MixingRule, Run, Scene, simulate
 from lesson_code.engine.compiled import choice, library, ready_made
+from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.event_driven import why_not
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence import common_programs
@@ -131,6 +134,31 @@ def test_run_goes_over_to_it_after_any_step(
     assert changed.plan("").code == f"plain Python, compiled from step {steps + 2} on"
     np.testing.assert_array_equal(changed.states(), plain.states())
     np.testing.assert_array_equal(changed.events(), plain.events())
+
+
+@pytest.mark.parametrize("solver", ["sequential", "substep"])
+@pytest.mark.parametrize("friction", [0.0, 0.4])
+def test_recorded_run_goes_over_to_it_between_two_states(
+    monkeypatch: pytest.MonkeyPatch, solver: str, friction: float
+) -> None:
+    """Smooth discs do not turn, and plain Python notes no angles of theirs; the program does."""
+    bodies = [replace(b, material=Material(0.2, friction)) for b in falling_discs(60).bodies]
+    scene = Scene(bodies, gravity=(0.0, -10.0))
+    plain = simulate(scene, 1.0, solver=solver, compiled=False)
+    for name, value in (("LOAD_SECONDS", math.inf), ("LOOK_SECONDS", 0.0), ("FINISH_SECONDS", 0.0)):
+        monkeypatch.setattr(choice, name, value)
+    look, looks = choice.Code.look, count(1)
+
+    def look_later(code: choice.Code, *asked: Any) -> Entry | None:
+        if next(looks) < 20:
+            return None
+        monkeypatch.setattr(choice, "LOAD_SECONDS", 0.0)
+        return look(code, *asked)
+
+    monkeypatch.setattr(choice.Code, "look", look_later)
+    run = simulate(scene, 1.0, solver=solver)
+    assert run.plan.code == "plain Python, compiled from step 21 on"
+    require_same(run, plain)
 
 
 # When it is used
