@@ -18,13 +18,11 @@ is there.
 from __future__ import annotations
 
 from copy import copy
-from functools import cache
 from weakref import finalize
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import Program
 from lesson_code.engine.core.columns import Floats
 from lesson_code.engine.core.constants import MOST_DRIFTING, MOST_PRESSED
 from lesson_code.engine.core.mixing import MixingRule
@@ -136,21 +134,6 @@ def stepper_for(
         shares_contacts=False,
         skin=LIVE_SKIN if solver == "substep" else None,
     )
-
-
-@cache
-def program_for(solver: str) -> Program:
-    """Return the program by which a solver steps any live world.
-
-    Examples
-    --------
-    >>> program_for("substep").entry
-    'advance'
-    """
-    empty = stepper_for(
-        Scene([]), solver, dt=1.0, iterations=None, combine=MixingRule(), compiled=False
-    )
-    return empty.program()
 
 
 class Flight:

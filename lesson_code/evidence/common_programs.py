@@ -10,7 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from lesson_code.engine.any_scene import program_for_any_scene
-from lesson_code.engine.compiled import Program, ready_made
+from lesson_code.engine.compiled import Program, made_files, ready_made
 from lesson_code.engine.compiled.compiler import Compiling
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
 from lesson_code.engine.event_driven.solver import program_for_any_scene as exact_program
@@ -59,7 +59,7 @@ def fault(name: str) -> str:
 
 def drifted(root: Path) -> list[str]:
     """Return in a line each what is wrong with the files of a workbook; a student's has none."""
-    return ready_made.drifted(common_programs(), root) if names_in(root) else []
+    return made_files.drifted({ready_made.file_of(n): fault(n) for n in names_in(root)}, root)
 
 
 def write(name: str) -> Path:

@@ -40,7 +40,7 @@ GRID = {"broad_phase": True}
 @pytest.fixture
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let machine code pay for a run of any length."""
-    for name in ("LOAD_SECONDS", "FINISH_SECONDS"):
+    for name in ("LOAD_SECONDS", "READY_MADE_SECONDS"):
         monkeypatch.setattr(choice, name, 0.0)
 
 
@@ -50,6 +50,12 @@ def nothing_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     library.forget_loaded()
     monkeypatch.setenv(library.FOLDER_VARIABLE, str(tmp_path))
     return tmp_path
+
+
+def at_work(scene: Scene, **settings: Any) -> EngineStepper:
+    """Return a solver at work on a scene, for some seconds."""
+    usual = {"dt": DT, "iterations": 10, "substeps": 2, "combine": MixingRule(), "duration": 9.0}
+    return EngineStepper(scene, **usual, **settings)
 
 
 def require_same(run: Run, plain: Run) -> None:
@@ -118,15 +124,14 @@ def test_run_goes_over_to_it_after_any_step(
     """Where a run turns out to be long: the bits are those of plain Python all the way."""
     monkeypatch.setattr(choice, "LOOK_SECONDS", math.inf)
     monkeypatch.setattr(choice, "LOAD_SECONDS", math.inf)
-    usual = {"dt": DT, "iterations": 10, "substeps": 2, "combine": MixingRule(), "duration": 9.0}
     plain, changed = (
-        EngineStepper(mixed_heap(), solver=solver, effects=GRID, compiled=compiled, **usual)
+        at_work(mixed_heap(), solver=solver, effects=GRID, compiled=compiled)
         for compiled in (False, None)
     )
     for stepper in (plain, changed):
         stepper.advance(steps)
     assert changed.plan("").code == "plain Python"
-    for name in ("LOAD_SECONDS", "FINISH_SECONDS"):
+    for name in ("LOAD_SECONDS", "READY_MADE_SECONDS"):
         monkeypatch.setattr(choice, name, 0.0)
     changed._code._pause = 0.0
     for stepper in (plain, changed):
@@ -145,8 +150,8 @@ def test_recorded_run_goes_over_to_it_between_two_states(
     bodies = [replace(b, material=Material(0.2, friction)) for b in falling_discs(60).bodies]
     scene = Scene(bodies, gravity=(0.0, -10.0))
     plain = simulate(scene, 1.0, solver=solver, compiled=False)
-    for name, value in (("LOAD_SECONDS", math.inf), ("LOOK_SECONDS", 0.0), ("FINISH_SECONDS", 0.0)):
-        monkeypatch.setattr(choice, name, value)
+    for name, value in {"LOAD": math.inf, "LOOK": 0.0, "READY_MADE": 0.0}.items():
+        monkeypatch.setattr(choice, f"{name}_SECONDS", value)
     look, looks = choice.Code.look, count(1)
 
     def look_later(code: choice.Code, *asked: Any) -> Entry | None:
@@ -187,16 +192,7 @@ def test_run_without_what_its_scene_calls_for_is_not_made_by_a_program_for_any(
     effects: dict[str, bool], is_suited: bool
 ) -> None:
     """It would do what was not to be done, and write down what nobody wants."""
-    stepper = EngineStepper(
-        falling_discs(60),
-        solver="sequential",
-        dt=DT,
-        iterations=10,
-        substeps=1,
-        combine=MixingRule(),
-        effects=effects,
-        duration=5.0,
-    )
+    stepper = at_work(falling_discs(60), solver="sequential", effects=effects, compiled=False)
     expected = common_programs.common_programs()["sequential_with_sleep"] if is_suited else None
     assert stepper.program_for_any() == expected
 
@@ -250,7 +246,7 @@ def test_file_that_is_missing_old_broken_or_too_many_is_named(copied: Path) -> N
     substep.write_bytes(json.dumps(told).encode() + b"\n" + content)
     sequential.write_bytes(b"no line of ours\n")
     shutil.copy(substep, copied / "stray.bitcode")
-    lines = ready_made.drifted(common_programs.common_programs(), copied.parent)
+    lines = common_programs.drifted(copied.parent)
     assert [line.partition(" (")[0] for line in lines] == [
         "bitcode/exact.bitcode: is missing; make it with workbook regenerate",
         "bitcode/sequential.bitcode: cannot be read",

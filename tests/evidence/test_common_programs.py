@@ -7,10 +7,10 @@ import importlib
 import pytest
 from small_program import small_program
 
-from lesson_code import MixingRule, simulate
+from lesson_code import MixingRule, Scene, simulate
 from lesson_code.engine.compiled import choice, library
 from lesson_code.engine.event_driven import ExactSolver
-from lesson_code.engine.live_solver import program_for
+from lesson_code.engine.live_solver import stepper_for
 from lesson_code.evidence import common_programs as common
 from lesson_code.evidence.scenes.gas import gas_of
 from lesson_code.evidence.scenes.speed import falling_discs
@@ -30,7 +30,9 @@ def test_common_programs_are_those_that_runs_ask_for(
     programs = common.common_programs()
     names = [name for name, program in programs.items() if program in asked]
     assert names == ["exact", "sequential", "sequential_with_sleep"]
-    assert program_for("substep") == programs["substep"]
+    usual = {"dt": 1.0, "iterations": None, "combine": MixingRule(), "compiled": False}
+    for solver in ("substep", "sequential"):
+        assert stepper_for(Scene([]), solver, **usual).program() == programs[solver]
     live = ExactSolver(gas_of(99, 0.2, seed=7), combine=MixingRule(), compiled=None)
     live.close()
     assert asked[-1] == programs["exact"]

@@ -13,6 +13,7 @@ module            what it does
 ``compiler``      does so in a process of its own
 ``library``       keeps machine code for the next time
 ``ready_made``    makes machine code of what was compiled before anybody asked
+``made_files``    says what is wrong with files that are made of programs
 ``loader``        loads machine code and calls it, without Numba
 ``choice``        decides what a run is made in, and changes over on the way
 ``webassembly``   makes programs for web pages of the same sources

@@ -28,7 +28,7 @@ LOAD_SECONDS = 0.02
 """s, to find a source and its machine code, to load that and to turn the tables into arrays. It is
 half as much, but where no source is kept, linking takes five times as long."""
 
-FINISH_SECONDS = 8e-6
+READY_MADE_SECONDS = 8e-6
 """s, for each character of its source: a run must be as long for a program that came ready-made.
 To link it and to make machine code of it takes two thirds of that, but many a run comes to rest
 earlier than was reckoned."""
@@ -231,7 +231,7 @@ def load_seconds() -> float:
 
 def worth_finishing(program: Program) -> float:
     """Return for how long a run a program that came ready-made is worth its machine code, s."""
-    return slowness() * FINISH_SECONDS * len(program.source)
+    return slowness() * READY_MADE_SECONDS * len(program.source)
 
 
 def compile_seconds(program: Program) -> float:

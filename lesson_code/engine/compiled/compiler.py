@@ -121,7 +121,7 @@ def compiled(program: Program) -> Entry:
     RuntimeError
         It cannot be compiled: it holds what Numba does not take, or no process can be started.
     """
-    if (entry := library.load(program) or ready_made.finished(program)) is not None:
+    if (entry := ready_made.load(program)) is not None:
         return entry
     error = Compiling(program, in_background=False).wait()
     if (entry := library.load(program)) is None:
@@ -138,7 +138,7 @@ def main() -> None:
     if hasattr(os, "nice"):
         os.nice(niceness)
     with library.claimed(place, program):
-        if library.load(program) is not None or ready_made.finished(program) is not None:
+        if ready_made.load(program) is not None:
             return
         from lesson_code.engine.compiled.machine_code import object_file
 

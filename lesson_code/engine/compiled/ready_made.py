@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import json
 import lzma
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
-from lesson_code.engine.compiled import library
+from lesson_code.engine.compiled import library, made_files
 from lesson_code.engine.compiled.loader import (
     SYMBOL,
     Entry,
@@ -36,6 +36,11 @@ TRIPLE, PROCESSOR = "x86_64-unknown-linux-gnu", "x86-64-v2"
 """For what LLVM's passes weigh what pays. Nothing that they write is for this processor alone."""
 
 
+def load(program: Program) -> Entry | None:
+    """Return a program that is kept, or came ready-made; None: it has to be compiled."""
+    return library.load(program) or finished(program)
+
+
 def finished(program: Program) -> Entry | None:
     """Return a program that came ready-made, ready to be called; from now on it is kept.
 
@@ -43,13 +48,18 @@ def finished(program: Program) -> Entry | None:
     """
     for path in FOLDER.glob(f"*{ENDING}"):
         with suppress(ImportError, OSError, RuntimeError, ValueError, LookupError, lzma.LZMAError):
-            first, _, content = path.read_bytes().partition(b"\n")
-            about = json.loads(first)
+            about, bitcode = _parts(path.read_bytes())
             if about["program"] == library.sum_over(program):
-                made = _machine_code(lzma.decompress(content), tuple(about["needs"]))
+                made = _machine_code(lzma.decompress(bitcode), tuple(about["needs"]))
                 library.keep(library.place_to_write(), program, linked(made))
                 return library.load(program)
     return None
+
+
+def _parts(content: bytes) -> tuple[dict[str, Any], bytes]:
+    """Return what the first line of a file says, and the bitcode, compressed."""
+    first, _, bitcode = content.partition(b"\n")
+    return json.loads(first), bitcode
 
 
 def _machine_code(bitcode: bytes, needs: tuple[str, ...]) -> ObjectFile:
@@ -71,23 +81,15 @@ def file_of(name: str) -> Path:
 
 
 def fault(name: str, program: Program) -> str:
-    """Return what is wrong with a program's file, or "" if nothing is; it is not made for that."""
-    try:
-        with file_of(name).open("rb") as file:
-            is_current = json.loads(file.readline())["program"] == library.sum_over(program)
-    except FileNotFoundError:
-        return "is missing; make it with workbook regenerate"
-    except (ValueError, LookupError, TypeError) as error:
-        return f"cannot be read ({error})"
-    return "" if is_current else "differs from the functions it holds"
+    """Return what is wrong with a program's file, or "" if nothing is."""
+    return made_files.fault(file_of(name), _sum_in, library.sum_over(program))
 
 
-def drifted(programs: Mapping[str, Program], root: Path) -> list[str]:
-    """Return in a line each what is wrong with the files, one for each of these programs."""
-    faults = {file_of(name): fault(name, program) for name, program in programs.items()}
-    orphans = {path: "has no source" for path in FOLDER.glob(f"*{ENDING}") if path not in faults}
-    lines = sorted((faults | orphans).items())
-    return [f"{path.relative_to(root)}: {line}" for path, line in lines if line]
+def _sum_in(content: bytes) -> str:
+    """Return the sum over the program of which a file was made."""
+    about, _ = _parts(content)
+    told: str = about["program"]
+    return told
 
 
 def write(name: str, program: Program) -> Path:

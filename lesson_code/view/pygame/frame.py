@@ -23,8 +23,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lesson_code.engine.compiled import Code, library, ready_made
-from lesson_code.engine.live_solver import program_for
+from lesson_code.engine.any_scene import program_for_any_scene
+from lesson_code.engine.compiled import Code, ready_made
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.scene_file import set_up_in, write_scene
 from lesson_code.view.pygame.game import Game
@@ -301,7 +301,7 @@ class MachineCode:
 
     def _is_there(self, solver: str) -> bool:
         """Return whether a solver's program is compiled; if not, have that done."""
-        program = partial(program_for, solver)
+        program = partial(program_for_any_scene, solver)
         if solver not in self._there and self._codes[solver].look(program, math.inf, "now"):
             self._there.add(solver)
         return solver in self._there
@@ -314,9 +314,7 @@ class MachineCode:
 
 def _load(solver: str) -> None:
     """Load a solver's program, or make machine code of it where it came ready-made."""
-    program = program_for(solver)
-    if library.load(program) is None:
-        ready_made.finished(program)
+    ready_made.load(program_for_any_scene(solver))
 
 
 def _check(

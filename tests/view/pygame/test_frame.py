@@ -11,9 +11,9 @@ import pytest
 from PIL import Image, ImageChops
 
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.engine.any_scene import program_for_any_scene
 from lesson_code.engine.compiled import choice
 from lesson_code.engine.compiled.compiler import compiled
-from lesson_code.engine.live_solver import program_for
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.frame import FILM_HEIGHT, play
 from lesson_code.view.pygame.game import Input
@@ -203,7 +203,7 @@ def test_world_that_has_become_large_goes_on_in_machine_code(
 
     Its program is kept. Else it would come when another process has made it.
     """
-    compiled(program_for("substep"))
+    compiled(program_for_any_scene("substep"))
     monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
     inputs = tmp_path / "more.json"
     recording = Recording("simulator", 0)
@@ -225,7 +225,7 @@ def test_dominoes_go_on_in_machine_code(monkeypatch: pytest.MonkeyPatch) -> None
 
     They are stood up anew after 330 steps: that world goes on in machine code, too.
     """
-    compiled(program_for("substep"))
+    compiled(program_for_any_scene("substep"))
     monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
     program = load("dominoes")
     shown = play(program, frames=360, headless=True, tour=True).game

@@ -14,6 +14,7 @@ import pkgutil
 from importlib import import_module
 from pathlib import Path
 
+from lesson_code.engine.compiled import made_files
 from lesson_code.engine.compiled.webassembly import WebProgram, built, told_by
 
 FOLDER = Path(__file__).parent
@@ -79,25 +80,18 @@ def opened(name: str) -> str:
 
 def fault(name: str) -> str:
     """Return what is wrong with a program's file, or "" if nothing is; it is not built for that."""
-    file = file_of(name)
-    if not file.exists():
-        return "is missing; make it with workbook regenerate"
-    try:
-        sources = told_by(file.read_bytes())["sources"]
-    except (ValueError, LookupError) as error:
-        return f"cannot be read ({error})"
-    return "" if sources == program(name).fingerprint else "differs from the functions it holds"
+    return made_files.fault(file_of(name), _sources_in, program(name).fingerprint)
+
+
+def _sources_in(content: bytes) -> str:
+    """Return the sum over its sources that a program tells."""
+    told: str = told_by(content)["sources"]
+    return told
 
 
 def drifted(root: Path) -> list[str]:
-    """Return in a line each what is wrong with the programs of a workbook; none is built for that.
-
-    A student's workbook has none.
-    """
-    files = [(file_of(name), fault(name)) for name in names_in(root)]
-    orphans = {*FOLDER.glob("*.wasm")} - {file for file, _ in files} if files else ()
-    lines = files + [(file, "has no source") for file in sorted(orphans)]
-    return [f"{file.relative_to(root)}: {line}" for file, line in lines if line]
+    """Return in a line each what is wrong with the programs of a workbook; a student's has none."""
+    return made_files.drifted({file_of(name): fault(name) for name in names_in(root)}, root)
 
 
 def write(name: str) -> Path:
