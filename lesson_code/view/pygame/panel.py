@@ -52,11 +52,10 @@ class Panel:
 
     def begin(self) -> None:
         """Empty the panel and write the title."""
-        width, height = self._window.surface.get_size()
-        px = self._window.px
+        width, px = self._window.surface.get_width(), self._window.px
         self._left, self._right = width - px(PANEL_WIDTH) + px(MARGIN), width - px(MARGIN)
         self._window.surface.set_clip(None)
-        self._window.surface.fill(PANEL, (width - px(PANEL_WIDTH), 0, px(PANEL_WIDTH), height))
+        self._window.fill(PANEL, width - px(PANEL_WIDTH), width)
         self._window.text(self._title, (self._left, px(MARGIN)), size=TITLE_SIZE)
         self._y = px(MARGIN + 34)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
@@ -157,8 +157,7 @@ class Picture:
         """Empty the field; what is drawn from now on shows where the camera looks."""
         if self._fitted != self.window.surface.get_size():
             self.fit()
-        self._field.set_clip(None)
-        self._field.fill(colour, ((0, 0), self.size))
+        self.window.fill(colour, 0, self.size[0])
         self._field.set_clip(self.seen)
 
     def grid(self, spacing: float) -> None:
@@ -185,12 +184,9 @@ class Picture:
 
     def discs(self, centres: Vector, radii: Iterable[float], colours: Iterable[Colour]) -> None:
         """Draw many discs at centres of shape (N, 2), m; faster than one by one."""
-        places = np.round(self.camera.places_of(centres)).astype(int).tolist()
-        sprites, scale = [], self.camera.scale
-        for (x, y), radius, colour in zip(places, radii, colours, strict=True):
-            sprite, half = _disc(round(2 * radius * scale) / 2, colour)
-            sprites.append((sprite, (x - half, y - half)))
-        self._field.blits(sprites, False)
+        sprites, halves = _discs(self.camera.scale, tuple(radii), tuple(colours))
+        corners = (np.round(self.camera.places_of(centres)) - halves).astype(int)
+        self._field.blits(list(zip(sprites, corners.tolist(), strict=True)), False)
 
     def disc(self, centre: XY, radius: float, colour: Colour, angle: float | None = None) -> None:
         """Draw a disc; with an angle it has a spoke, which shows how it turns."""
@@ -330,9 +326,20 @@ def _shades(ground: Colour, colour: Colour, count: int) -> list[Colour]:
     return [blend(ground, colour, k / count) for k in range(1, count)]
 
 
+@lru_cache(maxsize=16)
+def _discs(
+    scale: float, radii: tuple[float, ...], colours: tuple[Colour, ...]
+) -> tuple[list[pygame.Surface], Vector]:
+    """Return the pictures of discs and half of their widths, (N, 1) px: mostly as a frame ago."""
+    pairs = zip(radii, colours, strict=True)
+    sprites = [_disc(round(2 * radius * scale) / 2, colour) for radius, colour in pairs]
+    halves = [sprite.get_width() // 2 for sprite in sprites]
+    return sprites, np.reshape(halves, (-1, 1))
+
+
 @cache
-def _disc(radius: float, colour: Colour) -> tuple[pygame.Surface, int]:
-    """Return the picture of a disc, painted once, and half of its width, px."""
+def _disc(radius: float, colour: Colour) -> pygame.Surface:
+    """Return the picture of a disc, painted once; radius in px."""
     sprite = smooth_disc(max(radius, 1.0), colour).convert_alpha()
     sprite.set_alpha(255, pygame.RLEACCEL)  # three times faster: only its rim is mixed
-    return sprite, sprite.get_width() // 2
+    return sprite
