@@ -286,7 +286,7 @@ class LiveWorld:
     def _fly(self) -> bool:
         """Let the exact solver make a step, and return whether it has."""
         engine = self._engine
-        if self._choice.solver != "exact" or self.steps < self._flies_from:
+        if self.solver != "exact":
             return False
         try:
             flight = self._in_flight()
@@ -306,8 +306,8 @@ class LiveWorld:
     def _in_flight(self) -> Flight:
         """Return the exact solver at work on the bodies as they are."""
         if self._flight is None:
-            compiled = None if len(self) >= WORTH_COMPILING else False
             scene = Scene(self.bodies(), self.gravity, self.damping)
+            compiled = None if "exact" in self._in_code else False
             self._flight = Flight(scene, self.combine, compiled)
         return self._flight
 
@@ -323,8 +323,9 @@ class LiveWorld:
     @property
     def _is_slow(self) -> bool:
         """Whether plain Python takes long for a step, and machine code can be had."""
-        many = len(self) >= WORTH_COMPILING or self._choice.solver == "substep"
-        return many and has_program(self.solver)
+        solver = self.solver
+        many = len(self) >= WORTH_COMPILING or solver == "substep"
+        return many and has_program(solver)
 
     @property
     def compiled(self) -> bool:
@@ -333,8 +334,10 @@ class LiveWorld:
 
     @property
     def solver(self) -> str:
-        """The solver that makes its steps, also where none is needed because all discs fly."""
-        return self._engine.solver
+        """The solver that makes its next step."""
+        stepped = self._engine.solver
+        flies = self._choice.solver == "exact" and self.steps >= self._flies_from
+        return "exact" if flies else stepped
 
     def compile(self) -> None:
         """Go on in machine code from here, with the same results to the last bit.
@@ -342,8 +345,12 @@ class LiveWorld:
         It takes seconds where its program is not kept. If another solver takes over, that one
         begins in plain Python.
         """
-        self._engine.compile()
-        self._in_code |= {self.solver}
+        solver = self.solver
+        self._in_code |= {solver}
+        if solver != "exact":
+            self._engine.compile()
+        elif self._flight is not None:
+            self._flight.solver.compile()
 
     def plan(self) -> Plan:
         """Return what the bodies call for as they are now, and what the world reckons with.

@@ -88,6 +88,36 @@ def test_world_that_grows_stays_in_machine_code() -> None:
     assert (world.solver, world.compiled, world.wants_code) == ("substep", True, False)
 
 
+@settings(max_examples=share(20, 4))
+@given(seed=st.integers(0, 2**32 - 1), before=st.integers(1, 40), e=st.floats(0.3, 1.0))
+def test_discs_that_fly_go_on_in_machine_code_with_the_same_bits(
+    seed: int, before: int, e: float
+) -> None:
+    """From any step on, and also after one of them is pushed, which ends what was foreseen."""
+    random = np.random.default_rng(seed)
+    places, velocities = np.mgrid[0:12, 0:9].reshape(2, -1).T, random.normal(0, 2, (108, 2))
+    discs = [
+        Body(Circle(0.3), mass=1.0, position=tuple(p), velocity=tuple(v), material=Material(e))
+        for p, v in zip(places.tolist(), velocities.tolist(), strict=True)
+    ]
+    plain, fast = LiveWorld(discs), LiveWorld(discs)
+    for world in (plain, fast):
+        for _ in range(before):
+            world.step()
+    assert (fast.solver, fast.wants_code) == ("exact", True)
+    fast.compile()
+    assert (fast.compiled, fast.wants_code) == (True, False)
+    for world in (plain, fast):
+        for _ in range(20):
+            world.step()
+        world.push(7, (0.01, 0.02))
+        for _ in range(20):
+            world.step()
+    assert fast._in_flight().solver.plan("").code == "compiled"
+    assert plain._in_flight().solver.plan("").code == "plain Python"
+    assert (plain.states() == fast.states()).all()
+
+
 def pit(seed: int, e: float, mu: float, speed: float) -> list[Body]:
     """Return a pit, and 17 to 59 discs and boxes above its floor, thrown at random."""
     random, material = np.random.default_rng(seed), Material(e, mu)

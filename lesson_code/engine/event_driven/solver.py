@@ -180,6 +180,14 @@ class ExactSolver:
         """Return the program for any scene, if it does what this run asks for."""
         return program_for_any_scene() if suit_any_scene(self.effects) else None
 
+    def compile(self) -> None:
+        """Go on in machine code, with the same bits: at once if it is kept or came ready-made."""
+        self._code.close()
+        self._code = Code(None)
+        if isinstance(self.tables.discs, list):
+            now = f"t = {self.tables.state.now:.3g} s"
+            self._change_to(self._code.begin(self.program, math.inf, now, self.program_for_any))
+
     def twin(self) -> ExactSolver:
         """Return a solver that goes on from here on its own; what is compiled serves both."""
         other = copy(self)

@@ -25,6 +25,8 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.any_scene import program_for_any_scene
 from lesson_code.engine.compiled import Code, ready_made
+from lesson_code.engine.compiled import Program as CompiledProgram
+from lesson_code.engine.event_driven.solver import program_for_any_scene as program_for_discs
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.scene_file import set_up_in, write_scene
 from lesson_code.view.pygame.game import Game
@@ -39,6 +41,9 @@ from lesson_code.view.pygame.window import Window, open_window, pygame
 
 FILM_HEIGHT = 400
 """px: small letters can still be read."""
+
+LONGEST_WAIT = 2.0
+"""s: then a world goes on in plain Python until its machine code is there."""
 
 SCENES = "scene"
 """How the names of scene files begin; a browser saves the lab's as scene.json."""
@@ -266,55 +271,76 @@ def _run(
             if not session.handle_all(pygame.event.get()):
                 break
             start = time.process_time()
-            code.look_at(session.game.world)
-            session.tick(elapsed, most_seconds)
+            session.waits = code.is_awaited_by(session.game.world)
+            if not session.waits:
+                session.tick(elapsed, most_seconds)
             between = time.process_time()
             painter.draw()
-            seconds.append((between - start, time.process_time() - between))
-            camcorder.see(elapsed)
+            if not session.waits:
+                seconds.append((between - start, time.process_time() - between))
+                camcorder.see(elapsed)
             _do_wanted(session, window, camcorder)
     return Played(session.game, session.steps, np.reshape(seconds, (-1, 2)), camcorder.film)
 
 
 class MachineCode:
-    """Switches a world to machine code once that is there: nobody waits for a compiler.
+    """Switches a world to machine code where plain Python takes long for its steps.
 
-    A program is put together, or loaded, in a thread of its own, and compiled in another process.
+    Time stands still until a program that came ready-made is loaded, or made into machine code once
+    on a machine; keys are heard meanwhile. For a compiler nobody waits.
     """
 
     def __init__(self) -> None:
-        self._codes: dict[str, Code] = {}
-        self._threads: dict[str, Thread] = {}
-        self._there: set[str] = set()
+        self._coming: dict[str, _Coming] = {}
 
-    def look_at(self, world: LiveWorld) -> None:
-        """Switch a world for which plain Python takes long, if its machine code is there."""
+    def is_awaited_by(self, world: LiveWorld) -> bool:
+        """Return whether a world is to wait for its code; switch it to what is there."""
         if not world.wants_code:
-            return
-        solver = world.solver
-        if solver not in self._codes:
-            self._codes[solver] = Code(None)
-            self._threads[solver] = Thread(target=_load, args=(solver,), daemon=True)
-            self._threads[solver].start()
-        elif not self._threads[solver].is_alive() and self._is_there(solver):
+            return False
+        if world.solver not in self._coming:
+            self._coming[world.solver] = _Coming(world.solver)
+        coming = self._coming[world.solver]
+        if coming.is_awaited():
+            return True
+        if coming.is_there():
             world.compile()
-
-    def _is_there(self, solver: str) -> bool:
-        """Return whether a solver's program is compiled; if not, have that done."""
-        program = partial(program_for_any_scene, solver)
-        if solver not in self._there and self._codes[solver].look(program, math.inf, "now"):
-            self._there.add(solver)
-        return solver in self._there
+        return False
 
     def close(self) -> None:
         """End the processes that compile, unless they are nearly done."""
-        for code in self._codes.values():
-            code.close()
+        for coming in self._coming.values():
+            coming.code.close()
 
 
-def _load(solver: str) -> None:
-    """Load a solver's program, or make machine code of it where it came ready-made."""
-    ready_made.load(program_for_any_scene(solver))
+class _Coming:
+    """A solver's machine code, on its way."""
+
+    def __init__(self, solver: str) -> None:
+        self.code, self._solver, self._is_there = Code(None), solver, False
+        self._end = time.perf_counter() + LONGEST_WAIT
+        self._thread = Thread(target=self._load, daemon=True)
+        self._thread.start()
+
+    def _load(self) -> None:
+        """Load it, or make it where its program came ready-made."""
+        self._is_there = ready_made.load(_program_of(self._solver)) is not None
+
+    def is_awaited(self) -> bool:
+        """Return whether it is being loaded, and that has not taken too long; see for a frame."""
+        self._thread.join(TIME_STEP)
+        return self._thread.is_alive() and time.perf_counter() < self._end
+
+    def is_there(self) -> bool:
+        """Return whether it is there; if it did not come ready-made, have it compiled."""
+        if not self._is_there and not self._thread.is_alive():
+            program = partial(_program_of, self._solver)
+            self._is_there = self.code.look(program, math.inf, "now") is not None
+        return self._is_there
+
+
+def _program_of(solver: str) -> CompiledProgram:
+    """Return the program with which a solver moves a live world."""
+    return program_for_discs() if solver == "exact" else program_for_any_scene(solver)
 
 
 def _check(

@@ -68,6 +68,8 @@ class Session:
 
     Attributes
     ----------
+    waits : bool
+        Whether time stands still until machine code is there.
     shown : set of str
         What keys have added to the picture.
     wanted : list of str
@@ -86,7 +88,7 @@ class Session:
         self.field: pygame.Rect = pygame.Rect((0, 0), FIELD_SIZE)
         self.tour: tuple[tuple[int, Input], ...] = ()
         self.running = True
-        self.paused = self.slow = self._wants_step = False
+        self.paused = self.slow = self.waits = self._wants_step = False
         self.steps = 0
         self.shown: set[str] = set()
         self.wanted: list[str] = []
@@ -375,6 +377,7 @@ class Session:
         sounds = self.effects.sounds
         changes = (
             (self.paused, "PAUSED", "P goes on"),
+            (self.waits, "one moment", "its machine code is made"),
             (self.slow, "slow motion", f"{SLOW_MOTION:g} x"),
             (sounds is not None and sounds.muted, "sound", "muted"),
             (perf_counter() < self._message_ends, self.message, ""),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import threading
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ import pytest
 
 from lesson_code import Body, Circle
 from lesson_code.chapters.programs import load, program_summaries
+from lesson_code.engine.compiled import ready_made
 from lesson_code.engine.live_world import LiveWorld
 from lesson_code.view.pygame import frame
 from lesson_code.view.pygame.frame import MachineCode, _do_wanted, free_name, play
@@ -340,19 +342,51 @@ def test_frame_ends_after_its_time_and_the_next_hears_the_keys(
     assert session.tick(0.1) == 6
 
 
-def test_large_world_is_never_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its program is put together beside the frames: looking at it takes no time."""
-    asked: list[int] = []
-    monkeypatch.setattr(frame, "_load", lambda _: asked.append(threading.get_ident()))
-    code = MachineCode()
-    balls = [Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(150)]
-    world = LiveWorld(balls)
+@pytest.fixture
+def large_world() -> LiveWorld:
+    """Return a world of so many balls that plain Python takes long for them, after one step."""
+    world = LiveWorld([Body(Circle(0.1), position=(k, 0), mass=1.0) for k in range(150)])
     world.step()
-    code.look_at(world)
-    code._threads["substep"].join()
-    assert asked != [threading.get_ident()]
-    assert len(asked) == 1
-    code.close()
+    return world
+
+
+def test_large_world_waits_until_its_code_is_loaded(
+    monkeypatch: pytest.MonkeyPatch, large_world: LiveWorld
+) -> None:
+    """In a thread of its own, so that keys are heard; one that has its code waits no more."""
+    may_end = threading.Event()
+    load = ready_made.load
+    monkeypatch.setattr(ready_made, "load", lambda program: may_end.wait() and load(program))
+    with closing(MachineCode()) as code:
+        assert code.is_awaited_by(large_world)
+        assert code.is_awaited_by(large_world)
+        may_end.set()
+        while code.is_awaited_by(large_world):
+            assert not large_world.compiled
+        assert large_world.compiled
+        assert not code.is_awaited_by(large_world)
+
+
+def test_large_world_does_not_wait_for_long(
+    monkeypatch: pytest.MonkeyPatch, large_world: LiveWorld
+) -> None:
+    """After :data:`LONGEST_WAIT` it goes on in plain Python."""
+    may_end = threading.Event()
+    monkeypatch.setattr(ready_made, "load", lambda _: may_end.wait())
+    monkeypatch.setattr(frame, "LONGEST_WAIT", 0.0)
+    with closing(MachineCode()) as code:
+        assert not code.is_awaited_by(large_world)
+        assert not large_world.compiled
+    may_end.set()
+
+
+def test_time_stands_still_while_code_is_awaited(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A frame in which a world waits is none: so many steps are made as were asked for."""
+    answers = iter([True, True, False, True, False])
+    monkeypatch.setattr(MachineCode, "is_awaited_by", lambda *_: next(answers))
+    outcome = play(load("dominoes"), frames=2, headless=True)
+    assert (outcome.steps, outcome.frames) == (2, 2)
+    assert next(answers, None) is None
 
 
 def test_trail_has_a_place_for_every_step(begin: Callable[[str], Session]) -> None:
