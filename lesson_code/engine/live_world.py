@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.frames import STATE_FIELDS
-from lesson_code.engine.core.impulse_table import EVENT_NUMBERS
+from lesson_code.engine.core.impulse_table import NO_IMPULSES
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.plan import Plan
 from lesson_code.engine.core.scene import XY, Body, Scene, body_at
-from lesson_code.engine.effects.callbacks import TouchListener, touches_in
+from lesson_code.engine.effects.callbacks import StepTouches, TouchListener
 from lesson_code.engine.effects.choice import choose_effects, names_used
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.live_solver import (
@@ -44,8 +44,6 @@ TIME_STEP = 1 / 60
 STEPS_ON_THE_GROUND = 10
 """Steps until discs that the exact solver could not take are offered to it again: by then what
 touched has mostly parted."""
-
-NO_IMPULSES: NDArray[np.float64] = np.empty((0, EVENT_NUMBERS))
 
 
 class LiveWorld:
@@ -271,7 +269,7 @@ class LiveWorld:
             self._advance_engine()
         self.steps += 1
         if self._listener is not None:
-            touches = touches_in(self._engine.world, self.impulses, self.numbers, self.time)
+            touches = StepTouches(self.impulses, self._engine.world, self.numbers, self.time)
             self._listener.tell(touches, self.time, self.numbers)
 
     def _advance_engine(self) -> None:

@@ -161,7 +161,7 @@ IMPACT_SWEEPS = 20
 At 4 a dense gas with e = 1 loses 4 % of its energy in 10 s, at 10 still 0.06 %.
 """
 
-MOST_IMPACT_SWEEPS, IMPACT_WAY = 200, 1e-3
+MOST_IMPACT_SWEEPS, IMPACT_WAY = 200, 5e-4
 """Sweeps at the most while bodies would still enter one another in a sub-step, and by which part of
 the lesser width. Of two hundred balls that are thrown about, 20 sweeps let one into a wall by up to
 0.14 of its radius, where a heavy one hits a crowd.

@@ -12,6 +12,8 @@ from lesson_code.engine.core.columns import Floats
 EVENT_NUMBERS = 10
 """Numbers of an impulse: those of :class:`lesson_code.engine.core.rows.ImpulseRow`."""
 
+NO_IMPULSES: Floats = np.empty((0, EVENT_NUMBERS))
+
 
 class ImpulseTable:
     """A table of impulses, shape (K, 10).

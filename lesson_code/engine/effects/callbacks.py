@@ -6,7 +6,7 @@ its own after the step, from the recorded impulses.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Sequence
 from itertools import groupby
 from typing import TypeAlias
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from lesson_code.engine.compiled.arrays import column
 from lesson_code.engine.core.callbacks import Callback, Callbacks, Touch
 from lesson_code.engine.core.contact_motion import contact_point
+from lesson_code.engine.core.impulse_table import NO_IMPULSES
 from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.core.rows import ContactRow, World
 from lesson_code.engine.effects.facts import Facts
@@ -24,6 +25,9 @@ from lesson_code.formulas.validation import non_negative, one_number, one_vector
 
 Pair: TypeAlias = tuple[int, int]
 XY: TypeAlias = tuple[float, float]
+
+MOST_NUMBERS = 2**31
+"""More bodies than a live world will ever have had: two of their numbers make one."""
 
 
 def rule(facts: Facts) -> Finding:
@@ -44,6 +48,7 @@ class TouchListener:
         self._gravity: XY | None = None
         self._touching: dict[Pair, Touch] = {}
         self._parted: list[Touch] = []
+        self._told = StepTouches()
 
     def new_gravity(self) -> XY | None:
         """Return the gravity that a callback has set since this was last asked; None: none has."""
@@ -88,17 +93,24 @@ class TouchListener:
         for touch in self._parted:
             self._call(self._callbacks.separate, touch)
 
-    def tell(self, touches: Mapping[Pair, Touch], time: float, present: Container[int]) -> None:
+    def tell(self, touches: StepTouches, time: float, present: Container[int]) -> None:
         """Tell of a step that is over; of a pair that has parted only if both are still present."""
-        before, self._touching = self._touching, dict(touches)
-        for pair, touch in touches.items():
-            if pair not in before:
+        before, self._told = self._told, touches
+        new = np.setdiff1d(touches.pairs, before.pairs, assume_unique=True)
+        told, begun = (
+            new if self._callbacks.post_solve is None else touches.pairs,
+            set(new.tolist()),
+        )
+        for pair, touch in touches.among(told).items():
+            if pair in begun:
                 self._call(self._callbacks.begin, touch)
             self._call(self._callbacks.post_solve, touch)
-        for pair, touch in before.items():
-            if pair not in touches and pair[0] in present and pair[1] in present:
-                touch.time = time
-                self._call(self._callbacks.separate, touch)
+        if self._callbacks.separate is not None:
+            parted = np.setdiff1d(before.pairs, touches.pairs, assume_unique=True)
+            for touch in before.among(parted).values():
+                if touch.body_a in present and touch.body_b in present:
+                    touch.time = time
+                    self._call(self._callbacks.separate, touch)
 
     def _call(self, callback: Callback | None, touch: Touch) -> None:
         """Call a callback, if there is one, and see whether it has changed gravity."""
@@ -109,35 +121,70 @@ class TouchListener:
             self._gravity, touch.gravity = (float(x), float(y)), None
 
 
-def touches_in(
-    world: World, impulses: NDArray[np.float64], numbers: Sequence[int], time: float
-) -> dict[Pair, Touch]:
-    """Return the touches of a step from its impulses, shape (K, 10), pair by pair.
+class StepTouches:
+    """The touches of a step that is over; each is made from its impulses when somebody asks for it.
 
-    The bodies have numbers of their own, in the order of their places.
+    A heap of 500 discs has a thousand in each step, few of which are new.
+
+    Parameters
+    ----------
+    impulses : ndarray, shape (K, 10)
+        Of the step; the bodies by their places in the tables.
+    world : World, optional
+        The tables; None where there are no impulses.
+    numbers : sequence of int
+        The numbers that the bodies have of their own, in the order of their places.
+    time : float
+        s, at the end of the step.
+
+    Attributes
+    ----------
+    pairs : ndarray of int
+        The pairs that touch: a number for each two.
     """
-    pairs: dict[Pair, list[list[float]]] = {}
-    for row in impulses.tolist():
-        pairs.setdefault((int(row[1]), int(row[2])), []).append(row)
-    e, mu = (
-        np.asarray(column(world.bodies, name)).tolist() for name in ("restitution", "friction")
-    )
-    e_rule, mu_rule = world.state.restitution_rule, world.state.friction_rule
-    return {
-        (numbers[a], numbers[b]): Touch(
-            time=time,
-            body_a=numbers[a],
-            body_b=numbers[b],
-            normal=(rows[0][5], rows[0][6]),
+
+    def __init__(
+        self,
+        impulses: NDArray[np.float64] = NO_IMPULSES,
+        world: World | None = None,
+        numbers: Sequence[int] = (),
+        time: float = 0.0,
+    ) -> None:
+        self._impulses, self._numbers, self._time = impulses, numbers, time
+        a, b = np.array(numbers, dtype=np.int64)[impulses[:, 1:3].astype(np.int64).T]
+        self._pair_of_each = a * MOST_NUMBERS + b
+        self.pairs = np.unique(self._pair_of_each)
+        if world is not None:
+            self._e, self._mu = (
+                np.array(column(world.bodies, name)) for name in ("restitution", "friction")
+            )
+            self._rules = world.state.restitution_rule, world.state.friction_rule
+
+    def among(self, pairs: NDArray[np.int64]) -> dict[int, Touch]:
+        """Return the touches of some of the pairs, in the order of their contacts."""
+        chosen = np.isin(self._pair_of_each, pairs)
+        rows: dict[int, list[list[float]]] = {}
+        found = self._pair_of_each[chosen].tolist(), self._impulses[chosen].tolist()
+        for pair, row in zip(*found, strict=True):
+            rows.setdefault(pair, []).append(row)
+        return {pair: self._touch(some) for pair, some in rows.items()}
+
+    def _touch(self, rows: list[list[float]]) -> Touch:
+        """Return the touch that one pair's impulses make."""
+        first, (e_rule, mu_rule) = rows[0], self._rules
+        a, b = int(first[1]), int(first[2])
+        return Touch(
+            time=self._time,
+            body_a=self._numbers[a],
+            body_b=self._numbers[b],
+            normal=(first[5], first[6]),
             points=tuple((row[3], row[4]) for row in rows),
             penetration=max(row[9] for row in rows),
-            restitution=mixed(e_rule, e[a], e[b]),
-            friction=mixed(mu_rule, mu[a], mu[b]),
+            restitution=mixed(e_rule, float(self._e[a]), float(self._e[b])),
+            friction=mixed(mu_rule, float(self._mu[a]), float(self._mu[b])),
             normal_impulse=sum(row[7] for row in rows),
             tangent_impulse=sum(row[8] for row in rows),
         )
-        for (a, b), rows in pairs.items()
-    }
 
 
 def _by_pair(world: World) -> Iterable[tuple[Pair, list[ContactRow]]]:

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tiers import share
 
 from lesson_code.chapters.simulator.game import HEIGHT, WIDTH, Simulator
 from lesson_code.view.pygame.game import Input
 
-from ..conftest import deepest_in_room, deepest_overlap, energy, run
+from ..conftest import deepest_in_room, deepest_overlap, energy, make_step, run
 
 ROUNDING = 1e-9
 """Relative: thousands of impacts, each with its rounding."""
@@ -135,6 +138,29 @@ def test_simulator_elastic_balls_keep_energy_and_stay_out_of_one_another(keys: s
         game.step()
         worst = max(worst, deepest_overlap(game.world), deepest_in_room(game.world, WIDTH, HEIGHT))
     assert energy(game.world) == pytest.approx(before, rel=ROUNDING)
+    assert worst < 0.01
+
+
+LANDED = 150
+"""Steps: after them all lie in a heap, which has been deepest in itself while they landed."""
+
+
+@settings(max_examples=share(12, 2))
+@given(seed=st.integers(0, 2**31), balls=st.integers(300, 500), mode=st.sampled_from(("2", "3")))
+def test_simulator_balls_that_fall_onto_one_another_stay_out(
+    seed: int, balls: int, mode: str
+) -> None:
+    """Gravity is switched on in a full room: nobody enters anybody by 1 % of the smaller radius."""
+    game = Simulator(seed, balls)
+    for key in (mode, "g"):
+        game.press(key)
+    worst = -1.0
+    for step in range(LANDED):
+        make_step(game)
+        if step % 3 == 0:
+            inside = deepest_in_room(game.world, WIDTH, HEIGHT)
+            worst = max(worst, inside, deepest_overlap(game.world))
+    assert game.world.solver == "substep"
     assert worst < 0.01
 
 
