@@ -11,8 +11,8 @@ Its springs give way, but bodies hardly enter one another: here each sub-step se
 anew, and sees them before the bodies touch. Dominoes of 0.1 m by 0.6 m are 0.0002 m deep in one
 another at the most; with one search a step it was 0.03 to 0.07 m. Of 500 discs with radii of 0.06
 to 0.12 m that fall into a pit of 8 m none enters another one by more than 0.006 of the smaller
-radius; sweeps would take a seventh of the time, and leave 0.12 m. It begins in plain Python, and goes
-on in machine code as soon as that is there.
+radius; sweeps would take a seventh of the time, and leave 0.12 m. It begins in plain Python, and
+goes on in machine code as soon as that is there.
 """
 
 from __future__ import annotations

@@ -384,9 +384,10 @@ class EngineStepper(Stepper):
 
     def take_events(self) -> NDArray[np.float64]:
         """Return the impulses since they were last taken, shape (K, 10), and forget them."""
-        events = self.events()
-        self._impulses = ImpulseTable()
-        return events
+        state, taken = self.world.state, self._impulses
+        taken.add(self.world.impulses[: state.impulse_count])
+        self._impulses, state.impulse_count = ImpulseTable(), 0
+        return taken.rows()
 
     def _run(self) -> bool:
         """Make the steps that are left; return whether all are made."""

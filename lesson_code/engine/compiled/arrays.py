@@ -146,8 +146,13 @@ def write_numbers(table: Any, numbers: NDArray[np.float64]) -> None:
     [[1.0, 2.0], [1.0, 3.0]]
     """
     if isinstance(table, np.ndarray):
-        for place, name in enumerate(table.dtype.names or ()):
-            numbers[:, place] = table[name]
+        names, size = table.dtype.names or (), numbers.dtype.itemsize
+        is_packed = table.flags.c_contiguous and table.dtype.itemsize == len(names) * size
+        if is_packed:  # all at once, and then only what are whole numbers
+            numbers[:] = table.view(numbers.dtype).reshape(numbers.shape)
+        for place, name in enumerate(names):
+            if not is_packed or table.dtype[name] != numbers.dtype:
+                numbers[:, place] = table[name]
     elif table:
         kind: Any = type(table[0])
         numbers[:] = list(map(_values_of(kind), table))
