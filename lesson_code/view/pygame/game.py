@@ -266,7 +266,7 @@ class Game:
         """Return what a rule says that a player may write; `otherwise` where that is nothing.
 
         It is nothing where a player's rule is not written, fails, never ends, or gives what is of
-        no use. The lesson's answers in its place, where it is at hand. As in a check, a rule is
+        no use. The lesson's answers in its place, where it is at hand. As in a check, a player's is
         given vectors as NumPy arrays of its own.
 
         Parameters
@@ -281,8 +281,9 @@ class Game:
         otherwise
             Returned as it is.
         """
+        given = map(_own, arguments) if hasattr(rule, "is_own") else arguments
         try:
-            answer = form(rule(*map(_own, arguments)))
+            answer = form(rule(*given))
         except NotImplementedError as error:
             said = f"not written yet: {str(error) or rule.__name__}"
         except EndlessError as error:
@@ -296,7 +297,7 @@ class Game:
             return answer
         lesson = getattr(rule, "lesson", None)
         self.missing[rule] = said if lesson is None else f"{said}; the lesson's runs now"
-        return otherwise if lesson is None else form(lesson(*map(_own, arguments)))
+        return otherwise if lesson is None else form(lesson(*arguments))
 
     def ask_number(self, rule: Callable[..., Any], *arguments: Any, otherwise: float) -> float:
         """Return the number that a rule says: see :meth:`ask`."""
