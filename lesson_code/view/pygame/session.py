@@ -68,6 +68,8 @@ class Session:
 
     Attributes
     ----------
+    games : list of Game
+        The game, and the ghost where there is one.
     waits : bool
         Whether time stands still until machine code is there.
     shown : set of str
@@ -80,7 +82,7 @@ class Session:
         self, program: Program, game: Game, recording: Recording, ghost: Game | None = None
     ) -> None:
         self.program, self.game, self.recording, self.ghost = program, game, recording, ghost
-        self._games = [game] if ghost is None else [game, ghost]
+        self.games = [game] if ghost is None else [game, ghost]
         self.effects = program.effects()
         self.effects.listen_to(game)
         game.listeners.append(lambda touch: self.news.append((self.steps, touch)))
@@ -161,7 +163,7 @@ class Session:
         if given.kind == "show":
             self.shown ^= {given.key}
         else:
-            for game in self._games:
+            for game in self.games:
                 game.take(given)
 
     def _button_down(self, button: int, place: XY) -> None:
@@ -309,7 +311,7 @@ class Session:
     def step(self) -> None:
         """Make one step of the game."""
         if self.steps % STEPS_A_SAVE == 0 and (not self._saves or self._saves[-1][0] != self.steps):
-            self._saves.append((self.steps, [game.saved() for game in self._games]))
+            self._saves.append((self.steps, [game.saved() for game in self.games]))
         for given in self.recording.inputs_at(self.steps):
             self._take(given)
         for step, given in self.tour:
@@ -330,7 +332,7 @@ class Session:
             return
         self.ledger.forget(self.steps - self._saves[-1][0])
         self.steps, saved = self._saves[-1]
-        for game, state in zip(self._games, saved, strict=True):
+        for game, state in zip(self.games, saved, strict=True):
             game.restore(state)
         while self.steps < wanted:
             for given in self.recording.before(self.steps):
@@ -346,11 +348,11 @@ class Session:
             self.ledger.before_step()
             self._was_touched = False
         self.effects.step(TIME_STEP)
-        for game in self._games:
+        for game in self.games:
             game.pull_grip()
         if self.game.hand is not None:
             self.ledger.before_step()  # the hand has pushed
-        for game in self._games:
+        for game in self.games:
             game.step()
         self.steps += 1
         self.ledger.after_step(TIME_STEP)

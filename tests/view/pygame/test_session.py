@@ -380,6 +380,20 @@ def test_large_world_does_not_wait_for_long(
     may_end.set()
 
 
+def test_game_beside_goes_on_in_machine_code_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both are drawn in each frame, so that the slower one would hold up the other."""
+    asked: set[LiveWorld] = set()
+    is_awaited_by = MachineCode.is_awaited_by
+
+    def noted(code: MachineCode, world: LiveWorld) -> bool:
+        asked.add(world)
+        return is_awaited_by(code, world)
+
+    monkeypatch.setattr(MachineCode, "is_awaited_by", noted)
+    play(load("dominoes"), frames=2, headless=True, beside=True)
+    assert [world.compiled for world in asked] == [True, True]
+
+
 def test_time_stands_still_while_code_is_awaited(monkeypatch: pytest.MonkeyPatch) -> None:
     """A frame in which a world waits is none: so many steps are made as were asked for."""
     answers = iter([True, True, False, True, False])
