@@ -271,7 +271,7 @@ def _run(
             if not session.handle_all(pygame.event.get()):
                 break
             start = time.process_time()
-            session.waits = any([code.is_awaited_by(game.world) for game in session.games])
+            session.waits = any(code.is_awaited_by(game.world) for game in session.games)
             if not session.waits:
                 session.tick(elapsed, most_seconds)
             between = time.process_time()
