@@ -379,7 +379,7 @@ class Session:
         sounds = self.effects.sounds
         changes = (
             (self.paused, "PAUSED", "P goes on"),
-            (self.waits, "one moment", "its machine code is made"),
+            (self.waits, "one moment", "getting ready"),
             (self.slow, "slow motion", f"{SLOW_MOTION:g} x"),
             (sounds is not None and sounds.muted, "sound", "muted"),
             (perf_counter() < self._message_ends, self.message, ""),
