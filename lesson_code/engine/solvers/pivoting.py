@@ -115,14 +115,15 @@ def _pivot(
     Returns their equations, what was unknown in them, and whether all fit.
     """
     fewest, patience = len(cases) + 1, PATIENCE
-    for _ in range(ROUNDS):
+    singly: list[bytes] = []  # the cases after each round since one changes at a time
+    for left in reversed(range(ROUNDS)):
         equations, y = _solve_cases(problem, cases, centre, stiffness)
         fitting = _fitting_cases(problem, cases, equations.impulses(y), centre, stiffness)
         misfits = (fitting != cases).nonzero()[0]
         if len(misfits) == 0:
             return equations, y, True
         if len(misfits) < fewest:
-            fewest, patience = len(misfits), PATIENCE
+            fewest, patience, singly = len(misfits), PATIENCE, []
         else:
             patience -= 1
         if patience >= 0:
@@ -130,6 +131,11 @@ def _pivot(
         else:
             cases = cases.copy()
             cases[misfits[-1]] = fitting[misfits[-1]]
+            singly.append(cases.tobytes())
+            if (first := singly.index(singly[-1])) < len(singly) - 1:  # it goes round in a circle
+                last = singly[first + left % (len(singly) - 1 - first)]
+                cases = np.frombuffer(last, cases.dtype)
+                break
     return *_solve_cases(problem, cases, centre, stiffness), False
 
 

@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from typing import Any
+
 import numpy as np
+import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from tiers import share
 
-from lesson_code.engine.solvers.contact_problem import OPEN, STICK, UNKNOWN, Problem, tolerance
-from lesson_code.engine.solvers.pivoting import by_pivoting, first_guess
+from lesson_code.engine.solvers import pivoting
+from lesson_code.engine.solvers.contact_problem import (
+    OPEN,
+    STICK,
+    UNKNOWN,
+    Cases,
+    Problem,
+    tolerance,
+)
+from lesson_code.engine.solvers.pivoting import ROUNDS, by_pivoting, first_guess
 
 EXACT = 1e-9
 """m/s, of velocities of some m/s."""
@@ -61,3 +73,42 @@ def test_contacts_that_are_one_are_no_obstacle() -> None:
     answer = by_pivoting(problem, first_guess(problem, None))
     np.testing.assert_allclose(answer.impulses[:m], 1 / m, rtol=1e-6)
     assert answer.error <= tolerance(problem, answer.impulses)
+
+
+def test_circle_is_left_where_it_is_recognised(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A wedged body: its two contacts go from case to case and round again, one at a time.
+
+    What the search ends with is what all of its rounds would have led to: one round more ends with
+    the cases that come next in the circle.
+    """
+    k = np.array(
+        [
+            [2.4123, -0.0722, 1.236, 1.2371],
+            [-0.0722, 1.8209, -0.8842, -0.8851],
+            [1.236, -0.8842, 2.5002, 2.5012],
+            [1.2371, -0.8851, 2.5012, 2.5021],
+        ]
+    )
+    problem = Problem(k, np.array([-37.26, -10.63, -27.16, -27.17]), np.full(2, 0.56))
+    seen: list[list[int]] = []
+    solve_cases = pivoting._solve_cases
+
+    def noted(problem: Problem, cases: Cases, *others: Any) -> Any:
+        seen.append(cases.tolist())
+        return solve_cases(problem, cases, *others)
+
+    monkeypatch.setattr(pivoting, "_solve_cases", noted)
+    ends, longest = [], 0
+    for rounds in range(1, 60):
+        seen.clear()
+        monkeypatch.setattr(pivoting, "ROUNDS", rounds)
+        assert not by_pivoting(problem, first_guess(problem, None)).fits
+        ends.append(tuple(seen[-1]))
+        longest = max(longest, len(seen))
+    assert longest < ROUNDS
+    circle = ends[longest:]
+    follows = dict(pairwise(circle))
+    assert len(follows) > 1
+    assert all(follows[a] == b for a, b in pairwise(circle))
+    before = ends[longest - len(follows) - 1 : longest]  # these rounds were made one by one
+    assert all(follows[a] == b for a, b in pairwise(before))
