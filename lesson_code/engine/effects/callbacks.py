@@ -97,10 +97,8 @@ class TouchListener:
         """Tell of a step that is over; of a pair that has parted only if both are still present."""
         before, self._told = self._told, touches
         new = np.setdiff1d(touches.pairs, before.pairs, assume_unique=True)
-        told, begun = (
-            new if self._callbacks.post_solve is None else touches.pairs,
-            set(new.tolist()),
-        )
+        told = new if self._callbacks.post_solve is None else touches.pairs
+        begun = set(new.tolist())
         for pair, touch in touches.among(told).items():
             if pair in begun:
                 self._call(self._callbacks.begin, touch)

@@ -326,9 +326,11 @@ class _Coming:
         self._is_there = ready_made.load(_program_of(self._solver)) is not None
 
     def is_awaited(self) -> bool:
-        """Return whether it is being loaded, and that has not taken too long; see for a frame."""
-        self._thread.join(TIME_STEP)
-        return self._thread.is_alive() and time.perf_counter() < self._end
+        """Return whether it is being loaded, which has not taken too long; look for a frame."""
+        if time.perf_counter() < self._end:
+            self._thread.join(TIME_STEP)
+            return self._thread.is_alive()
+        return False
 
     def is_there(self) -> bool:
         """Return whether it is there; if it did not come ready-made, have it compiled."""
