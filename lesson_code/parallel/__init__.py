@@ -20,6 +20,7 @@ from typing import Any, TypeVar
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from lesson_code.parallel.cores import keep_a_core, usable_cores
 from lesson_code.parallel.executors import (
     IN_A_WORKER,
     LOCAL,
@@ -30,7 +31,15 @@ from lesson_code.parallel.executors import (
     on_cluster,
 )
 
-__all__ = ["TasksFailedError", "WorkerDiedError", "iter_tasks", "map_tasks", "usable_cores"]
+__all__ = [
+    "TasksFailedError",
+    "WorkerDiedError",
+    "iter_tasks",
+    "keep_a_core",
+    "map_tasks",
+    "usable_cores",
+    "workers_here",
+]
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -164,11 +173,9 @@ def iter_tasks(
     return _shown(finished(opened, function, listed, at_most), called, progress)
 
 
-def usable_cores() -> int:
-    """Return how many cores this process may use."""
-    if hasattr(os, "sched_getaffinity"):  # Linux: a container or taskset may leave it only some
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+def workers_here() -> int:
+    """Return how many processes of this machine share some tasks, this one among them, or 1."""
+    return int(os.environ.get(IN_A_WORKER, "1"))
 
 
 def _shown(

@@ -30,7 +30,7 @@ SECONDS_TO_ANSWER = 10
 """s: a scheduler that has not answered by then is not there."""
 
 IN_A_WORKER = "COLLISION_WORKBOOK_WORKER"
-"""Is in the environment of our own processes: their cores are taken."""
+"""Is in the environment of our own processes, and says how many they are: the cores are taken."""
 
 
 class WorkerDiedError(RuntimeError):
@@ -55,7 +55,9 @@ class _Here(Executor):
 @contextmanager
 def in_processes(workers: int) -> Iterator[Executor]:
     """Yield the executor of some processes; an error that leaves it kills them."""
-    executor = loky.ProcessPoolExecutor(workers, initializer=_start, env={IN_A_WORKER: "1"})
+    executor = loky.ProcessPoolExecutor(
+        workers, initializer=_start, env={IN_A_WORKER: f"{workers}"}
+    )
     try:
         yield executor
     except BaseException:

@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from lesson_code.parallel import map_tasks
+from lesson_code.parallel import keep_a_core, map_tasks, workers_here
 
 
 class TwoPartError(Exception):
@@ -34,6 +34,13 @@ def naps(seconds: float) -> int:
     """Sleep, and return which process this is."""
     time.sleep(seconds)
     return os.getpid()
+
+
+def core_of(seconds: float) -> tuple[int, ...]:
+    """Keep a core, if this worker may, sleep, and return the cores it has."""
+    keep_a_core(workers_here())
+    time.sleep(seconds)
+    return tuple(sorted(os.sched_getaffinity(0)))
 
 
 def environment(name: str) -> str | None:

@@ -18,7 +18,7 @@ import pytest
 from rich.console import Console
 
 from lesson_code import parallel
-from lesson_code.parallel import TasksFailedError, iter_tasks, map_tasks, usable_cores
+from lesson_code.parallel import TasksFailedError, iter_tasks, keep_a_core, map_tasks, usable_cores
 
 WORKERS = pytest.mark.parametrize("workers", [1, 2])
 
@@ -73,6 +73,18 @@ def test_tasks_of_a_task_stay_in_its_worker(chores: ModuleType) -> None:
 def test_usable_cores_are_those_this_process_may_use() -> None:
     """At least one, and no more than the machine has."""
     assert 1 <= usable_cores() <= (os.cpu_count() or 1)
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="Linux alone keeps cores")
+def test_each_of_as_many_workers_as_cores_keeps_its_own(chores: ModuleType) -> None:
+    """No two have the same; of fewer workers, and a process alone, each may use all of them."""
+    count, all_of_them = usable_cores(), tuple(sorted(os.sched_getaffinity(0)))
+    kept = map_tasks(chores.core_of, [1.0] * count, workers=count)
+    assert sorted(kept) == [(core,) for core in all_of_them]
+    if count > 1:
+        assert map_tasks(chores.core_of, [0.0], workers=1) == [all_of_them]
+        assert not keep_a_core(count - 1)
+    assert tuple(sorted(os.sched_getaffinity(0))) == all_of_them
 
 
 # Errors

@@ -22,6 +22,7 @@ from lesson_code.course.grading.check_task import LARGEST_SEED
 from lesson_code.course.grading.exercises import exercise_of
 from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.submission import SubmissionError, read_submission
+from lesson_code.parallel import keep_a_core, workers_here
 
 ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
 """Where an object stood in memory: another place each time, and nothing to learn from."""
@@ -93,6 +94,7 @@ def seed_of(variant: str, seed: int) -> int:
 @functools.cache
 def warm_grader(isolation: str | None) -> Grader:
     """Return this process's grader; it ends with the process."""
+    keep_a_core(workers_here())
     return Grader(isolation=isolation, hide_inputs=True).__enter__()
 
 

@@ -29,7 +29,7 @@ from lesson_code.course.isolation import InForce, IsolationError, Limits, opened
 from lesson_code.course.measuring import nbgrader_run
 from lesson_code.course.measuring.hostile_set import chosen_rungs
 from lesson_code.course.measuring.processes import cpu_seconds
-from lesson_code.parallel import usable_cores
+from lesson_code.parallel import keep_a_core, usable_cores
 
 VERSION = 1
 EXERCISE, MIX = "01", "mix"
@@ -154,7 +154,8 @@ def measure_grading(
                 missing[rung.name] = str(error)
                 continue
             children.close()
-            pool = stack.enter_context(ProcessPoolExecutor(count))
+            team = ProcessPoolExecutor(count, initializer=keep_a_core, initargs=(count, rung.name))
+            pool = stack.enter_context(team)
             turns.append((Rate(rung.name, in_force, count), _turn(pool, rung.name, paths, count)))
         if wanted is None and len(paths) == 1 and paths[0].suffix == ".ipynb":
             if missing_nbgrader := nbgrader_run.missing():
