@@ -67,7 +67,7 @@ class Laboratory:
         if not shown:
             return
         legend: list[tuple[Colour, str, float]] = []
-        self._taken: list[pygame.Rect] = []
+        self._taken = list(self._picture.labels)
         self._values: list[Value] = []
         unit = self._session.program.length
         matter = self._session.game.matter()

@@ -132,9 +132,15 @@ class Picture:
         What is seen.
     beside : float
         Points: width of what stands at the right of the field.
+
+    Attributes
+    ----------
+    labels : list of Rect
+        px: where labels stand in this frame, so that nothing else is written there.
     """
 
     def __init__(self, window: Window, camera: Camera, beside: float = PANEL_WIDTH) -> None:
+        self.labels: list[pygame.Rect] = []
         self.window, self._shown, self._beside = window, camera, beside
         self.fit()
 
@@ -157,6 +163,7 @@ class Picture:
         """Empty the field; what is drawn from now on shows where the camera looks."""
         if self._fitted != self.window.surface.get_size():
             self.fit()
+        self.labels.clear()
         self.window.fill(colour, 0, self.size[0])
         self._field.set_clip(self.seen)
 
@@ -276,7 +283,7 @@ class Picture:
         high = self.window.px(SMALL_TEXT_SIZE)
         box = pygame.Rect(0, 0, self.window.width(words, SMALL_TEXT_SIZE), high)
         box.midleft = round(x), round(y)
-        self._field.fill(BACKGROUND, box.inflate(self.window.px(8), 0))
+        self.labels.append(self._field.fill(BACKGROUND, box.inflate(self.window.px(8), 0)))
         self.window.text(words, (x, y), colour=colour, size=SMALL_TEXT_SIZE, anchor="midleft")
 
     def notice(self, words: str) -> None:

@@ -76,6 +76,22 @@ def test_values_are_written_for_few_bodies_and_lie_apart(
         assert box.inflate(-2, -6).collidelist(text_boxes[:k]) == -1
 
 
+def test_values_keep_off_the_question(
+    program_window: Window, text_boxes: list[pygame.Rect]
+) -> None:
+    """The demo writes its question, and later the answer, over a wall from which bodies bounce."""
+    session = session_of("demo")
+    session.press("v")
+    painter = Painter(session, Picture(program_window, session.program.camera))
+    for _ in range(60):
+        for _ in range(10):
+            session.step()
+        text_boxes.clear()
+        painter.draw()
+        for k, box in enumerate(text_boxes):
+            assert box.inflate(-2, -6).collidelist(text_boxes[:k]) == -1
+
+
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("name", ["pool", "demo"])
 def test_picture_fills_a_window_of_any_size(name: str, size: tuple[int, int]) -> None:
