@@ -145,7 +145,7 @@ LANDED = 150
 """Steps: after them all lie in a heap, which has been deepest in itself while they landed."""
 
 
-@settings(max_examples=share(12, 2))
+@settings(max_examples=share(12, one_in=12))
 @given(seed=st.integers(0, 2**31), balls=st.integers(300, 500), mode=st.sampled_from(("2", "3")))
 def test_simulator_balls_that_fall_onto_one_another_stay_out(
     seed: int, balls: int, mode: str
