@@ -326,7 +326,11 @@ def _draw_failures(ax: Axes, points: Iterable[Point], color: str) -> None:
 
 
 def _draw_rounding(ax: Axes, points: Sequence[Point]) -> None:
-    """Draw at the lower edge what has no error but rounding, with an arrow and the error."""
+    """Draw at the lower edge what has no error but rounding, with an arrow and the error.
+
+    The error of the first method stands below its mark, that of others above theirs.
+    """
+    height = ROUNDING_AT + 0.05 if ax.texts else 0.03
     for point in points[:1]:
         color, marker = LOOKS[point.method]
         x, below = point.milliseconds, ax.get_xaxis_transform()
@@ -336,7 +340,7 @@ def _draw_rounding(ax: Axes, points: Sequence[Point]) -> None:
         ax.annotate(
             f"\u2193 {point.error:.0e} m",
             (x, 0.0),
-            xytext=(x, 0.03),
+            xytext=(x, height),
             xycoords=below,
             textcoords=below,
             ha="center",

@@ -124,7 +124,8 @@ def test_every_method_has_a_look_of_its_own() -> None:
 def test_figure_of_all_scenes_can_be_read(assert_texts_are_clear: READABLE) -> None:
     """A panel for each scene, the legend in the place after the last; nothing overlaps."""
     exact = Point(BALL, "exact", "Python", 0.0, 1, 1, 5e-15, 1e-3, 10)
+    direct = Point(BALL, "direct", "Python", 0.1, 1, 1, 4e-16, 1.1e-3, 10)
     pile = [replace(p, scene="stack of 20") for p in line("sequential", "compiled")]
-    figure = precision_plots.all_scenes(result_of(*line(), exact, *pile))
+    figure = precision_plots.all_scenes(result_of(*line(), exact, direct, *pile))
     assert [ax.get_title() for ax in figure.axes] == [BALL, "stack of 20", "", ""]
     assert_texts_are_clear(figure)
