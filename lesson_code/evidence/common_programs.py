@@ -13,7 +13,6 @@ from lesson_code.engine.any_scene import program_for_any_scene
 from lesson_code.engine.compiled import Program, made_files, ready_made
 from lesson_code.engine.compiled.compiler import Compiling
 from lesson_code.engine.compiled.library import is_kept, why_no_compiler
-from lesson_code.engine.event_driven.solver import program_for_any_scene as exact_program
 
 LIVE = ("exact", "substep")
 """The programs of live worlds: discs that fly, and what is stepped."""
@@ -22,7 +21,7 @@ LIVE = ("exact", "substep")
 def common_programs() -> dict[str, Program]:
     """Return all of them by name."""
     return {
-        "exact": exact_program(),
+        "exact": program_for_any_scene("exact"),
         "substep": program_for_any_scene("substep"),
         "sequential": program_for_any_scene("sequential"),
         "sequential_with_sleep": program_for_any_scene("sequential", sleeping=True),

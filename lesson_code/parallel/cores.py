@@ -1,4 +1,4 @@
-"""The cores of this machine: how many there are to use, and one for each worker that chains."""
+"""The cores of this machine: how many there are to use, and one of its own for each worker."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 import socket
 
 _claims: list[socket.socket] = []
+"""What says that this process has a core; the system takes it back when the process ends."""
 
 
 def usable_cores() -> int:
@@ -32,7 +33,7 @@ def keep_a_core(workers: int, team: str = "") -> bool:
     for core in sorted(os.sched_getaffinity(0)):
         claim = socket.socket(socket.AF_UNIX)
         try:
-            claim.bind(f"\0core {core} for {team} of {os.getppid()}")  # free when this one ends
+            claim.bind(f"\0core {core} for {team} of {os.getppid()}")
             os.sched_setaffinity(0, {core})
         except OSError:
             claim.close()

@@ -25,8 +25,6 @@ from numpy.typing import NDArray
 
 from lesson_code.engine.any_scene import program_for_any_scene
 from lesson_code.engine.compiled import Code, ready_made
-from lesson_code.engine.compiled import Program as CompiledProgram
-from lesson_code.engine.event_driven.solver import program_for_any_scene as program_for_discs
 from lesson_code.engine.live_world import TIME_STEP, LiveWorld
 from lesson_code.scene_file import set_up_in, write_scene
 from lesson_code.view.pygame.game import Game
@@ -297,9 +295,10 @@ class MachineCode:
         """Return whether a world is to wait for its code; switch it to what is there."""
         if not world.wants_code:
             return False
-        if world.solver not in self._coming:
-            self._coming[world.solver] = _Coming(world.solver)
-        coming = self._coming[world.solver]
+        solver = world.solver
+        if solver not in self._coming:
+            self._coming[solver] = _Coming(solver)
+        coming = self._coming[solver]
         if coming.is_awaited():
             return True
         if coming.is_there():
@@ -316,14 +315,15 @@ class _Coming:
     """A solver's machine code, on its way."""
 
     def __init__(self, solver: str) -> None:
-        self.code, self._solver, self._is_there = Code(None), solver, False
+        self.code, self._is_there = Code(None), False
+        self._program = partial(program_for_any_scene, solver)
         self._end = time.perf_counter() + LONGEST_WAIT
         self._thread = Thread(target=self._load, daemon=True)
         self._thread.start()
 
     def _load(self) -> None:
         """Load it, or make it where its program came ready-made."""
-        self._is_there = ready_made.load(_program_of(self._solver)) is not None
+        self._is_there = ready_made.load(self._program()) is not None
 
     def is_awaited(self) -> bool:
         """Return whether it is being loaded, which has not taken too long; look for a frame."""
@@ -335,14 +335,8 @@ class _Coming:
     def is_there(self) -> bool:
         """Return whether it is there; if it did not come ready-made, have it compiled."""
         if not self._is_there and not self._thread.is_alive():
-            program = partial(_program_of, self._solver)
-            self._is_there = self.code.look(program, math.inf, "now") is not None
+            self._is_there = self.code.look(self._program, math.inf, "now") is not None
         return self._is_there
-
-
-def _program_of(solver: str) -> CompiledProgram:
-    """Return the program with which a solver moves a live world."""
-    return program_for_discs() if solver == "exact" else program_for_any_scene(solver)
 
 
 def _check(

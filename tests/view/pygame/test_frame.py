@@ -12,7 +12,6 @@ from PIL import Image, ImageChops
 
 from lesson_code.chapters.programs import load, program_summaries
 from lesson_code.engine.any_scene import program_for_any_scene
-from lesson_code.engine.compiled import choice
 from lesson_code.engine.compiled.compiler import compiled
 from lesson_code.engine.live_world import TIME_STEP
 from lesson_code.view.pygame.frame import FILM_HEIGHT, play
@@ -196,15 +195,9 @@ def test_settings_that_are_none_are_refused(
         play(load(program), frames=1, headless=True, settings=settings)
 
 
-def test_world_that_has_become_large_goes_on_in_machine_code(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Twelve balls and a hundred more; the result is that of plain steps, bit for bit.
-
-    Its program is kept. Else it would come when another process has made it.
-    """
-    compiled(program_for_any_scene("substep"))
-    monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
+def test_world_that_has_become_large_goes_on_in_machine_code(tmp_path: Path) -> None:
+    """Twelve balls and a hundred more, which fly: the result is that of plain steps, to the bit."""
+    compiled(program_for_any_scene("exact"))
     inputs = tmp_path / "more.json"
     recording = Recording("simulator", 0)
     for _ in range(2):
@@ -220,13 +213,12 @@ def test_world_that_has_become_large_goes_on_in_machine_code(
     assert (shown.snapshot() == alone.snapshot()).all()
 
 
-def test_dominoes_go_on_in_machine_code(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_dominoes_go_on_in_machine_code() -> None:
     """Their tour, plain at first, ends where that in plain Python ends, bit for bit.
 
     They are stood up anew after 330 steps: that world goes on in machine code, too.
     """
     compiled(program_for_any_scene("substep"))
-    monkeypatch.setattr(choice, "LOOK_SECONDS", 0.0)
     program = load("dominoes")
     shown = play(program, frames=360, headless=True, tour=True).game
     alone = Session(program, program.game(0), Recording("dominoes", 0))
