@@ -5,12 +5,13 @@ from __future__ import annotations
 import ast
 import inspect
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, TypeAlias
 
 import pytest
 
+from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.task import KnownAnswer
 from lesson_code.course.isolation import Limits
 from lesson_code.course.notebooks.root import find_root
@@ -22,6 +23,13 @@ Write: TypeAlias = Callable[..., Path]
 def root() -> Path:
     """Return the workbook's folder."""
     return find_root(Path(__file__).parent)
+
+
+@pytest.fixture(scope="session")
+def grader() -> Iterator[Grader]:
+    """Yield a grader for all submissions that need no limits of their own."""
+    with Grader() as started:
+        yield started
 
 
 @pytest.fixture(scope="session")

@@ -28,9 +28,12 @@ from lesson_code.engine.core.motion import accelerate, move
 from lesson_code.engine.core.rows import BodyRow
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.core.tables import world_of
+from lesson_code.formulas import rigid_body
 from lesson_code.formulas.arithmetic import clamp, cross, dot
-from lesson_code.formulas.rigid_body import contact_velocity
+from lesson_code.formulas.validation import equation
 from lesson_code.geometry.shapes import Circle, Segment
+
+contact_velocity = equation(rigid_body.contact_velocity)
 
 SLOP = 0.10000000149011612
 """m: overlap that pymunk leaves alone; 0.1 that has once been a 32-bit number."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 
 import pytest
 from clock import at_most
@@ -149,13 +148,6 @@ def answer(*_):
         return tuple(STREAM.choice(MAKERS)() for _ in range(STREAM.randrange(1, 5)))
     return [STREAM.gauss(0, 1) for _ in range(STREAM.randrange(1, 5))]
 '''
-
-
-@pytest.fixture(scope="module")
-def grader() -> Iterator[Grader]:
-    """Return a warm grader."""
-    with Grader() as warm:
-        yield warm
 
 
 @pytest.mark.one_in(9)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from lesson_code.course.grading.exercises import exercise_by_name
-from lesson_code.course.grading.grader import grade
+from lesson_code.course.grading.grader import Grader, grade
 from lesson_code.course.isolation import Limits
 
 FOLDER = Path(__file__).parents[1] / "golden"
@@ -18,6 +21,18 @@ RIGHT = "right_notebook.ipynb"
 SEED_OF_HARD_CODED = 1
 """The seed whose answers hard_coded.py has learnt by heart."""
 HARD_CODED = "hostile/hard_coded.py"
+
+
+@pytest.fixture(scope="module")
+def graders() -> Iterator[Callable[[dict[str, Any]], Grader]]:
+    """Return a function that returns a grader with some limits: one for all that have the same."""
+    with ExitStack() as stack:
+
+        @cache
+        def started(limits: Limits) -> Grader:
+            return stack.enter_context(Grader(limits=limits))
+
+        yield lambda limits: started(Limits(**limits))
 
 
 def test_golden_table_lists_every_file_and_no_other() -> None:
@@ -46,17 +61,19 @@ def test_golden_submissions_of_every_chapter_are_right_partly_right_and_wrong() 
 
 @pytest.mark.one_in(3)
 @pytest.mark.parametrize("name", TABLE)
-def test_golden_submission_earns_its_points_and_the_next_one_too(name: str) -> None:
+def test_golden_submission_earns_its_points_and_the_next_one_too(
+    name: str, graders: Callable[[dict[str, Any]], Grader]
+) -> None:
     """A submission earns exactly its points; a right one that follows a bad one, all of them."""
     expected = TABLE[name]
-    limits = Limits(**expected.get("limits", {}))
-    report = grade(FOLDER / name, exercise=expected["exercise"], seed=7, limits=limits)
+    grader = graders(expected.get("limits", {}))
+    report = grader.grade(FOLDER / name, exercise=expected["exercise"], seed=7)
     earned, points = [verdict.points for verdict in report.verdicts], expected["points"]
     assert earned == points + [0] * (len(earned) - len(points))
     hints = [verdict.recognised.name for verdict in report.verdicts if verdict.recognised]
     assert hints == expected.get("hints", [])
     if expected["under_nbval"] != "agrees":
-        assert grade(FOLDER / RIGHT, seed=7).points == sum(TABLE[RIGHT]["points"])
+        assert grader.grade(FOLDER / RIGHT, seed=7).points == sum(TABLE[RIGHT]["points"])
 
 
 def test_golden_hard_coded_answers_are_right_for_one_seed_alone() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -25,6 +24,7 @@ from lesson_code.course.grading.task import Task
 from lesson_code.course.grading.verdict import judge
 from lesson_code.course.isolation.inside.answers import Lent as StandIn
 from lesson_code.course.isolation.inside.answers import in_the_form_of, lendable
+from lesson_code.course.isolation.limits import Limits
 
 from ..conftest import Write
 
@@ -53,13 +53,6 @@ def resolve_overlap(p1, v1, m1, p2, v2, m2, normal, depth, restitution):
 
 WRONG = CIRCLES.replace("p1 - push / m1, p2 + push / m2", "p1 + push / m1, p2 - push / m2")
 LENT = "  marked with the workbook's `separate` in place of yours, which lost points in 4.3"
-
-
-@pytest.fixture(scope="module")
-def grader() -> Iterator[Grader]:
-    """Return a warm grader."""
-    with Grader() as warm:
-        yield warm
 
 
 def graded(grader: Grader, write: Write, source: str) -> Report:
@@ -180,12 +173,11 @@ def resolve_overlap(*given):
 
 
 @pytest.mark.full
-def test_asking_without_end_earns_nothing(
-    grader: Grader, write: Write, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_asking_without_end_earns_nothing(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
     """A submission borrows so many values and no more."""
     monkeypatch.setattr(lending, "MOST_VALUES", 100)
-    report = graded(grader, write, WRONG + ENDLESS)
+    with Grader(limits=Limits(seconds_a_call=0.3)) as impatient:
+        report = graded(impatient, write, WRONG + ENDLESS)
     assert [verdict.points for verdict in report.verdicts] == [0, 4, 0, 0]
 
 

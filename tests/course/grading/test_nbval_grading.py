@@ -9,7 +9,7 @@ import subprocess
 import sys
 import sysconfig
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ import pytest
 from rich.console import Console
 
 from lesson_code.course.grading.exercises import Exercise, exercise_by_name, exercises, task_by_id
-from lesson_code.course.grading.grader import Grader, grade
+from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.nbval_grading import CHECK_CALL, grade_under_nbval, merge
 from lesson_code.course.grading.report import print_report
 from lesson_code.course.grading.submission import SubmissionError, read_submission
@@ -39,16 +39,9 @@ def passed(path: Path, exercise: Exercise, root: Path) -> list[bool]:
     return [outcome.passed for outcome in outcomes]
 
 
-@pytest.fixture(scope="module")
-def grader() -> Iterator[Grader]:
-    """Return one grader for all notebooks."""
-    with Grader() as grader:
-        yield grader
-
-
-def full(path: Path, exercise: Exercise) -> list[bool]:
+def full(grader: Grader, path: Path, exercise: Exercise) -> list[bool]:
     """Return for each task whether the grader gives full marks."""
-    return [verdict.is_full for verdict in grade(path, exercise=exercise.name).verdicts]
+    return [verdict.is_full for verdict in grader.grade(path, exercise=exercise.name).verdicts]
 
 
 def with_answers(exercise: Exercise, root: Path, answers: dict[str, str]) -> dict[str, Any]:
@@ -103,19 +96,19 @@ def test_nbval_is_run_on_a_dozen_and_the_others_say_why_not() -> None:
 
 
 def test_nbval_and_grade_give_a_right_student_notebook_full_marks(
-    root: Path, student_notebook: Callable[..., Path]
+    root: Path, student_notebook: Callable[..., Path], grader: Grader
 ) -> None:
     """The student's copy with the solution's answers in it passes both, in chapter 01."""
     path = student_notebook(CHAPTERS[0])
-    assert full(path, CHAPTERS[0]) == passed(path, CHAPTERS[0], root) == [True] * 3
+    assert full(grader, path, CHAPTERS[0]) == passed(path, CHAPTERS[0], root) == [True] * 3
 
 
 @pytest.mark.parametrize("exercise", CHAPTERS, ids=lambda exercise: exercise.name)
 def test_grade_gives_a_right_student_notebook_full_marks(
-    exercise: Exercise, student_notebook: Callable[..., Path]
+    exercise: Exercise, student_notebook: Callable[..., Path], grader: Grader
 ) -> None:
     """The student's copy with the solution's answers in it earns full marks."""
-    assert all(full(student_notebook(exercise), exercise))
+    assert all(full(grader, student_notebook(exercise), exercise))
 
 
 @pytest.mark.one_in(20)
@@ -148,13 +141,13 @@ def notebook_with(model: WrongModel, student_notebook: Callable[..., Path]) -> P
 @pytest.mark.one_in(12)
 @pytest.mark.parametrize("exercise", CHAPTERS[1:], ids=lambda exercise: exercise.name)
 def test_nbval_and_grade_take_marks_from_a_wrong_model_alone(
-    exercise: Exercise, root: Path, student_notebook: Callable[..., Path]
+    exercise: Exercise, root: Path, student_notebook: Callable[..., Path], grader: Grader
 ) -> None:
     """With one wrong model in it, a notebook loses that task under both, and no other."""
     model = exercise.tasks[0].wrong_models[0]
     path = notebook_with(model, student_notebook)
     others = len(exercise.tasks) - 1
-    assert full(path, exercise) == passed(path, exercise, root) == [False] + [True] * others
+    assert full(grader, path, exercise) == passed(path, exercise, root) == [False] + [True] * others
 
 
 @pytest.mark.parametrize("exercise", CHAPTERS, ids=lambda exercise: exercise.name)

@@ -13,7 +13,7 @@ import pytest
 from clock import at_most
 
 from lesson_code.course.grading import submission as submission_module
-from lesson_code.course.grading.grader import grade
+from lesson_code.course.grading.grader import Grader
 from lesson_code.course.grading.submission import Submission, SubmissionError, read_submission
 from lesson_code.course.isolation.inside.files import MOST_CELLS, MOST_CODE
 
@@ -32,9 +32,9 @@ def inelastic_1d(m1, v1, m2, v2):
 WRONG = "def elastic_1d(m1, v1, m2, v2):\n    return v1, v2\n"
 
 
-def points(path: Path) -> list[int]:
+def points(grader: Grader, path: Path) -> list[int]:
     """Return the points for each task of chapter 01."""
-    return [verdict.points for verdict in grade(path, exercise="01", seed=1).verdicts]
+    return [verdict.points for verdict in grader.grade(path, exercise="01", seed=1).verdicts]
 
 
 def kept(submission: Submission) -> list[str]:
@@ -205,9 +205,9 @@ def test_read_names_what_takes_too_long_and_reads_the_rest(write: Write) -> None
     assert read.functions == ("elastic_1d",)
 
 
-def test_read_of_long_program_is_graded(write: Write) -> None:
+def test_read_of_long_program_is_graded(write: Write, grader: Grader) -> None:
     """A program of 5,000 statements is read, sent and graded as a short one is."""
-    assert points(write("long.py", ELASTIC + "x = 1\n" * 5000))[0] == 4
+    assert points(grader, write("long.py", ELASTIC + "x = 1\n" * 5000))[0] == 4
 
 
 def test_read_keeps_definitions_imports_and_assignments(write: Write) -> None:
@@ -275,13 +275,15 @@ speeds = np.zeros(2)
 
 
 @pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
-def test_read_leaves_out_plots_and_compilers_and_keeps_the_answer(write: Write, name: str) -> None:
+def test_read_leaves_out_plots_and_compilers_and_keeps_the_answer(
+    write: Write, name: str, grader: Grader
+) -> None:
     """What needs an import that is left out goes with it; the answer beside it earns its marks."""
     path = write(name, PLOTS + ELASTIC.replace("m1,", "m1: plt.Axes,"))
     text = "\n".join(kept(read_submission(path)))
     assert not any(word in text for word in ("plt", "axis", "figure", "njit"))
     assert "speeds = np.zeros(2)" in text
-    report = grade(path, exercise="01", seed=1)
+    report = grader.grade(path, exercise="01", seed=1)
     assert report.verdicts[0].is_full
     assert report.notes == ()
 
@@ -293,17 +295,17 @@ def test_read_name_of_an_import_that_is_defined_again_is_not_missing(write: Writ
     assert "\n".join(kept(read_submission(write("a.py", source + answer)))).endswith(answer.strip())
 
 
-def test_read_syntax_error_in_one_cell_leaves_the_others(write: Write) -> None:
+def test_read_syntax_error_in_one_cell_leaves_the_others(write: Write, grader: Grader) -> None:
     """A cell that is no Python is named with its line, and the other cells are graded."""
     path = write("answer.ipynb", ELASTIC, "x = 1\ny = (\n", INELASTIC)
     read = read_submission(path)
     assert read.unreadable == ("your cell 2, line 2: '(' was never closed, in: y = (",)
-    assert points(path) == [4, 3, 0]
+    assert points(grader, path) == [4, 3, 0]
 
 
-def test_read_syntax_error_in_a_program_is_named(write: Write) -> None:
+def test_read_syntax_error_in_a_program_is_named(write: Write, grader: Grader) -> None:
     """A program that is no Python earns nothing, and the report says where it ends."""
-    report = grade(write("answer.py", f"{ELASTIC}\ndef f(:\n"), exercise="01", seed=1)
+    report = grader.grade(write("answer.py", f"{ELASTIC}\ndef f(:\n"), exercise="01", seed=1)
     assert report.points == 0
     assert report.notes == ("your answer.py, line 5: invalid syntax, in: def f(:",)
 
@@ -313,9 +315,11 @@ def test_read_syntax_error_in_a_program_is_named(write: Write) -> None:
     ["x = 1\0", "(" * 5000, "-" * 20_000 + "1", "if " + "-" * 900 + "1: pass", "x = " + "9" * 5000],
     ids=["null byte", "brackets", "signs", "deep condition", "digits"],
 )
-def test_read_of_code_that_breaks_the_parser_is_no_error_of_ours(write: Write, source: str) -> None:
+def test_read_of_code_that_breaks_the_parser_is_no_error_of_ours(
+    write: Write, source: str, grader: Grader
+) -> None:
     """Code beyond what the parser bears is left out; the other cells are graded."""
-    assert points(write("answer.ipynb", source, ELASTIC))[0] == 4
+    assert points(grader, write("answer.ipynb", source, ELASTIC))[0] == 4
 
 
 @pytest.mark.parametrize(
@@ -332,12 +336,12 @@ def test_read_of_code_that_breaks_the_parser_is_no_error_of_ours(write: Write, s
         "a, b = %timeit -o 1",
     ],
 )
-def test_read_magic_does_no_harm_to_its_cell(write: Write, magic: str) -> None:
+def test_read_magic_does_no_harm_to_its_cell(write: Write, magic: str, grader: Grader) -> None:
     """A line that only a notebook understands is left out, and its cell is graded."""
     indent = "if True:\n" if magic.startswith(" ") else ""
     path = write("answer.ipynb", f"{indent}{magic}\n\n{ELASTIC}")
     assert read_submission(path).unreadable == ()
-    assert points(path)[0] == 4
+    assert points(grader, path)[0] == 4
 
 
 def test_read_line_that_starts_with_an_operator_is_no_magic(write: Write) -> None:
@@ -355,7 +359,9 @@ def test_read_magic_pattern_takes_time_in_proportion(write: Write) -> None:
     assert len(read.unreadable) == 1
 
 
-def test_read_added_split_retyped_and_deleted_cells_do_no_harm(tmp_path: Path) -> None:
+def test_read_added_split_retyped_and_deleted_cells_do_no_harm(
+    tmp_path: Path, grader: Grader
+) -> None:
     """Answers are found by their names, wherever in the notebook they stand."""
     cells: list[dict[str, Any]] = [
         {"cell_type": "markdown", "source": ["# Title"]},
@@ -371,13 +377,13 @@ def test_read_added_split_retyped_and_deleted_cells_do_no_harm(tmp_path: Path) -
     ]
     path = tmp_path / "answer.ipynb"
     path.write_text(json.dumps({"cells": cells, "metadata": []}))
-    assert points(path) == [4, 3, 0]
+    assert points(grader, path) == [4, 3, 0]
 
 
-def test_read_function_defined_twice_the_last_counts(write: Write) -> None:
+def test_read_function_defined_twice_the_last_counts(write: Write, grader: Grader) -> None:
     """As in Python, the last definition of a name is the one that is called."""
-    assert points(write("right_last.py", WRONG + ELASTIC))[0] == 4
-    assert points(write("wrong_last.ipynb", ELASTIC, WRONG))[0] == 0
+    assert points(grader, write("right_last.py", WRONG + ELASTIC))[0] == 4
+    assert points(grader, write("wrong_last.ipynb", ELASTIC, WRONG))[0] == 0
 
 
 def test_read_decorated_function_keeps_its_decorators(write: Write) -> None:
@@ -388,31 +394,35 @@ def test_read_decorated_function_keeps_its_decorators(write: Write) -> None:
     )
 
 
-def test_read_decorated_function_is_called_through_its_decorator(write: Write) -> None:
+def test_read_decorated_function_is_called_through_its_decorator(
+    write: Write, grader: Grader
+) -> None:
     """The decorated function is what is graded."""
     helper = "def swapped(f):\n    return lambda *a: f(*a)[::-1]\n\n\n@swapped\n"
     wrong_order = ELASTIC.replace("2 * v - v1, 2 * v - v2", "2 * v - v2, 2 * v - v1")
-    assert points(write("answer.py", helper + wrong_order))[0] == 4
+    assert points(grader, write("answer.py", helper + wrong_order))[0] == 4
 
 
-def test_read_code_under_name_main_is_left_out(write: Write) -> None:
+def test_read_code_under_name_main_is_left_out(write: Write, grader: Grader) -> None:
     """What a program does when it is run is not done when it is graded."""
     path = write("answer.py", ELASTIC + "if '__main__' == __name__:\n" + "    elastic_1d = 0\n")
-    assert points(path)[0] == 4
+    assert points(grader, path)[0] == 4
 
 
 @pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
-def test_read_byte_order_mark_and_crlf_do_no_harm(write: Write, name: str) -> None:
+def test_read_byte_order_mark_and_crlf_do_no_harm(write: Write, name: str, grader: Grader) -> None:
     """A file saved on Windows, with a byte order mark and CRLF, earns what it earns elsewhere."""
     path = write(name, f"{ELASTIC}\n{INELASTIC}".replace("\n", "\r\n"))
     path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes())
-    assert points(path) == [4, 3, 0]
+    assert points(grader, path) == [4, 3, 0]
 
 
-def test_read_says_nothing_about_style(write: Write, recwarn: pytest.WarningsRecorder) -> None:
+def test_read_says_nothing_about_style(
+    write: Write, recwarn: pytest.WarningsRecorder, grader: Grader
+) -> None:
     """Python's own warnings about a student's code are not ours to print, nor errors."""
     source = f'pattern = "\\d"\nassert (1, "always")\n{ELASTIC}'
-    assert points(write("answer.py", source))[0] == 4
+    assert points(grader, write("answer.py", source))[0] == 4
     assert not recwarn.list
 
 
@@ -473,21 +483,23 @@ def elastic_1d(m1, v1, m2, v2):
 
 
 @pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
-def test_read_keeps_calls_that_set_things_up(write: Write, name: str) -> None:
+def test_read_keeps_calls_that_set_things_up(write: Write, name: str, grader: Grader) -> None:
     """An answer that fills a table of its own at top level has it when it is called."""
     path = write(name, SETS_UP)
     assert "print" not in str(kept(read_submission(path)))
-    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+    assert grader.grade(path, exercise="01", seed=1).verdicts[0].is_full
 
 
 @pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
 @pytest.mark.parametrize(
     "below", ["while True:\n    pass\n", "await nothing()\n", "x = await nothing()\n"]
 )
-def test_read_leaves_out_what_never_ends_or_waits(write: Write, name: str, below: str) -> None:
+def test_read_leaves_out_what_never_ends_or_waits(
+    write: Write, name: str, below: str, grader: Grader
+) -> None:
     """A demo below the answers takes no points away from what stands above it."""
     path = write(name, SETS_UP + below)
-    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+    assert grader.grade(path, exercise="01", seed=1).verdicts[0].is_full
 
 
 @pytest.mark.parametrize("magic", ["%%bash\nls -l | wc\n", "%%html\n<b>bold</b>\n"])
@@ -507,20 +519,20 @@ def test_read_cell_in_another_language_is_no_code(write: Write, magic: str) -> N
     ],
 )
 def test_read_text_in_the_encoding_that_it_names(
-    tmp_path: Path, name: str, encoding: str, first: str
+    tmp_path: Path, name: str, encoding: str, first: str, grader: Grader
 ) -> None:
     """A mark of UTF-16, a coding cookie and capital letters in the suffix do no harm."""
     path = tmp_path / name
     path.write_bytes(f"{first}# Stoß\r\n{SETS_UP}".encode(encoding))
-    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+    assert grader.grade(path, exercise="01", seed=1).verdicts[0].is_full
 
 
 @pytest.mark.parametrize("name", ["answer.py", "answer.ipynb"])
-def test_read_names_of_any_alphabet(write: Write, name: str) -> None:
+def test_read_names_of_any_alphabet(write: Write, name: str, grader: Grader) -> None:
     """Python looks such letters up in a module of its own, which the reader has to find."""
     greek = ELASTIC.replace("m1", "μ").replace("v1", "ω")
     assert greek != ELASTIC
-    assert grade(write(name, greek), exercise="01", seed=1).verdicts[0].is_full
+    assert grader.grade(write(name, greek), exercise="01", seed=1).verdicts[0].is_full
 
 
 @pytest.mark.parametrize("encoding", ["shift_jis", "gbk", "cp1252", "mac_roman"])
@@ -549,10 +561,10 @@ def with_outputs(write: Write, outputs: str) -> Path:
     return path
 
 
-def test_read_notebook_with_21_mb_of_outputs(write: Write) -> None:
+def test_read_notebook_with_21_mb_of_outputs(write: Write, grader: Grader) -> None:
     """Films and printed loops do no harm: the answers count."""
     path = with_outputs(write, json.dumps([{"data": {"image/png": "i" * 21_000_000}}]))
-    assert grade(path, exercise="01", seed=1).verdicts[0].is_full
+    assert grader.grade(path, exercise="01", seed=1).verdicts[0].is_full
 
 
 @pytest.mark.full

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 from course.grading.unusual_right_answers import LACKING, RIGHT, Unusual
 
@@ -20,13 +18,6 @@ SEED = 23
 """Any; the answers are right for all."""
 
 EXERCISE_OF = {task.id: exercise.name for exercise in exercises() for task in exercise.tasks}
-
-
-@pytest.fixture(scope="module")
-def grader() -> Iterator[Grader]:
-    """Return a warm grader."""
-    with Grader() as warm:
-        yield warm
 
 
 def verdict_of(unusual: Unusual, grader: Grader, write: Write) -> Verdict:

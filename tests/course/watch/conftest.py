@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,13 +51,6 @@ class Desk:
         self.written.seek(0)
         self.written.truncate()
         return text
-
-
-@pytest.fixture(scope="session")
-def grader() -> Iterator[Grader]:
-    """Return a grader for all sessions."""
-    with Grader() as grader:
-        yield grader
 
 
 @pytest.fixture
