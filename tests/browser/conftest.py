@@ -6,6 +6,7 @@ skipped, and says so.
 
 from __future__ import annotations
 
+import fcntl
 import math
 import shutil
 from collections.abc import Callable, Iterator
@@ -104,11 +105,16 @@ def faults(page: Page) -> list[str]:
 
 
 @pytest.fixture(scope="session")
-def site(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the pages of the workbook."""
-    folder = tmp_path_factory.mktemp("site")
+def site(browser: Browser, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """Return the pages of the workbook: of several workers, the first one builds them for all."""
+    own = tmp_path_factory.mktemp("pages")
+    folder = own.parents[0 if worker_id == "master" else 1] / "site"
     try:
-        build(ROOT, folder, lab=lab_html())
+        with folder.with_suffix(".lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not folder.exists():
+                build(ROOT, own, lab=lab_html())
+                own.rename(folder)
     except MissingToolsError as error:
         pytest.skip(str(error))
     return folder

@@ -24,7 +24,7 @@ from lesson_code.course.grading.task import Arguments, Criterion, Function, Task
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
 from lesson_code.course.isolation.inside.vectors import unwarned
 
-DRAWS = 8
+DRAWS = 4
 """Draws of each criterion, of which a check cell picks one."""
 
 FAILED = "(fails)"

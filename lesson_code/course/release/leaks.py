@@ -103,15 +103,15 @@ def _answers(texts: Mapping[str, str], root: Path) -> Iterator[str]:
     A wrong model that a notebook shows may share a line with the answer; it may not be the answer.
     """
     lines = {name: squeezed(text) for name, text in texts.items()}
-    shown = {name for name in texts if holds_answers(PurePosixPath(name))}
+    shown = {n: _bodies(text) for n, text in texts.items() if holds_answers(PurePosixPath(n))}
     for exercise in exercises():
         for answer, source in answers_in(exercise.solution(root), exercise):
             for formula in formulas_in(answer, source):
                 for name, text in lines.items():
                     if squeezed(formula) in text and name not in shown:
                         yield f"{name}: holds a line of the solution of {answer.name}: {formula}"
-            for name in shown:
-                if _body(answer) in _bodies(texts[name]):
+            for name, bodies in shown.items():
+                if _body(answer) in bodies:
                     yield f"{name}: holds the solution of {answer.name}"
 
 

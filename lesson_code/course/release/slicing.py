@@ -68,8 +68,10 @@ def used_names(source: str, modules: Collection[str]) -> Names:
     >>> used_names("from physics.tasks import draw; draw.speed()", ["physics.tasks.draw"])
     {'physics.tasks.draw': {'speed'}}
     """
-    tree = ast.parse(source)
     found: Names = {}
+    if not any(module.rpartition(".")[0] in source for module in modules):
+        return found  # most code imports none of them, and need not be taken apart
+    tree = ast.parse(source)
     for module, name, called in _imported(tree):
         if f"{module}.{name}" in modules:
             attributes = {

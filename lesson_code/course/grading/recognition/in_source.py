@@ -253,9 +253,10 @@ def _edited(
     alike: dict[str, list[Place]] = {}
     for parent in list(ast.walk(answer.definition)):
         for node, put in _children(parent):
-            shape = _shape(node)
+            shape = ""
             for number, (kind, names, other) in enumerate(edits_of(node, parent)):
                 if kind in kinds:
+                    shape = shape or _shape(node)
                     ast.fix_missing_locations(other)  # a line; all others have theirs
                     shown = _shown(names, answer)
                     place = kind, shown, partial(put, other), partial(put, node)
