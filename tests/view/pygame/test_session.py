@@ -54,16 +54,16 @@ def test_step_back_is_the_state_that_was_there(begin: Callable[[str], Session], 
     session = begin(name)
     session.tour = session.program.tour
     states = []
-    for _ in range(STEPS_A_SAVE + 25):
+    for _ in range(STEPS_A_SAVE + 5):
         states.append(session.game.snapshot())
         session.step()
-    for k in range(1, 31):
+    for k in range(1, 11):
         session.step_back()
         assert (session.game.snapshot() == states[-k]).all()
-    assert session.steps == len(states) - 30
+    assert session.steps == len(states) - 10
     assert session.ledger.last.time == pytest.approx(session.steps / 60)
     session.step()
-    assert (session.game.snapshot() == states[-29]).all()
+    assert (session.game.snapshot() == states[-9]).all()
 
 
 def test_step_back_from_the_start_stays_there(begin: Callable[[str], Session]) -> None:
