@@ -18,7 +18,7 @@ import numpy as np
 from rich.table import Table
 
 from lesson_code.engine.compiled import link, program_of
-from lesson_code.engine.compiled.compiler import compiled
+from lesson_code.engine.compiled.compiler import compiled_here
 from lesson_code.engine.core.rows import World
 from lesson_code.engine.core.step import advance
 from lesson_code.evidence.measurement import Measurement, digits, micro, table
@@ -136,7 +136,7 @@ def _measured(source: str, solver: str, world: Any) -> Iterator[Stage]:
         within = [(inner, 1) for inner, _ in stage_calls(source, name)]
         for inner, depth in [(name, 0), *within]:
             yield Stage(inner, depth, calls, _shortest(source, inner, world))
-        compiled(program_of(source, name, World))(world)
+        compiled_here(program_of(source, name, World))(world)
 
 
 def _stages_of(source: str, function: str, repeated: str) -> Iterator[tuple[str, str]]:
@@ -151,7 +151,7 @@ def _stages_of(source: str, function: str, repeated: str) -> Iterator[tuple[str,
 
 def _shortest(source: str, name: str, world: Any) -> float:
     """Return the shortest time of some calls, each from the same tables, s."""
-    function = compiled(program_of(source, name, World))
+    function = compiled_here(program_of(source, name, World))
     before = [np.copy(table) for table in world]
     times = []
     for _ in range(1 + CALLS):  # the first finds its memory cold

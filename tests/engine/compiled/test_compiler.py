@@ -16,7 +16,7 @@ from processes import PATIENCE, is_gone, printed, started
 from small_program import numbers, small_program
 
 from lesson_code.engine.compiled import compiler
-from lesson_code.engine.compiled.compiler import Compiling, compiled
+from lesson_code.engine.compiled.compiler import Compiling, compiled, compiled_here
 from lesson_code.engine.compiled.library import claimed, is_kept, name_of
 
 pytest.importorskip("numba")
@@ -77,6 +77,15 @@ def test_claim_of_a_killed_process_is_free(place: Path) -> None:
     assert compiled(small_program())(numbers(4.0)) == 2.0
     first.leave(to_finish=False)
     assert [path.name for path in place.iterdir()] == [name_of(small_program())]
+
+
+def test_program_that_is_compiled_in_this_process_is_kept_as_any_other(place: Path) -> None:
+    """It is compiled once."""
+    assert compiled_here(small_program())(numbers(4.0)) == 2.0
+    assert files(place) == {name_of(small_program())}
+    written = (place / name_of(small_program())).stat().st_mtime_ns
+    assert compiled_here(small_program())(numbers(9.0)) == 3.0
+    assert (place / name_of(small_program())).stat().st_mtime_ns == written
 
 
 def test_process_that_is_left_ends_and_keeps_nothing(place: Path) -> None:
