@@ -197,6 +197,7 @@ def test_run_without_what_its_scene_calls_for_is_not_made_by_a_program_for_any(
     assert stepper.program_for_any() == expected
 
 
+@pytest.mark.full
 @pytest.mark.usefixtures("nothing_kept")
 def test_program_of_its_own_comes_first_once_it_is_kept() -> None:
     """It has only what the scene calls for."""

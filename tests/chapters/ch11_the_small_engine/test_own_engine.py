@@ -113,6 +113,7 @@ SHOWN_BY_THE_DEMO = {
 there: coincident centres, a disc's centre inside a polygon, one polygon inside another."""
 
 
+@pytest.mark.one_in(3)
 @pytest.mark.parametrize(
     ("task_id", "name"),
     [(task_id, name) for task_id, names in SHOWN_BY_THE_DEMO.items() for name in names],

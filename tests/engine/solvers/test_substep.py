@@ -295,6 +295,7 @@ def test_impulses_of_a_step_lie_in_the_coulomb_cone(kind: Any) -> None:
 # What it is for
 
 
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize("count", [10, 20])
 def test_tower_that_is_not_straight_stands_where_the_sequential_one_falls(count: int) -> None:
     """Boxes 1 cm off the line, by turns: after 20 s they lie as they were. Equal sweeps fail at 20.

@@ -213,6 +213,7 @@ def test_world_that_has_become_large_goes_on_in_machine_code(tmp_path: Path) -> 
     assert (shown.snapshot() == alone.snapshot()).all()
 
 
+@pytest.mark.full
 def test_dominoes_go_on_in_machine_code() -> None:
     """Their tour, plain at first, ends where that in plain Python ends, bit for bit.
 
