@@ -290,7 +290,7 @@ def test_disc_against_a_box_is_seen_in_a_page_as_by_hand(page: Page) -> None:
     assert in_page(page, "geometry", lines) == [1, 0, 0.25, 0, 0.5]
 
 
-PAIRS = tiers.share(4_000, one_in=4)
+PAIRS = tiers.share(10_000, one_in=10)
 QUARTERS = np.arange(4) * math.pi / 2
 
 

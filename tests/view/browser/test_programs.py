@@ -53,8 +53,13 @@ def test_program_is_small(name: str) -> None:
 
 
 @needs_makers
-@pytest.mark.one_in(2)
-@pytest.mark.parametrize("name", ["formulas", "geometry"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        name if name == "formulas" else pytest.param(name, marks=pytest.mark.full)
+        for name in PROGRAMS
+    ],
+)
 def test_program_built_again_has_the_same_bytes(name: str) -> None:
     """Those that are committed; nothing of the folder, the machine or the day is in them."""
     assert built(programs.program(name)) == programs.file_of(name).read_bytes()
