@@ -30,7 +30,7 @@ const SCENES = [
   {
     name: "a ball that bounces",
     axis: "height, m",
-    view: [-0.1, 1.1],
+    view: [-0.25, 1.1], // in steps of 1/15 s it is found 0.24 m in the floor
     describe: (e) => ({ gravity: [0, -GRAVITY], bodies: [floor(e, 0), ball({ position: [0, DROP + RADIUS] }, e, 0)] }),
     seen: ({ y }) => y - RADIUS,
     right: rightBounce,
