@@ -329,8 +329,9 @@ print("pymunk, 10 sweeps:", *(f"{x:.3f}" for x in v), f"energy {(v * v).sum():.3
 # - **Exactly where bodies touch, or a little early?** The first two impacts of a step come where
 #   the bodies touch, in groups of up to 16 contacts. Others may come a thousandth of a width early.
 # - **Right, or fast?** Our default solves all contacts at once for up to 40 bodies, of which no
-#   more than 24 fall, or for 100 that all stand from the start. The price: a step may take far
-#   longer than one of sweeps. Larger piles get the sweeps, and break the laws that sweeps break.
+#   more than 24 fall; for up to 64 where nothing presses them together, neither gravity nor a wall
+#   that moves; and for up to 100 that all stand from the start. The price: a step may take far
+#   longer than one of sweeps. More bodies get the sweeps, and break the laws that sweeps break.
 #
 # ## 7 Quiz
 

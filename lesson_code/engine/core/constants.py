@@ -52,6 +52,10 @@ LEAST_PART = 1e-12
 """Of a step: the shortest part that one is split into by bodies with a skin. At 0 time may stop; at
 1e-6 what flies at 1e7 m/s passes through a plate in it."""
 
+LOOKS_AT_A_PART = 8
+"""Looks at a part of a step for what touches within it. Each that finds something makes the part
+shorter, and its way another one; the lengths converge to that until the bodies touch."""
+
 NEAR = 1e-10
 """Of a body's width: two bodies with skins that are nearer than this touch. At half a skin they
 would bounce off each other at an angle that is wrong by a thousandth."""
@@ -71,6 +75,12 @@ a corner that turns is looked at again and again, and passes by."""
 
 MOST_IMPACTS = 64
 """Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""
+
+IMPACTS_TO_DOUBLE = 4
+"""Impacts in one step after which a body is let go twice as deep, before the next one is seen."""
+
+FASTEST_GROWTH = 2.0
+"""Times what a contact has carried: what is more in a part of a step with impacts is a blow."""
 
 FEWEST_FOR_GRID = 24
 """Bodies: below this comparing all pairs is as fast as keeping a grid."""
@@ -200,11 +210,14 @@ soon asleep.
 """
 
 MOST_PRESSED, MOST_DRIFTING = 16, 64
-"""Bodies that can be pushed, in a program that is played: up to 16 the direct solver moves any, and
-up to 64 those that no gravity presses together, within half a frame of 1/60 s.
+"""Bodies that can be pushed: up to 64 the direct solver suits those that nothing presses together,
+neither gravity nor a mover; in a program that is played it suits others up to 16.
 
-A pile of 12 falling discs takes 3 ms a step in the median and 11 ms in the worst twentieth, one of
-40 takes 57 ms there; 60 discs and a polygon that drift take 2 ms and 6 ms.
+In a program it has half a frame of 1/60 s. A pile of 12 falling discs takes 3 ms a step in the
+median and 11 ms in the worst twentieth, one of 40 takes 57 ms there; 60 discs and a polygon that
+drift take 2 ms and 6 ms. A crowd that flies fast takes longer, 60 boxes at 7 m/s, 2 m from one
+another, 1 to 2 s for each second. Sweeps take a twentieth of it; but then rods may gain as much
+energy in one step as all of them began with, and boxes lie in one another by half of their width.
 """
 
 HEAVY_ON_LIGHT = 10.0

@@ -95,5 +95,6 @@ def write_point(contact: ContactRow, m: ManifoldRow, point: int) -> None:
         contact.bx, contact.by = m.bx1, m.by1
         contact.penetration, contact.feature = m.penetration1, m.feature1
     contact.normal_impulse = 0.0
+    contact.remembered = -1.0
     contact.tangent_impulse = 0.0
     contact.pseudo_impulse = 0.0

@@ -157,6 +157,7 @@ class ContactRow:
     is_covered: bool = False  # whether it is with an edge inside a floor (internal_edges.py)
     next_static: int = -1  # the one before among the pushed body's contacts with static bodies
     case: int = 3  # what the direct solver takes the contact for at first (contact_problem.py)
+    remembered: float = -1.0  # N s, what it has needed before, for a step as long; -1: it is new
 
     # Of the solver with sub-steps; there the impulses above are those of one sub-step
     gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles

@@ -28,6 +28,7 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.candidate_pairs import find_pairs
+from lesson_code.engine.core.constants import LOOKS_AT_A_PART
 from lesson_code.engine.core.frames import note_frame
 from lesson_code.engine.core.islands import find_islands, first_of_island
 from lesson_code.engine.core.motion import accelerate, move
@@ -185,16 +186,9 @@ def midpoint_part(world: World, pipeline: Pipeline) -> bool:
         return rest(world, pipeline)
     if not state.is_prepared and not begin_at_contacts(world, pipeline):
         return False
-    longest = min(state.left, state.horizon)
-    state.dt = longest
-    let_forces_act(world, pipeline)
-    exchange_velocities(world)
-    is_chosen = choose_part_ahead(world, pipeline)
-    exchange_velocities(world)
-    if not is_chosen:
+    state.dt = min(state.left, state.horizon)
+    if not let_forces_act_until_contact(world, pipeline):
         return False
-    if let_islands_wait(world) or state.dt < longest:
-        let_forces_act(world, pipeline)
     if effects.collisions:
         pipeline.solver.store(world, effects)
         post_process(world, pipeline)
@@ -220,6 +214,30 @@ def begin_at_contacts(world: World, pipeline: Pipeline) -> bool:
     return True
 
 
+def let_forces_act_until_contact(world: World, pipeline: Pipeline) -> bool:
+    """Let forces act for so long that no two bodies touch anew; return whether that was possible.
+
+    Gravity's part of the way depends on how long the part of the step is. So a shorter one is
+    looked at once more: in it a body that rises is faster, and may touch sooner.
+    """
+    state = world.state
+    for _ in range(LOOKS_AT_A_PART):
+        let_forces_act(world, pipeline)
+        longest = state.dt
+        exchange_velocities(world)
+        is_chosen = choose_part_ahead(world, pipeline)
+        exchange_velocities(world)
+        if not is_chosen:
+            return False
+        waits = let_islands_wait(world)
+        if state.dt == longest and not waits:
+            return True
+        if waits or midpoint(state) == 1.0:
+            break
+    let_forces_act(world, pipeline)
+    return True
+
+
 def let_forces_act(world: World, pipeline: Pipeline) -> None:
     """Let gravity and the contacts act for the part of the step, and take the mean velocity.
 
@@ -230,9 +248,6 @@ def let_forces_act(world: World, pipeline: Pipeline) -> None:
         body.vx, body.vy, body.w = body.start_vx, body.start_vy, body.start_w
     if effects.gravity or effects.damping:
         accelerate(world, effects)
-    for body in world.bodies:
-        if body.waits:
-            body.vx, body.vy, body.w = body.start_vx, body.start_vy, body.start_w
     if effects.collisions:
         solver.solve(world, effects)
     before = 1.0 - midpoint(state)

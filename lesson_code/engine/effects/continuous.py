@@ -21,6 +21,7 @@ from lesson_code.engine.core.broad_phase import bound
 from lesson_code.engine.core.candidate_pairs import seek_pairs
 from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
+    IMPACTS_TO_DOUBLE,
     MOST_IMPACTS,
     SLOP,
     SPEED_DOUBT,
@@ -177,7 +178,8 @@ def time_to_impact(world: World, pipeline: Pipeline, duration: float) -> float:
         ):
             after = pair_impact_time(world, a, b, earliest, pipeline.effects)
             if after < earliest:
-                earliest = min(earliest, after + time_into(a, b, pipeline.effects))
+                is_now = after == 0.0
+                earliest = min(earliest, after + time_into(world, a, b, is_now, pipeline.effects))
     return earliest
 
 
@@ -198,13 +200,16 @@ def pair_impact_time(
 ) -> float:
     """Return when two bodies first touch, s; ``math.inf``: not within the duration.
 
-    Of two that touch already it is now if they would pass through each other, and else never: the
-    solver has seen them, as it has seen two of which only the skins touch.
+    Of two that touch already it is now if they would pass through each other. The solver has seen
+    them, as it has seen two of which only the skins touch. One may still swing about the point at
+    which they touch, and come down beside it: then it is when a corner may have passed unseen.
     """
     touch(world, a, b, effects)
     if world.manifold.count > 0:
-        passes = overlaps(world, a, b) and is_far(world, way_into(world.manifold, a, b, duration))
-        return 0.0 if passes else math.inf
+        if overlaps(world, a, b) and is_far(world, way_into(world.manifold, a, b, duration)):
+            return 0.0
+        swing = 2.0 * (rim_speed(a, effects) + rim_speed(b, effects)) * duration
+        return duration * world.state.reach / swing if is_far(world, swing) else math.inf
     return free_impact_time(world, a, b, duration, 0.1 * depth_into(a, b), effects)
 
 
@@ -227,8 +232,23 @@ def overlaps(world: World, a: BodyRow, b: BodyRow) -> bool:
 
 
 def way_into(m: ManifoldRow, a: BodyRow, b: BodyRow, duration: float) -> float:
-    """Return how much deeper into each other two bodies would move along their normal, m."""
-    return -((b.vx - a.vx) * m.nx + (b.vy - a.vy) * m.ny) * duration
+    """Return how much deeper into each other two bodies would move where they touch, m.
+
+    A rod that comes down on its tip goes on about it: its centre falls, and its tip stays.
+    """
+    closing = closing_speed(m.nx, m.ny, m.ax0, m.ay0, m.bx0, m.by0, a, b)
+    if m.count > 1:
+        closing = max(closing, closing_speed(m.nx, m.ny, m.ax1, m.ay1, m.bx1, m.by1, a, b))
+    return closing * duration
+
+
+def closing_speed(
+    nx: float, ny: float, ax: float, ay: float, bx: float, by: float, a: BodyRow, b: BodyRow
+) -> float:
+    """Return how fast two bodies close at a point, m/s, seen from both, along a normal."""
+    vx = (b.vx - b.w * by) - (a.vx - a.w * ay)
+    vy = (b.vy + b.w * bx) - (a.vy + a.w * ax)
+    return -(vx * nx + vy * ny)
 
 
 def is_turning(body: BodyRow) -> bool:
@@ -241,9 +261,16 @@ def depth_into(a: BodyRow, b: BodyRow) -> float:
     return IMPACT_DEPTH * SLOP * min(a.min_width, b.min_width)
 
 
-def time_into(a: BodyRow, b: BodyRow, effects: Effects = EVERY_EFFECT) -> float:
-    """Return the time in which two bodies that touch come to overlap so deep, at the most, s."""
-    return depth_into(a, b) / way_between(a, b, 1.0, effects)
+def time_into(world: World, a: BodyRow, b: BodyRow, is_now: bool, effects: Effects) -> float:
+    """Return the time in which two bodies that touch come to overlap enough to be seen, at most, s.
+
+    A tip that rubs along a floor, just above it, is about to touch it again and again. So bodies
+    that touch now go the deeper, the more impacts the step has had, but not so far that they could
+    pass unseen.
+    """
+    depth = depth_into(a, b)
+    deeper = min(depth * (1 << (world.state.impacts // IMPACTS_TO_DOUBLE)), world.state.reach)
+    return (max(depth, deeper) if is_now else depth) / way_between(a, b, 1.0, effects)
 
 
 def let_fast_wait(world: World) -> None:

@@ -24,7 +24,7 @@ def damp(world: World, effects: Effects) -> None:
     """Let the velocities of all bodies that can be pushed die away."""
     remaining = math.exp(-world.state.damping * world.state.dt)
     for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
+        if body.inv_m > 0.0 and not body.waits and not (effects.sleeping and body.is_asleep):
             body.vx *= remaining
             body.vy *= remaining
             body.w *= remaining

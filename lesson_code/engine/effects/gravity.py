@@ -22,6 +22,6 @@ def fall(world: World, effects: Effects) -> None:
     """Let gravity act on all bodies that can be pushed."""
     state = world.state
     for body in world.bodies:
-        if body.inv_m > 0.0 and not (effects.sleeping and body.is_asleep):
+        if body.inv_m > 0.0 and not body.waits and not (effects.sleeping and body.is_asleep):
             body.vx += state.gravity_x * state.dt
             body.vy += state.gravity_y * state.dt

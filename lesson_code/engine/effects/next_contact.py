@@ -138,18 +138,19 @@ def note_gap(world: World, pair: PairRow) -> float:
 
 
 def choose_part_ahead(world: World, pipeline: Pipeline) -> bool:
-    """Choose how much of what is left of the step is made now; return whether that was possible.
+    """Choose how much of the part of the step is made now; return whether that was possible.
 
     All of it, or as much as passes until two bodies touch at a new point.
     """
     state, effects = world.state, pipeline.effects
-    longest = state.dt = min(state.left, state.horizon)
+    longest = state.dt
     if effects.continuous and has_fast(world, longest, effects):
         if leaves_its_box(world) and not seek_ahead(world, pipeline):
             return False
         state.dt = time_to_contact(world, longest, effects)
         if state.dt < longest:
-            state.impacts += 1
+            if longest == min(state.left, state.horizon):  # and this is the first look at the part
+                state.impacts += 1
             if state.impacts > MOST_IMPACTS:
                 state.dt = state.left
                 let_fast_wait(world)

@@ -4,8 +4,9 @@
 2. Sweeps or sub-steps are asked for: the sequential solver makes them.
 3. Discs in free flight, one collision at a time: the exact solver. Where two collisions of a disc
    come at once it gives up, and the next one runs.
-4. Few bodies, or some more that stand from the start: the direct solver. All contacts are solved at
-   once, and no law depends on the step. Sweeps take less time, and break laws.
+4. Few bodies, or some more that stand from the start or that nothing presses together: the direct
+   solver. All contacts are solved at once, and no law depends on the step. Sweeps take less time,
+   and break laws.
 5. Many bodies, heavy ones on light ones: the solver with sub-steps.
 6. Other scenes of many bodies: the sequential solver.
 """
@@ -24,6 +25,7 @@ from lesson_code.engine.core.capacity import add_capacity
 from lesson_code.engine.core.constants import (
     FEWEST_FOR_GRID,
     HEAVY_ON_LIGHT,
+    MOST_DRIFTING,
     MOST_FALLING,
     MOST_FOR_DIRECT,
     MOST_STANDING,
@@ -96,6 +98,8 @@ def solvers_for(
             yield SolverChoice("direct", "few bodies: all contacts are solved at once")
         elif free <= MOST_STANDING and any(scene.gravity) and falls == 0:
             yield SolverChoice("direct", "all bodies stand: their contacts are solved at once")
+        elif free <= MOST_DRIFTING and not any(scene.gravity) and not scene.columns.has_mover:
+            yield SolverChoice("direct", "nothing presses the bodies: few of them touch at once")
     ratio = mass_ratio(scene)
     if _has_all("substep", wishes) and any(scene.gravity) and ratio >= HEAVY_ON_LIGHT:
         yield SolverChoice(

@@ -36,6 +36,7 @@ from typing import TypeAlias
 from lesson_code.engine.compiled.lanes import in_lanes
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
+    FASTEST_GROWTH,
     LEAST_EXCESS,
     SLOP,
 )
@@ -149,6 +150,7 @@ def give_again(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
         c.normal_impulse *= longer
+        c.remembered *= longer
         if effects.friction:
             c.tangent_impulse *= longer
             apply_impulses(c, a, b, c.normal_impulse, c.tangent_impulse)
@@ -173,7 +175,7 @@ def recall(world: World, effects: Effects = EVERY_EFFECT) -> None:
         n = first
         while n < count and world.memory[n].a == c.a and world.memory[n].b == c.b:
             if world.memory[n].feature == c.feature:
-                c.normal_impulse = world.memory[n].normal_impulse
+                c.normal_impulse = c.remembered = world.memory[n].normal_impulse
                 if effects.friction:
                     c.tangent_impulse = world.memory[n].tangent_impulse
             n += 1
@@ -290,14 +292,27 @@ def solve_central_pseudo_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> None
 
 def store(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Remember the impulses of this step for the next."""
+    has_impact = effects.continuous and world.state.impacts > 0
     for k in range(world.state.contact_count):
         c, m = world.contacts[k], world.memory[k]
         m.a, m.b, m.feature = c.a, c.b, c.feature
-        m.normal_impulse = c.normal_impulse
+        part = part_to_remember(c) if has_impact else 1.0
+        m.normal_impulse = part * c.normal_impulse
         if effects.friction:
-            m.tangent_impulse = c.tangent_impulse
+            m.tangent_impulse = part * c.tangent_impulse
     world.state.memory_count = world.state.contact_count
     world.state.dt_before = world.state.dt
+
+
+def part_to_remember(c: ContactRow) -> float:
+    """Return how much of an impulse in a part of a step with impacts is that of a lasting force.
+
+    A blow is not: given again in a part a thousand times as long, it would be a thousand blows.
+    """
+    if c.remembered < 0.0:
+        return 0.0
+    most = FASTEST_GROWTH * c.remembered
+    return most / c.normal_impulse if 0.0 < most < c.normal_impulse else 1.0
 
 
 SOLVER = Solver(

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from lesson_code.engine.core.constants import MOST_DRIFTING
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.measures import ROUNDING, gain, largest
@@ -19,6 +20,9 @@ THEME = "Collisions of free bodies"
 
 RING = 3.0
 """m: radius of the circle from which the bodies fly to the middle. None reaches a neighbour."""
+
+APART = 2.2
+"""m: from one body of a crowd to the next; none reaches its neighbour."""
 
 KEPT = "rounding of some collisions, relative to the sum of what the bodies have"
 
@@ -169,6 +173,49 @@ def energy_elastic(draw: Draw, trial: Trial) -> float:
     scene = meeting(draw, Material(1.0, 0.0), kind_of(draw))
     energies = trial.run(scene, 4.0, sample=None).kinetic_energy
     return largest(energies / energies[0] - 1)
+
+
+@family(
+    THEME,
+    why="More bodies than are solved together get sweeps: rods gain energy, boxes overlap by half.",
+    law="Both momenta are kept, and energy never grows, however many meet.",
+    unit="",
+    bound=1e-9,
+    reason="rounding of some thousand collisions, relative to the sum of what the bodies have",
+    is_long=True,
+)
+def crowd(draw: Draw, trial: Trial) -> float:
+    """6 to 64 spinning discs, boxes or rods with any e and mu rush to one place: change or gain."""
+    scene = rush(draw, round(draw.log_uniform("count", 6, MOST_DRIFTING)))
+    run = trial.run(scene, 3.0, sample=None)
+    energies = run.kinetic_energy
+    rise = largest(energies - np.minimum.accumulate(energies)) / float(energies[0])
+    return max(change_of_momentum(run), change_of_angular_momentum(run), rise)
+
+
+def rush(draw: Draw, count: int) -> Scene:
+    """Return bodies on a grid that fly to its middle, where they would all be after 2 s."""
+    kind, surface = draw.choice("kind", ("discs", "boxes", "rods")), any_surface(draw)
+    disc, box, rod = Circle(0.5), Polygon.box(1, 1), Polygon.box(1.8, 0.1)
+    shapes: dict[str, Shape] = {"discs": disc, "boxes": box, "rods": rod}
+    rng = np.random.default_rng(draw.integer("crowd", 0, 10**9))
+    rows = math.ceil(math.sqrt(count))
+    bodies = []
+    for n in range(count):
+        x, y = (APART * (m - (rows - 1) / 2) for m in (n % rows, n // rows))
+        vx, vy = rng.normal(0, 1, 2).tolist()
+        bodies.append(
+            Body(
+                shapes[kind],
+                mass=float(10 ** rng.uniform(-1, 1)),
+                position=(x, y),
+                angle=float(rng.uniform(0, math.pi)),
+                velocity=(vx - x / 2, vy - y / 2),
+                angular_velocity=float(rng.normal(0, 3)),
+                material=surface,
+            )
+        )
+    return Scene(bodies)
 
 
 @family(

@@ -20,6 +20,7 @@ from lesson_code import (
 )
 from lesson_code.engine.core.constants import (
     HEAVY_ON_LIGHT,
+    MOST_DRIFTING,
     MOST_FALLING,
     MOST_FOR_DIRECT,
     MOST_STANDING,
@@ -124,9 +125,18 @@ def test_bodies_that_fall_are_counted_as_if_all_had_been_looked_at(
 
 def test_few_bodies_are_for_the_direct_solver() -> None:
     """Static ones do not count, and no more than so many."""
-    few, many = blocks(MOST_FOR_DIRECT), blocks(MOST_FOR_DIRECT + 1)
+    few, many = blocks(MOST_DRIFTING), blocks(MOST_DRIFTING + 1)
     assert names(Scene([*few.bodies, *[FLOOR] * 9])) == ["direct", "sequential"]
     assert names(many) == ["sequential"]
+
+
+@pytest.mark.parametrize(
+    ("count", "expected"), [(MOST_FOR_DIRECT, "direct"), (MOST_FOR_DIRECT + 1, "sequential")]
+)
+def test_walls_that_move_may_press_bodies_together(count: int, expected: str) -> None:
+    """Then no more of them are for the direct solver than where gravity does."""
+    wall = Body(Segment((-9, -9), (-9, 9)), velocity=(1, 0))
+    assert names(Scene([*blocks(count).bodies, wall]))[0] == expected
 
 
 @pytest.mark.parametrize(
@@ -162,7 +172,7 @@ def test_heavy_bodies_among_many_are_for_the_solver_with_sub_steps(
     ratio: float, gravity: float, expected: str
 ) -> None:
     """Only with gravity does one lie on the other."""
-    row = blocks(MOST_FOR_DIRECT).bodies
+    row = blocks(MOST_DRIFTING).bodies
     heavy = Body(Polygon.box(1, 1), mass=ratio, position=(0, 5))
     assert names(Scene([*row, heavy], gravity=(0, gravity)))[0] == expected
 
@@ -245,7 +255,7 @@ def test_last_choice_suits_every_scene() -> None:
     [
         (Scene([disc(0), disc(3)]), "exact"),
         (blocks(3), "direct"),
-        (blocks(MOST_FOR_DIRECT + 1), "sequential"),
+        (blocks(MOST_DRIFTING + 1), "sequential"),
     ],
     ids=["exact", "direct", "sequential"],
 )
