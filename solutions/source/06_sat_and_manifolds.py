@@ -143,7 +143,7 @@ check_task("6.4", mtv)
 #
 # The line is all points p with p . normal = offset. Return the part of the segment on the inner
 # side, p . normal <= offset, as the pair (start, end) in the same direction. Return `None` where
-# nothing is left, not even a point.
+# nothing is left, not even a point. Where a point is left alone, it is both start and end.
 
 
 # %% tags=["task"]
@@ -169,8 +169,8 @@ check_task("6.5", clip)
 # ## Task 6.6 A circle and a polygon (4 points)
 #
 # Return the pair (normal, depth) for a circle that overlaps a polygon, or `None`. The normal points
-# from the polygon to the circle: the circle moved by depth times normal just touches. The centre
-# may lie inside the polygon, but not exactly on an edge.
+# from the polygon to the circle: the circle moved by depth times normal just touches. A circle that
+# only touches does not overlap. The centre may lie inside the polygon, but not exactly on an edge.
 
 
 # %% tags=["task"]

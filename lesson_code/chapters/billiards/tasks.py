@@ -119,9 +119,10 @@ def moving_out(stream: Random) -> Iterator[Arguments]:
 
 
 def free_steps(stream: Random) -> Iterator[Arguments]:
-    """Draw steps without any contact."""
+    """Draw steps without any contact, the last one of another length."""
     for position in ((120.0, 120.0), (450.0, 300.0)):
         yield position, _velocity(stream, 1, -1), TIME_STEP
+    yield (120.0, 120.0), _velocity(stream, 1, -1), round(stream.uniform(0.02, 0.04), 3)
 
 
 def wall_steps(stream: Random) -> Iterator[Arguments]:

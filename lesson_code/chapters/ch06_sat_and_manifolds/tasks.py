@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from random import Random
 from typing import Any
 
@@ -14,7 +15,16 @@ from lesson_code.chapters.ch06_sat_and_manifolds import draws as pairs
 from lesson_code.course.grading.compare import written
 from lesson_code.course.grading.task import ANSWER_TOLERANCE, Arguments, Criterion, Task
 from lesson_code.formulas import polygon_centroid
-from lesson_code.geometry import Circle, Polygon, collide, mtv, overlap, project, sat_axes
+from lesson_code.geometry import (
+    Circle,
+    Polygon,
+    closest_point_on_segment,
+    collide,
+    mtv,
+    overlap,
+    project,
+    sat_axes,
+)
 
 FAR = 15.0
 """m: farther than any pair that is drawn lies from the origin."""
@@ -260,7 +270,9 @@ def _clipped(start: Any, end: Any, normal: Any, offset: float) -> tuple[Any, Any
     s, e = (float(point @ normal) - offset for point in (start, end))
     if min(s, e) > 0:
         return None
-    cut = start + np.clip(s / (s - e), 0, 1) * (end - start)
+    if max(s, e) <= 0:
+        return start, end
+    cut = start + s / (s - e) * (end - start)
     return (cut if s > 0 else start), (cut if e > 0 else end)
 
 
@@ -281,6 +293,19 @@ def on_one_side(stream: Random) -> Iterator[Arguments]:
             start = _beside_line(normal, offset + side * stream.uniform(*near), -1.0)
             end = _beside_line(normal, offset + side * stream.uniform(*far), 2.0)
             yield start, end, normal, offset
+
+
+def on_one_side_or_touching(stream: Random) -> Iterator[Arguments]:
+    """Draw segments that lie all inside, and all outside, and some that touch the line.
+
+    Outside, these touch it with their end, with their start, and all along. No number is rounded.
+    """
+    yield from on_one_side(stream)
+    x, y = (stream.randrange(-24, 24) / 8 for _ in range(2))
+    start, end, line = (x, y), (x + 1.25, y - 2.5), (1.0, 0.0)
+    yield end, start, line, x
+    yield start, end, line, x
+    yield start, (x, y + 1.5), line, x
 
 
 def _segment_across(stream: Random) -> tuple[draws.Vector, draws.Vector, draws.Vector, float]:
@@ -306,6 +331,30 @@ def beside_an_edge(stream: Random) -> Iterator[Arguments]:
         vertices, start, end, outward = _longest_edge(stream, place)
         foot = _between(start, end, stream.choice((0.3, 0.7)))
         yield draws.at_distance(foot, 0.2, outward), round(stream.uniform(0.3, 0.4), 2), vertices
+
+
+def beside_an_edge_or_two(stream: Random) -> Iterator[Arguments]:
+    """Draw such circles, and two that reach another edge, too: one before theirs, and one after."""
+    yield from beside_an_edge(stream)
+    for place, at_end in ((-1, False), (0, True)):
+        yield draws.until(_reaches_two_edges, partial(_beside_a_corner, stream, place, at_end))
+
+
+def _beside_a_corner(stream: Random, place: int, at_end: bool) -> Arguments:
+    """Return a circle that overlaps the longest edge of a polygon near its start or its end."""
+    vertices, start, end, outward = _longest_edge(stream, place)
+    part = 0.12 / math.dist(start, end)
+    foot = _between(start, end, 1 - part if at_end else part)
+    return draws.at_distance(foot, 0.2, outward), round(stream.uniform(0.3, 0.4), 2), vertices
+
+
+def _reaches_two_edges(drawn: Arguments) -> bool:
+    """Return whether a circle overlaps a second edge of a polygon, which is clearly farther."""
+    centre, radius, vertices = drawn
+    edges = zip(vertices, (*vertices[1:], vertices[0]), strict=True)
+    points = (closest_point_on_segment(centre, *edge) for edge in edges)
+    nearest, second, *_ = sorted(math.dist(centre, point) for point in points)
+    return bool(nearest + 0.02 < second < radius)
 
 
 def beside_a_vertex(stream: Random) -> Iterator[Arguments]:
@@ -347,7 +396,10 @@ def with_the_centre_inside(stream: Random) -> Iterator[Arguments]:
 
 
 def circle_apart_or_not(stream: Random) -> Iterator[Arguments]:
-    """Draw circles off an edge and just in it, past the end of an edge's line, off a vertex."""
+    """Draw circles off an edge and just in it, past the end of an edge's line, off a vertex.
+
+    The last one just touches an edge: no number is rounded.
+    """
     vertices, start, end, outward = _longest_edge(stream, 0)
     foot = _between(start, end, 0.5)
     for radius in (0.28, 0.32):
@@ -355,6 +407,8 @@ def circle_apart_or_not(stream: Random) -> Iterator[Arguments]:
     yield draws.at_distance(_between(start, end, 1.5), 0.1, outward), 0.3, vertices
     vertices, way = _beyond_a_vertex(stream, 0.5)
     yield draws.at_distance(vertices[1], 0.33, way), 0.3, vertices
+    x, y, radius = *(float(stream.randint(-5, 5)) for _ in range(2)), stream.randrange(3, 8) / 8
+    yield (x + 2 + radius, y + 0.75), radius, pairs.square(x, y)
 
 
 def _longest_edge(
@@ -457,7 +511,7 @@ TASKS = (
         expected=_clipped,
         criteria=(
             Criterion("one end outside", crossing, points=2),
-            Criterion("all inside and all outside", on_one_side),
+            Criterion("all inside, all outside, or touching", on_one_side_or_touching),
         ),
     ),
     Task(
@@ -467,10 +521,10 @@ TASKS = (
         objective="How a circle overlaps a polygon, through the closest point.",
         expected=_circle_contact,
         criteria=(
-            Criterion("beside an edge", beside_an_edge),
+            Criterion("beside an edge", beside_an_edge_or_two),
             Criterion("beside a vertex", beside_a_vertex),
             Criterion("the centre inside", with_the_centre_inside),
-            Criterion("apart or overlapping", circle_apart_or_not, part=is_overlap),
+            Criterion("apart, touching or overlapping", circle_apart_or_not, part=is_overlap),
         ),
     ),
 )

@@ -24,6 +24,9 @@ SAMPLES = 10
 ORDERS = (2, 5, 0, 6, 4, 1, 7, 3), (0, 2, 6, 5, 1, 3, 4, 7), (0, 6, 1, 5, 7, 4, 2, 3)
 """Of a crowd: 0 and 1 are the slow pair, 2 and 3 the fast one, 4 and 5 the followers of these."""
 
+LATE = 50.0
+"""A late crowd moves so many times as slowly: its first pair meets after some 30 s."""
+
 FAR = 60.0
 """m between two groups of a crowd: at their speeds they cannot meet before the first pair does."""
 
@@ -124,6 +127,13 @@ def crowds(stream: Random) -> Iterator[Arguments]:
         slow, fast = _pair(stream, 0.5, 0.4), _with_followers(_pair(stream, 4.0, 6.0))
         groups = _scattered(stream, (slow, fast, _pair(stream, *other)))
         yield _crowd([groups[n] for n in order])
+
+
+def crowds_soon_and_late(stream: Random) -> Iterator[Arguments]:
+    """Draw these crowds, and one in which all happens late."""
+    yield from crowds(stream)
+    positions, velocities, radii = next(crowds(stream))
+    yield positions, tuple(_seen(complex(*v) / LATE, 4) for v in velocities), radii
 
 
 def crowds_with_a_hit_now(stream: Random) -> Iterator[Arguments]:

@@ -110,7 +110,7 @@ def by_the_mean_velocity(height: float, velocity: float, gravity: float) -> Time
             return back
         return back + 2 * height / (hypot(velocity, sqrt(2 * gravity * height)) + velocity)
     mean = (hypot(velocity, sqrt(2 * gravity * height)) - velocity) / 2
-    return height / mean if mean else 0.0
+    return height / mean if mean else None
 
 
 @alternative("7.2")

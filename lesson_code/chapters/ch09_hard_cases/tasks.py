@@ -38,10 +38,15 @@ def one_box(stream: Random) -> Iterator[Arguments]:
 
 
 def light_loads(stream: Random) -> Iterator[Arguments]:
-    """Draw loads of some times the box's mass; in the first a sweep has just begun."""
+    """Draw loads of some times the box's mass; in the first a sweep has just begun.
+
+    The last one is as heavy as the box: a sweep leaves one half, which is no more than one half.
+    """
     yield _load(stream, 6, 0.1, begun=0.2)
     light = round(stream.uniform(0.5, 3.0), 2)
     yield light, round(light * stream.uniform(3, 9), 2), 0.01
+    light = stream.randrange(9, 16) / 8  # no number is rounded
+    yield light, light, 0.5
 
 
 def heavy_loads(stream: Random) -> Iterator[Arguments]:
@@ -63,7 +68,13 @@ def _load(stream: Random, ratio: float, left: float, begun: float) -> Arguments:
 def huge_loads(stream: Random) -> Iterator[Arguments]:
     """Draw loads of a billion times: here a float has few digits left for 1 - m/M."""
     for _ in range(2):
-        yield 1.0, round(stream.uniform(1, 9) * 1e9), 0.01
+        yield 1.0, draws.until(_loses_digits, lambda: round(stream.uniform(1, 9) * 1e9)), 0.01
+
+
+def _loses_digits(heavy: float) -> bool:
+    """Return whether the logarithms of M/(M + m) and (M + m)/M, m = 1 kg, are clearly off."""
+    logs = -math.log(heavy / (heavy + 1.0)), math.log((heavy + 1.0) / heavy)
+    return all(abs(log / math.log1p(1.0 / heavy) - 1) > 1e-8 for log in logs)
 
 
 # 9.3: a tip that slides
@@ -100,13 +111,17 @@ def jammed(stream: Random) -> Iterator[Arguments]:
 
 
 def parting(stream: Random) -> Iterator[Arguments]:
-    """Draw tips that leave the floor, one that does not, and one that would jam if it came."""
+    """Draw tips that leave the floor, one that does not, and one that would jam if it came.
+
+    The last one neither leaves nor comes.
+    """
     yield -draws.speed(stream), draws.speed(stream), _stiffness(stream), 0.5, _mu(stream)
     for way, how_fast in ((1, draws.speed), (-1, draws.creep)):
         knt = way * round(stream.uniform(0.4, 0.8), 2)
         yield how_fast(stream), draws.speed(stream), _stiffness(stream), knt, _mu(stream)
     _, *jams = next(jammed(stream))
     yield draws.speed(stream), *jams
+    yield 0.0, draws.speed(stream), _stiffness(stream), 0.5, _mu(stream)
 
 
 def _stiffness(stream: Random) -> float:
@@ -158,9 +173,13 @@ def _vector(stream: Random, least: float, most: float) -> tuple[float, float]:
 
 
 def equal_balls(_stream: Random) -> Iterator[Arguments]:
-    """Yield cradles of five equal balls, of which one to four come."""
+    """Yield cradles of five equal balls, of which one to four come, and a row with 55 strikes.
+
+    In that each ball comes faster than the next: all velocities change places.
+    """
     for moving in range(1, 5):
         yield (1.0,) * 5, (2.0,) * moving + (0.0,) * (5 - moving)
+    yield (1.0,) * 11, tuple(float(v) for v in range(11, 0, -1))
 
 
 def from_the_other_side(stream: Random) -> Iterator[Arguments]:
@@ -173,7 +192,8 @@ def from_the_other_side(stream: Random) -> Iterator[Arguments]:
 def unequal_balls(stream: Random) -> Iterator[Arguments]:
     """Draw rows of balls of different masses, in which the order of the strikes counts.
 
-    Each shows one other order; one tells two others apart, and in the last two approach slowly.
+    Each shows one other order; one tells two others apart. In the last two approach slowly, and
+    then very slowly.
     """
     for other in rows_of_balls.ORDERS:
         if other is not rows_of_balls.fastest:
@@ -183,6 +203,7 @@ def unequal_balls(stream: Random) -> Iterator[Arguments]:
     yield _row_for_the_hardest(stream)
     v = draws.speed(stream)
     yield draws.unequal_masses(stream), (v + draws.creep(stream), v)
+    yield draws.unequal_masses(stream), (v + 1e-6, v)
 
 
 def _row_for_the_hardest(stream: Random) -> Arguments:

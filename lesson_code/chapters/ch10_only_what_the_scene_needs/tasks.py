@@ -65,7 +65,7 @@ BALL, BOX = 0.0, 4.0
 def rough_or_smooth(stream: Random) -> Iterator[Arguments]:
     """Draw pairs of which both, one or none is rough, and two rough bodies that are static.
 
-    Of four bodies one pair is rough, at either end of the list.
+    Of four bodies one pair is rough: at either end of the list, or one at each.
     """
     m, n, mu, nu = *_inverse_masses(stream, 2), *_coefficients(stream, 2)
     for first, second in ((mu, nu), (mu, 0.0), (0.0, 0.0)):
@@ -77,10 +77,15 @@ def rough_or_smooth(stream: Random) -> Iterator[Arguments]:
 
 
 def _one_pair(floor: Numbers, body: Numbers, other: Numbers) -> Iterator[tuple[Numbers, ...]]:
-    """Yield bodies of which only floor and body make a pair that counts: the last and the first."""
+    """Yield bodies of which only floor and body make a pair that counts.
+
+    It is the last one, the first one, and one of bodies that are no neighbours in the list.
+    """
     yield other, other, body, floor
     yield other, other, floor, body
     yield body, floor, other, other
+    yield body, other, other, floor
+    yield other, floor, other, body
 
 
 def bouncing_or_not(stream: Random) -> Iterator[Arguments]:
@@ -231,23 +236,30 @@ def long_chains(stream: Random) -> Iterator[Arguments]:
     """Draw chains of bodies in a shuffled order, the one at the end of which moves; and a pair.
 
     In two of them the numbers go up, and down again to the one that moves, or the other way round:
-    whoever goes through the bodies once does not come to the end.
+    whoever goes through the bodies once does not come to the end. The last one is the longest.
     """
-    for moves in (True, False):
-        order = [*range(1, 8)]
+
+    def shuffled(links: int, moves: bool) -> Arguments:
+        order = [*range(1, links + 3)]
         stream.shuffle(order)
-        yield _chain_and_pair(stream, order[:5], order[5:], moves)
+        return _chain_and_pair(stream, order[:links], order[links:], moves)
+
+    for moves in (True, False):
+        yield shuffled(5, moves)
     for way in (1, -1):
         lowest, *chain = sorted(stream.sample(range(1, 8), 5))[::way]
         pair = [n for n in range(1, 8) if n not in (lowest, *chain)]
         yield _chain_and_pair(stream, [*chain, lowest], pair, moves=True)
+    yield shuffled(12, moves=True)
 
 
 def _chain_and_pair(stream: Random, chain: list[int], pair: list[int], moves: bool) -> Arguments:
     """Return a chain and a pair on a floor; the end of one of the two moves."""
     joined = [(0, n) for n in (*chain, *pair)]
     joined += [(min(a, b), max(a, b)) for a, b in (*pairwise(chain), pair)]
-    return _world(stream, 8, joined, moving=(chain[-1] if moves else pair[-1],))
+    return _world(
+        stream, 1 + len(chain) + len(pair), joined, moving=(chain[-1] if moves else pair[-1],)
+    )
 
 
 def _reversed(world: Arguments) -> Arguments:

@@ -239,7 +239,11 @@ def free_discs(stream: Random) -> Iterator[Arguments]:
 
 
 def discs_at_walls(stream: Random) -> Iterator[Arguments]:
-    """Draw discs beyond a wall, three on their way out, one on its way in already, and one free."""
+    """Draw discs beyond a wall, three on their way out, one on its way in already, and one free.
+
+    In the last scene discs are in corners, beyond two walls each: one is on its way out of both,
+    and the others out of one of the two.
+    """
     way = draws.speed(stream)
     states = [
         ((0.6, 3.0), (-way, 1.0)),
@@ -250,10 +254,16 @@ def discs_at_walls(stream: Random) -> Iterator[Arguments]:
     ]
     yield _world(stream, states, (0.0, 0.0))
     yield _world(stream, states, (0.0, -9.81))
+    corners = [((0.5, 0.6), (-way, -1.5)), ((11.5, 8.4), (way, -1.0)), ((0.6, 8.5), (1.5, way))]
+    yield _world(stream, corners, (0.0, 0.0))
 
 
 def discs_that_meet(stream: Random) -> Iterator[Arguments]:
-    """Draw two discs that overlap and approach, two that overlap and part, and one alone."""
+    """Draw two discs that overlap and approach, and two that overlap and part.
+
+    In the last scene no two of them are neighbours in the table, and the first one has two
+    partners: pushed away by one, it is deeper in the other, which is the last of the table.
+    """
     for x, y in ((0.8, 0.6), (0.6, -0.8)):
         way = draws.speed(stream)
         states = [
@@ -263,6 +273,15 @@ def discs_that_meet(stream: Random) -> Iterator[Arguments]:
             ((8.0 + 1.2 * x, 4.5 + 1.2 * y), (1.0, -0.5)),
         ]
         yield _world(stream, states, (0.0, 0.0))
+    way = draws.speed(stream)
+    states = [
+        ((4.0, 4.5), (0.3, 0.2)),
+        ((8.0, 3.0), (way, 0.5)),
+        ((2.8, 4.4), (way, -0.4)),
+        ((8.7, 4.0), (0.4, -way)),
+        ((4.7, 5.4), (-way, -0.5)),
+    ]
+    yield _world(stream, states, (0.0, 0.0))
 
 
 def all_at_once(stream: Random) -> Iterator[Arguments]:

@@ -168,7 +168,7 @@ def test_drawn_touching_circles_touch_exactly() -> None:
 
 def test_drawn_falls_need_what_they_are_about() -> None:
     """Without gravity to speak of, the formula from school loses what the answer has to keep."""
-    for given in drawn(tasks.nearly_weightless)[::5]:
+    for given in drawn(tasks.nearly_weightless)[::6]:
         school = wrong.school_formula(*given)
         assert school is not None
         assert abs(school - time_to_floor(*given)) > 1e3 * ANSWER_TOLERANCE
@@ -235,6 +235,8 @@ def test_drawn_crowds_are_no_matter_of_nearness_order_or_luck() -> None:
             gaps = np.hypot(*(positions - positions[one]).T) - radii
             gaps[one] = math.inf
             assert np.argmin(gaps) != other
+    late = [next_event(*arrays(g))[0] for g in drawn(flights.crowds_soon_and_late)[3::4]]
+    assert 20 < min(late) <= max(late) < 50
     assert all(next_event(*arrays(g))[0] == 0.0 for g in drawn(flights.crowds_with_a_hit_now))
     parting = [next_event(*arrays(g)) is None for g in drawn(flights.crowds_that_part)]
     assert parting == [False, False, True, True] * (len(parting) // 4)

@@ -224,13 +224,16 @@ def test_drawn_boxes_have_pairs_and_others() -> None:
             assert 0 < len(near_pairs(boxes)) < len(boxes) * (len(boxes) - 1) / 2
 
 
-def test_drawn_discs_meet_one_at_a_time_or_in_a_row() -> None:
-    """The order of the pairs makes no difference but in the row, where one disc is in two pairs.
+def test_drawn_discs_meet_one_at_a_time_or_have_two_partners() -> None:
+    """The order of the pairs makes no difference but in two scenes, where a disc is in two pairs.
 
-    There the last two of the row meet only where the pairs before have left them.
+    In one, no two of a pair are neighbours. In the other, the last two of a row meet only where the
+    pairs before have left them.
     """
-    together = [overlaps(world) for world in drawn(tasks.discs_that_meet)]
-    for found in (*together, *map(overlaps, drawn(tasks.all_at_once)[::2])):
+    meeting = [overlaps(world) for world in drawn(tasks.discs_that_meet)]
+    assert meeting[2::3] == [[(0, 2), (0, 4), (1, 3)]] * (len(meeting) // 3)
+    one_by_one = [*meeting[::3], *meeting[1::3], *map(overlaps, drawn(tasks.all_at_once)[::2])]
+    for found in one_by_one:
         met = [disc for pair in found for disc in pair]
         assert found
         assert len(met) == len(set(met))
