@@ -23,6 +23,8 @@ NOT_WRITTEN = "not written yet"
 LEFT_OUT = "which is left out"
 """What is said of an import that no answer may use."""
 
+NO_ORDER = "returned a set where the order counts: a set has none, a list or tuple has"
+
 SAYS_ALL = ("missing", "not called")
 """Kinds of outcome whose own words are the message: nothing was called."""
 
@@ -148,6 +150,8 @@ def hidden_message(call: TriedCall) -> tuple[str, str]:
     if outcome.kind in SAYS_ALL:
         return outcome.text, outcome.text
     said = HIDDEN.get(outcome.kind, _sentence(outcome.text))
+    if outcome.text == NO_ORDER:
+        said = _sentence(f"it {NO_ORDER}")
     if outcome.kind == "returned":
         said = HIDDEN_FORMS.get(_kinds_of(call), said)
     return said, said

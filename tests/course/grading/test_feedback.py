@@ -222,11 +222,15 @@ def test_hidden_message_says_of_what_kind_an_answer_is(write: Write) -> None:
     path = write(
         "answer.py",
         "def elastic_1d(m1, v1, m2, v2): return v1\n"
-        "def inelastic_1d(m1, v1, m2, v2): v = 0.0, 0.0\n",
+        "def inelastic_1d(m1, v1, m2, v2): v = 0.0, 0.0\n"
+        "def elastic_impulse_1d(m1, v1, m2, v2): return {m1, v1}\n",
     )
     with Grader(hide_inputs=True) as grader:
-        first, second, _ = grader.grade(path, exercise="01", seed=1).verdicts
+        first, second, third = grader.grade(path, exercise="01", seed=1).verdicts
     assert (
         first.criteria[0].message == "It returned one number where several values were asked for."
     )
     assert second.criteria[0].message == "It returned None where several values were asked for."
+    assert third.criteria[0].message == (
+        "It returned a set where the order counts: a set has none, a list or tuple has."
+    )

@@ -137,6 +137,13 @@ def test_plain_refuses_what_is_no_number_or_vector(value: Any) -> None:
         plain(value)
 
 
+def test_plain_of_sets_says_where_they_stood() -> None:
+    """Sets become lists, the same ones in every process, and their levels are told."""
+    levels: set[int] = set()
+    assert plain([1, {"b", "a"}, [frozenset({2})]], levels) == [1, ["a", "b"], [[2]]]
+    assert levels == {1, 2}
+
+
 @pytest.mark.parametrize("claimed", [str, list, float, int, bool, type(None)])
 def test_plain_is_not_taken_in_by_a_claimed_class(claimed: type) -> None:
     """An object that only says it is a number or a text never comes through as itself."""
@@ -273,6 +280,7 @@ def _raises(error: BaseException) -> Callable[[], Any]:
     ("function", "answer"),
     [
         (lambda: 1.5, {"kind": "returned", "value": 1.5}),
+        (lambda: ({3, 10, 2}, 1), {"kind": "returned", "value": [[10, 2, 3], 1], "sets": [1]}),
         (dict, {"kind": "unusable", "text": "returned an object of type dict, which is no number, "
                 "vector or tuple"}),
         (failing, {"kind": "raised", "text": "ZeroDivisionError: half way"}),
