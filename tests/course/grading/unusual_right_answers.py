@@ -65,6 +65,13 @@ import numpy as np
 def elastic_impulse_1d(m1, v1, m2, v2):
     return np.array(2 * (v1 - v2) / (1 / m1 + 1 / m2))
 """),
+    Unusual("1.3", "a value that is displayed on the way", """\
+from IPython.display import display, Markdown
+def elastic_impulse_1d(m1, v1, m2, v2):
+    reduced = m1 * m2 / (m1 + m2)
+    display(reduced)
+    return 2 * reduced * (v1 - v2)
+"""),
     Unusual("2.1", "try and except for what cannot be", """\
 def restitution_1d(v1, v2, v1_after, v2_after):
     try:

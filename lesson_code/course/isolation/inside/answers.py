@@ -150,8 +150,10 @@ def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[lis
 
     No word of an error is passed on, since code that is loaded may say anything in it.
 
-    A ``from __future__`` import holds from there on, as it does in a notebook and in a file.
+    A ``from __future__`` import holds from there on, as it does in a notebook and in a file. As in
+    a notebook there is a `display`, which shows nothing here.
     """
+    namespace.setdefault("display", _display)
     compiler = codeop.Compile()
     is_compiled = _is_compiled(units)
     for place, unit in enumerate(units):
@@ -167,6 +169,10 @@ def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[lis
                 except STOPPED as error:
                     yield [place, index, type(error).__name__]
                     break
+
+
+def _display(*_: Any, **__: Any) -> None:
+    """Show nothing."""
 
 
 def _is_compiled(units: list[dict[str, Any]]) -> bool:
