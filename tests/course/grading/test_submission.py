@@ -344,6 +344,30 @@ def test_read_magic_does_no_harm_to_its_cell(write: Write, magic: str, grader: G
     assert points(grader, path)[0] == 4
 
 
+@pytest.mark.parametrize("indent", ["    ", "  ", "\t", "\n \n  "])
+@pytest.mark.parametrize("magic", ["", "%timeit 1\n"])
+def test_read_cell_that_is_indented_as_a_whole(
+    write: Write, indent: str, magic: str, grader: Grader
+) -> None:
+    """IPython takes the first line's indent off all lines of a cell, and so does the grader."""
+    empty, _, spaces = indent.rpartition("\n")
+    cell = "".join(f"{spaces}{line}\n" for line in (magic + ELASTIC).splitlines())
+    path = write("answer.ipynb", f"{empty}\n{cell}", INELASTIC)
+    assert points(grader, path)[:2] == [4, 3]
+
+
+def test_read_cell_whose_first_comment_alone_is_indented(write: Write) -> None:
+    """What Python can read as it is stays as it is."""
+    source = "      # mine\ndef f(x):\n    if x:\n        return 1\n"
+    assert read_submission(write("answer.ipynb", source)).unreadable == ()
+
+
+def test_read_indented_cell_names_the_line_of_its_error(write: Write) -> None:
+    """The line is that of the student's own cell."""
+    (said,) = read_submission(write("answer.ipynb", "\n  x = 1\n  y = (\n")).unreadable
+    assert said.startswith("your cell 1, line 3: ")
+
+
 def test_read_line_that_starts_with_an_operator_is_no_magic(write: Write) -> None:
     """A % at the start of a continued line is the remainder, and stays."""
     source = "x = (7\n     % 4)\ntext = '''\n%d\n!x\n'''"

@@ -18,6 +18,7 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Collection, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any
@@ -35,6 +36,9 @@ FOREIGN = re.compile(
     r"\s*%%(bash|sh|html|javascript|js|latex|markdown|svg|script|writefile|perl)\b"
 )
 """How a cell in another language begins."""
+
+INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]*)")
+"""The indent of a cell's first line that is not empty."""
 
 DEFINITION = re.compile(r"^[ \t]*def[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
 """Where a function begins in code that cannot be read."""
@@ -302,17 +306,20 @@ def _names(tree: ast.AST) -> set[str]:
 
 
 def _cell(source: str) -> tuple[str, list[ast.stmt]]:
-    """Return a cell's code and statements, with magics commented out if it cannot be read as it is.
+    """Return a cell's code and statements.
 
-    A cell in another language is no code at all.
+    If it cannot be read as it is, the indent of its first line is taken off all lines, as IPython
+    does, and if need be magics are commented out. A cell in another language is no code at all.
     """
     if FOREIGN.match(source):
         return "", []
-    try:
-        return source, parsed(source)
-    except UNPARSABLE:
-        code = MAGIC.sub(r"\1pass  # a magic, left out", source)
-        return code, parsed(code)
+    indent = INDENT.match(source)
+    moved = re.sub(rf"^{indent[1]}", "", source, flags=re.MULTILINE) if indent else source
+    for code in dict.fromkeys((source, moved)):
+        with suppress(*UNPARSABLE):
+            return code, parsed(code)
+    code = MAGIC.sub(r"\1pass  # a magic, left out", moved)
+    return code, parsed(code)
 
 
 def _unreadable(name: str, error: Exception) -> str:
