@@ -90,7 +90,7 @@ class Submission:
 
     @property
     def left_out(self) -> dict[str, str]:
-        """What gives a name and is left out, by that name: imports that are not on the list."""
+        """What gives a name and is left out, by that name: imports off the list, and awaits."""
         return {name: why for unit in self.units for name, why in unit.left_out.items()}
 
     @property

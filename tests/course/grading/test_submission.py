@@ -526,6 +526,14 @@ def test_read_leaves_out_what_never_ends_or_waits(
     assert grader.grade(path, exercise="01", seed=1).verdicts[0].is_full
 
 
+def test_read_leaves_out_what_comes_of_an_await(write: Write, grader: Grader) -> None:
+    """Neither it nor what it is made of takes the rest of its cell away; a number of its own stays."""
+    cell = f"c = 1\nd = c\na = await nothing()\nb = a + 1\nc = await nothing()\n{ELASTIC}"
+    path = write("answer.ipynb", cell)
+    assert kept(read_submission(path)) == [f"c = 1\n\nd = c\n\n{ELASTIC.strip()}"]
+    assert grader.grade(path, exercise="01", seed=1).notes == ()
+
+
 @pytest.mark.parametrize("magic", ["%%bash\nls -l | wc\n", "%%html\n<b>bold</b>\n"])
 def test_read_cell_in_another_language_is_no_code(write: Write, magic: str) -> None:
     """Such a cell is nothing that could not be read."""

@@ -70,9 +70,9 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
 
     Statements are named by their place. They stand in groups; a cell is one group, and in a
     program each statement is its own. `lines` says where each statement begins, `left_out` which
-    names come from which import, `missing` which names stand for nothing once that is gone, `uses`
-    which names stand in the definition of another, `prints` the fingerprints of functions, and
-    `codes` what is kept, compiled.
+    names come from which import or await, `missing` which names stand for nothing once that is
+    gone, `uses` which names stand in the definition of another, `prints` the fingerprints of
+    functions, and `codes` what is kept, compiled.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ def _without(definition: Any, missing: set[str]) -> ast.stmt:
 
 
 def _missing(statements: Iterable[ast.stmt]) -> set[str]:
-    """Return the names that stand for nothing without the imports that are left out.
+    """Return the names that stand for nothing without the imports and awaits that are left out.
 
     What gets its value from such a name is missing, too: the figure of a plot, and what is drawn
     in it.
@@ -227,7 +227,8 @@ def _missing(statements: Iterable[ast.stmt]) -> set[str]:
         for alias in getattr(kept_part(part, ()), "names", ())
     }
     for statement in statements:
-        if isinstance(statement, ast.Assign | ast.AnnAssign) and missing:
+        is_kept = isinstance(statement, ast.Assign | ast.AnnAssign) and not _waits(statement)
+        if missing and is_kept:
             bound = _named(statement).given
             if _names(statement) & missing:
                 missing |= bound
@@ -245,7 +246,9 @@ def _left_out(body: Iterable[ast.stmt]) -> Iterator[tuple[str, str]]:
                 if alias not in kept:
                     module = getattr(statement, "module", None) or alias.name
                     name = (alias.asname or alias.name).partition(".")[0]
-                    yield name, f"import of {module.partition('.')[0]}"
+                    yield name, f"an import of {module.partition('.')[0]}"
+        elif not isinstance(statement, DEFINITIONS) and _waits(statement):
+            yield from ((name, AWAITED) for name in sorted(_named(statement).given))
 
 
 def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
@@ -283,6 +286,8 @@ class _Named:
     given: set[str]
     awaits: bool
 
+
+AWAITED = "a line with await"
 
 AWAITING = (ast.Await, ast.AsyncFor, ast.AsyncWith)
 
