@@ -597,7 +597,13 @@ import numpy as np
 def reflect(incident, normal):
     i, n = np.array(incident).reshape(2, 1), np.array(normal).reshape(2, 1)
     return i - 2 * n @ (n.T @ i)
-""", "yours is a column. Shape it by .ravel()"),
+""", "yours is a column. np.ravel(...) helps"),
+    Unusual("3.1", "a column of a matrix", """\
+import numpy as np
+def reflect(incident, normal):
+    i, n = np.asmatrix(incident).T, np.asmatrix(normal).T
+    return i - 2 * n * (n.T * i)
+""", "yours is a column. np.ravel(...) helps"),
     Unusual("1.1", "names for its values", """\
 def elastic_1d(m1, v1, m2, v2):
     c = (m1 * v1 + m2 * v2) / (m1 + m2)

@@ -95,6 +95,8 @@ def failing() -> Iterator[float]:
         (np.array(3 + 4j), [3.0, 4.0]),
         ([1, (2.0, [3])], [1, [2.0, [3]]]),
         (np.array([[1.0, 2.0]]), [[1.0, 2.0]]),
+        (np.ones((2, 1)).view(np.matrix), [[1.0], [1.0]]),
+        ((np.ones((1, 2), dtype=int).view(np.matrix), 1), [[[1, 1]], 1]),
         (pygame.Vector2(3, 4), [3.0, 4.0]),
         (pygame.Vector3(1, 2, 3), [1.0, 2.0, 3.0]),
         (range(3), [0, 1, 2]),

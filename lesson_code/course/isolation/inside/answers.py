@@ -32,7 +32,7 @@ from functools import partial
 from typing import Any, BinaryIO
 
 from .reading import compiled, parsed, read
-from .vectors import is_array_of_floats, is_vector, shape_of, vector
+from .vectors import is_array_of_floats, is_matrix, is_vector, shape_of, vector
 
 MOST_NUMBERS = 10_000
 """Numbers and letters in an answer at most; no task asks for more than a thousand."""
@@ -107,6 +107,8 @@ def _plain(value: Any, room: list[int], depth: int, sets: set[int] | None) -> An
         return [_plain(item, room, depth - 1, sets) for item in value]
     if isinstance(value, float):  # NumPy's, too
         return float.__float__(value)
+    if is_matrix(value):  # its rows are matrices, without end
+        value = value.A
     if is_array_of_floats(value) and value.size <= room[0]:
         return _plain(value.tolist(), room, depth, sets)
     if isinstance(value, str):
