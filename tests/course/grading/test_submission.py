@@ -67,6 +67,7 @@ def zipped() -> bytes:
         ("object.ipynb", b"{}", "is not a notebook (it has no list of cells)"),
         ("cells.ipynb", b'{"cells": {"a": 1}}', "is not a notebook (it has no list of cells)"),
         ("numbers.ipynb", b'{"cells": [1]}', "is not a notebook (it has no list of cells)"),
+        ("old.ipynb", b'{"worksheets": []}', "is in the format of an old notebook; open it in"),
         ("no_cells.ipynb", b'{"cells": []}', "holds no code to grade"),
         ("comments.py", b"# nothing\n\n'''nothing'''\nprint(1)\n", "holds no code to grade"),
     ],
@@ -527,7 +528,7 @@ def test_read_leaves_out_what_never_ends_or_waits(
 
 
 def test_read_leaves_out_what_comes_of_an_await(write: Write, grader: Grader) -> None:
-    """Neither it nor what it is made of takes the rest of its cell away; a number of its own stays."""
+    """What is made of it goes along, the rest of its cell does not."""
     cell = f"c = 1\nd = c\na = await nothing()\nb = a + 1\nc = await nothing()\n{ELASTIC}"
     path = write("answer.ipynb", cell)
     assert kept(read_submission(path)) == [f"c = 1\n\nd = c\n\n{ELASTIC.strip()}"]
