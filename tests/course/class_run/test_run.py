@@ -19,7 +19,8 @@ from lesson_code.cli import app
 from lesson_code.course import class_run
 from lesson_code.course.class_run import Gradebook, Hands, grade_class, marking
 from lesson_code.course.class_run import run as running
-from lesson_code.course.class_run.journal import Journal
+from lesson_code.course.class_run.changes import CHANGES
+from lesson_code.course.class_run.journal import JOURNAL, Journal
 from lesson_code.course.isolation import IsolationError
 
 from .conftest import RIGHT, STUB, SWAPS, MakeClass, contents_of
@@ -206,6 +207,32 @@ def test_other_seed_asks_for_a_fresh_run(make_class: MakeClass, tmp_path: Path) 
         "grade", folder, "--out", tmp_path / "out", "--seed", 8, "--fresh", "--json"
     )
     assert json.loads(fresh.stdout)["seed"] == 8
+
+
+@pytest.mark.parametrize("name", [JOURNAL, *running.WRITTEN])
+@pytest.mark.parametrize("fresh", [False, True])
+def test_files_that_no_run_wrote_are_kept(
+    make_class: MakeClass, tmp_path: Path, name: str, fresh: bool
+) -> None:
+    """A folder of the instructor's own is refused by the name of the file that would be lost."""
+    own = tmp_path / "own"
+    own.mkdir()
+    (own / name).write_text("precious")
+    folder = make_class({"ada.py": RIGHT})
+    with pytest.raises(ValueError, match=rf"{name}: is there already, and no earlier run wrote it"):
+        grade_class(folder, own, hands=Hands(1), fresh=fresh)
+    assert {path.name: path.read_text() for path in own.iterdir()} == {name: "precious"}
+
+
+def test_run_writes_what_it_says_over_its_own_alone(make_class: MakeClass, tmp_path: Path) -> None:
+    """Files of other names may stand beside the marks; there is nothing else that a run writes."""
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "mine.txt").write_text("mine")
+    for _ in range(2):
+        grade_class(make_class({"ada.py": RIGHT}), out, hands=Hands(1))
+    names = {JOURNAL, CHANGES, "mine.txt", *running.WRITTEN}
+    assert {path.name for path in out.iterdir()} == names
 
 
 def test_hostile_neighbours_change_nobodys_marks(tmp_path: Path) -> None:
