@@ -21,7 +21,7 @@ from lesson_code.course.class_run.journal import JOURNAL, is_journal
 from lesson_code.course.class_run.matching import owners
 from lesson_code.course.class_run.names import encodable, same_name, visible
 from lesson_code.course.class_run.roster import Enrolled
-from lesson_code.course.grading.submission import LARGEST_FILE
+from lesson_code.course.grading.submission import LARGEST_FILE, is_archive
 
 GRADABLE = (".ipynb", ".py")
 MOST_FILES = 200
@@ -259,10 +259,12 @@ def _hand_in(
     left_out: list[tuple[str, str]] = []
     papers: list[Paper] = []
     for entry in entries:
-        before = len(problems)
+        before, packed = len(problems), len(left_out)
         files = _files_in(folder, entry, problems, left_out)
         if not files and len(problems) == before:
-            problems.append(f"{visible(entry.name)}: holds no .ipynb or .py file")
+            archives = [visible(name) for _, name in left_out[packed:] if is_archive(name)]
+            cure = f"; unpack {listed(archives)} first" if archives else ""
+            problems.append(f"{visible(entry.name)}: holds no .ipynb or .py file{cure}")
         times = submitters.get(_called(entry))
         papers += [_paper(folder, path, entry, times) for path in files[:MOST_FILES]]
         if rest := [_name(folder, path) for path in files[MOST_FILES:]]:

@@ -116,6 +116,14 @@ def test_what_cannot_be_graded_is_named(make_class: MakeClass) -> None:
     assert carl.problems == ("carl: holds no .ipynb or .py file",)
 
 
+def test_archive_in_a_folder_is_to_be_unpacked(make_class: MakeClass) -> None:
+    """Where nothing else was handed in, what may hold it is named."""
+    folder = make_class({"ada/all.ZIP": "", "ada/a.txt": "", "bob/01.py": "", "bob/b.zip": ""})
+    ada, bob = collect(folder).hand_ins
+    assert ada.problems == ("ada: holds no .ipynb or .py file; unpack ada/all.ZIP first",)
+    assert bob.problems == ()
+
+
 @unix
 def test_links_and_odd_names_are_neither_followed_nor_lost(make_class: MakeClass) -> None:
     """A link out of the folder is an entry, not what it leads to; any bytes may be a name."""

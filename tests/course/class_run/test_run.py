@@ -279,10 +279,10 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
         "right": [],
         "syntax": [],
         "unknown": [],
-        "zip": ["zip.zip: a submission ends in .ipynb or .py"],
+        "zip": ["zip.zip: a submission ends in .ipynb or .py; unpack it first"],
     }
     shown = workbook_anywhere("grade", folder, "--out", tmp_path / "out", "--exercise", "01")
-    assert "zip: zip.zip: a submission ends in .ipynb or .py\n" in shown.stderr
+    assert "zip: zip.zip: a submission ends in .ipynb or .py; unpack it first\n" in shown.stderr
     assert "9 students: 3 graded, 0 late, 0 missing, 6 not gradable" in shown.stdout
 
 
@@ -358,3 +358,12 @@ def test_options_of_a_class_are_refused_for_a_file(make_class: MakeClass) -> Non
     ran = workbook("grade", make_class({"ada.py": RIGHT}) / "ada.py", "--workers", 2)
     assert ran.exit_code == 2
     assert "--workers is for a class" in ran.stderr
+
+
+def test_archive_of_a_class_is_to_be_unpacked(make_class: MakeClass) -> None:
+    """Whatever options stand beside it."""
+    archive = make_class({"moodle.zip": "PK"}) / "moodle.zip"
+    for options in ([], ["--workers", 2]):
+        ran = workbook("grade", archive, *options)
+        assert ran.exit_code == 2
+        assert "unpack it first" in " ".join(ran.stderr.split())
