@@ -58,6 +58,9 @@ UNORDERED = (dict, set, frozenset, bytes)
 LONGEST_TEXT = 300
 """Characters of an error's own words that are passed on."""
 
+DISPLAY = "display"
+"""What Jupyter has built in beside Python's own names."""
+
 LARGEST_INTEGER = 2**53
 """A larger integer is taken as a float, as all the answers' other numbers are."""
 
@@ -155,7 +158,7 @@ def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[lis
     A ``from __future__`` import holds from there on, as it does in a notebook and in a file. As in
     a notebook there is a `display`, which shows nothing here.
     """
-    namespace.setdefault("display", _display)
+    namespace.setdefault(DISPLAY, _display)
     compiler = codeop.Compile()
     is_compiled = _is_compiled(units)
     for place, unit in enumerate(units):
