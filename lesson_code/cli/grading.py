@@ -100,6 +100,8 @@ def grade(
                 variant,
                 as_json,
             )
+        from lesson_code.course.grading.submission import is_archive
+
         for option, given in (
             ("--out", out),
             ("--roster", roster),
@@ -110,7 +112,8 @@ def grade(
             ("--variant", variant or None),
         ):
             if given is not None:
-                raise ValueError(f"{option} is for a class, and {submission} is no folder")
+                cure = "; unpack it first" if is_archive(submission.name) else ""
+                raise ValueError(f"{option} is for a class, and {submission} is no folder{cure}")
         if len(names) > 1:
             raise ValueError("--exercise can be given once for one file")
         if nbval:

@@ -416,6 +416,7 @@ TASKS = (
         section=1,
         objective="The plan of a scene, before it is run.",
         expected=_effects_called_for,
+        any_order=0,
         criteria=(
             Criterion("friction", rough_or_smooth, part=says_friction),
             Criterion("restitution", bouncing_or_not, part=says_restitution),
@@ -455,6 +456,7 @@ TASKS = (
         section=9,
         objective="Which bodies may sleep: those whose whole island is still.",
         expected=_bodies_asleep,
+        any_order=0,
         criteria=(
             Criterion("one pile", one_pile, part=in_order),
             Criterion("piles on one floor", piles_on_one_floor, points=2, part=in_order),

@@ -17,10 +17,11 @@ from lesson_code.course.class_run.downloads import (
     named,
     read_gradescope_list,
 )
+from lesson_code.course.class_run.journal import JOURNAL, is_journal
 from lesson_code.course.class_run.matching import owners
 from lesson_code.course.class_run.names import encodable, same_name, visible
 from lesson_code.course.class_run.roster import Enrolled
-from lesson_code.course.grading.submission import LARGEST_FILE
+from lesson_code.course.grading.submission import LARGEST_FILE, is_archive
 
 GRADABLE = (".ipynb", ".py")
 MOST_FILES = 200
@@ -33,16 +34,19 @@ LEFT_ALONE = (
     *("__pycache__", "__MACOSX", "venv", "site-packages"),
     *("lesson_code", "notebooks", "solutions", "backups"),
 )
+OF_THE_SYSTEM = ("thumbs.db", "desktop.ini")
 """Folders of tools and of the workbook, which students hand in along with their own.
 
-They are left out, and so is what begins with a dot: systems hide such names, and tools keep copies
-of notebooks there, which would be taken for a student's answer. An entry that the roster lists is
-graded whatever it is called, and all that is left out is named.
+They are left out, and so are files that Windows makes, and what begins with a dot: systems hide
+such names, and tools keep copies of notebooks there, which would be taken for a student's answer.
+An entry that the roster lists is graded whatever it is called, and all that is left out is named.
 """
 
 DOT, TOOLS = "the name begins with a dot", "a folder of tools or of the workbook"
+SYSTEM = "a file of the system"
 OTHER_KIND, LINK = "no .ipynb or .py file", "a link to a folder"
 OWN = "the roster or the marks of this run"
+EARLIER = "the marks of an earlier run"
 LIST = "Gradescope's list of submissions"
 
 
@@ -200,6 +204,7 @@ def _entries(
     for entry in sorted(folder.iterdir()):
         reason = OWN if os.path.realpath(entry) in without else _reason(entry.name)
         reason = LIST if entry.name == GRADESCOPE_LIST else reason
+        reason = reason or (EARLIER if is_journal(entry / JOURNAL) else "")
         if reason and (reason in (OWN, LIST) or same_name(_called(entry)) not in listed):
             left_out.append((reason, entry.name))
         else:
@@ -221,6 +226,8 @@ def _reason(name: str) -> str:
     """Return why nothing of this name is graded; an empty text if it may be."""
     if name.startswith("."):
         return DOT
+    if name.casefold() in OF_THE_SYSTEM:
+        return SYSTEM
     return TOOLS if name in LEFT_ALONE else ""
 
 
@@ -252,10 +259,12 @@ def _hand_in(
     left_out: list[tuple[str, str]] = []
     papers: list[Paper] = []
     for entry in entries:
-        before = len(problems)
+        before, packed = len(problems), len(left_out)
         files = _files_in(folder, entry, problems, left_out)
         if not files and len(problems) == before:
-            problems.append(f"{visible(entry.name)}: holds no .ipynb or .py file")
+            archives = [visible(name) for _, name in left_out[packed:] if is_archive(name)]
+            cure = f"; unpack {listed(archives)} first" if archives else ""
+            problems.append(f"{visible(entry.name)}: holds no .ipynb or .py file{cure}")
         times = submitters.get(_called(entry))
         papers += [_paper(folder, path, entry, times) for path in files[:MOST_FILES]]
         if rest := [_name(folder, path) for path in files[MOST_FILES:]]:

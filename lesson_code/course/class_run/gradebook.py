@@ -31,8 +31,9 @@ from lesson_code.course.grading.task import Task
 
 FEWEST = 2
 SHARE = 0.1
-"""Where nobody says which exercises count, those count that so many students, and such a share of
-those with marks, handed in: a stray file adds nothing to the full mark, nor do some in a hundred.
+"""Where nobody says which exercises count, those do to which there are so many files, and such a
+share of as many as have marks: a stray file adds nothing to the full mark, nor do a few in a
+hundred.
 """
 
 
@@ -135,7 +136,7 @@ def gradebook(
     """
     changed = changes or Changes()
     students = [counted(hand_in, marks) for hand_in in hand_ins]
-    wanted = set(exercises) or common_exercises([student.reports for student in students])
+    wanted = set(exercises) or common_exercises(_files_of(student) for student in students)
     chosen = tuple(
         exercise
         for exercise in course.exercises()
@@ -143,11 +144,12 @@ def gradebook(
     )
     ids = [student.id for student in students]
     labels, stems = told_apart(ids, visible), told_apart(ids, file_stem)
-    handed_in = Counter(name for student in students for name in student.reports)
+    pairs = {pair for student in students for pair in _files_of(student).items()}
+    files = Counter(name for name, _ in pairs)
     return Gradebook(
         tuple(
             replace(
-                _settled(_without_strays(student, wanted, handed_in), chosen, changed, due),
+                _settled(_without_strays(student, wanted, files), chosen, changed, due),
                 label=labels[student.id],
                 stem=stems[student.id],
             )
@@ -163,34 +165,43 @@ def gradebook(
     )
 
 
-def common_exercises(handed_in: Iterable[Iterable[str]]) -> set[str]:
+def _files_of(student: Student) -> dict[str, str]:
+    """Return the file that counts for each exercise of a student."""
+    return {name: paper.name for name, paper in student.papers.items()}
+
+
+def common_exercises(handed_in: Iterable[Mapping[str, str]]) -> set[str]:
     """Return the exercises that count where nobody says which: those that a class has in common.
 
-    An exercise counts if at least 2 students, and a tenth of those with marks, handed it in. In a
-    class where no two students did the same exercise, all count.
+    An exercise counts if there are at least 2 files to it, and a tenth as many as students with
+    marks. A file that a group shares is one, and so are students who share all. In a class where no
+    two files are to the same exercise, all count.
 
     Parameters
     ----------
-    handed_in : iterable of iterables of str
-        The exercises of each student.
+    handed_in : iterable of mappings of str to str
+        The files of each student, by exercise.
 
     Examples
     --------
-    >>> sorted(common_exercises([["01"], ["01", "02"]])), sorted(common_exercises([["01", "02"]]))
-    (['01'], ['01', '02'])
+    >>> ada, group = {"01": "ada.py"}, {"02": "group.py"}
+    >>> common_exercises([ada, {"01": "bob.py"}, group, group])
+    {'01'}
+    >>> sorted(common_exercises([ada, group, group]))
+    ['01', '02']
     """
-    each = [names for exercises in handed_in if (names := set(exercises))]
-    counts = Counter(name for names in each for name in names)
+    each = {frozenset(files.items()) for files in handed_in if files}
+    counts = Counter(name for name, _ in {pair for files in each for pair in files})
     common = {n for n, count in counts.items() if count >= max(FEWEST, SHARE * len(each))}
     return common or set(counts)
 
 
-def _without_strays(student: Student, wanted: set[str], handed_in: Counter[str]) -> Student:
+def _without_strays(student: Student, wanted: set[str], files: Counter[str]) -> Student:
     """Return a student's marks without the exercises that do not count; a problem names each."""
     strays = [report for name, report in student.reports.items() if name not in wanted]
     problems = [
         f"{visible(report['submission'])}: answers {report['exercise']}, which does not count: "
-        f"handed in by {handed_in[report['exercise']]} of the class; "
+        f"files of the class that answer it: {files[report['exercise']]}; "
         "--exercise says which exercises count"
         for report in strays
     ]

@@ -9,12 +9,18 @@ from __future__ import annotations
 
 import json
 import os
+from contextlib import suppress
 from io import BufferedRandom
 from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from lesson_code.course.class_run.collect import Paper
+if TYPE_CHECKING:
+    from lesson_code.course.class_run.collect import Paper
+
+JOURNAL = "journal.jsonl"
+BEGINS = b'{"version": '
+"""How a journal begins, unless it was cut off there."""
 
 Marks: TypeAlias = dict[str, Any]
 """What a file has earned, as JSON: a report, or "problem" alone; with "is_other", where it may be a
@@ -107,6 +113,15 @@ class Journal:
         self._file.seek(0, os.SEEK_END)
         self._file.write(json.dumps(value).encode() + b"\n")
         self._file.flush()
+
+
+def is_journal(path: Path) -> bool:
+    """Return whether a file is a journal of ours."""
+    with suppress(OSError):
+        if path.is_file():
+            with path.open("rb") as file:
+                return BEGINS.startswith(file.read(len(BEGINS)))
+    return False
 
 
 def _lock(file: BufferedRandom, path: Path) -> None:

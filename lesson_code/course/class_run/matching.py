@@ -1,7 +1,8 @@
 """Whose a folder or a file is: one line of the roster fits the whole name, or nobody is guessed.
 
-A name is an id or a name of the roster, or an id followed by an exercise, a number or "late", or
-what Canvas or Moodle makes of a name; of a folder of Gradescope's, its list says whose it is.
+A name is an id or a name of the roster, with either name first, or an id followed by an exercise, a
+number or "late", or what Canvas or Moodle makes of a name; of a folder of Gradescope's, its list
+says whose it is.
 """
 
 from __future__ import annotations
@@ -132,7 +133,7 @@ class _Lines:
             return [found] if found else []
         if MOODLE_MARK in written:
             return self._of_moodle(made) if made else []
-        if found_by := self._also.get(written) or self._by_name.get(written):
+        if found_by := self._also.get(written) or self._by_name.get(written) or self._turned(name):
             return found_by
         ends = (place for place, letter in enumerate(written) if letter in SEPARATORS)
         begins = [
@@ -141,6 +142,11 @@ class _Lines:
             if written[:end] in self._by_id and _names_no_person(written[end:])
         ]
         return begins or (self._by_form.get(same_name(made.person), []) if made else [])
+
+    def _turned(self, name: str) -> list[str]:
+        """Return the ids of the lines that fit a name whose last name comes first, with a comma."""
+        forms = map(same_name, _both_orders(name))
+        return sorted({found for form in forms for found in self._by_name.get(form, ())})
 
     def submitting(self, name: str, number: str, email: str) -> list[str]:
         """Return the ids of the lines that fit a student of Gradescope's list."""

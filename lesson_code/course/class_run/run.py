@@ -17,7 +17,7 @@ from lesson_code.course.class_run.collect import HandIn, Paper, collect
 from lesson_code.course.class_run.exports import write_exports
 from lesson_code.course.class_run.gradebook import Gradebook, gradebook
 from lesson_code.course.class_run.imports import write_imports
-from lesson_code.course.class_run.journal import Journal, Marks, key_of
+from lesson_code.course.class_run.journal import JOURNAL, Journal, Marks, is_journal, key_of
 from lesson_code.course.class_run.marking import Job, Terms, grader_version, mark
 from lesson_code.course.class_run.names import shown
 from lesson_code.course.class_run.pages import write_pages
@@ -29,9 +29,14 @@ from lesson_code.course.grading.submission import LARGEST_FILE
 from lesson_code.course.isolation import Limits
 from lesson_code.parallel import iter_tasks
 
-JOURNAL = "journal.jsonl"
 VERSION = 1
 """Version of the journal's form."""
+
+WRITTEN = (
+    *("class.html", "feedback", "grades.csv", "grades.json"),
+    *("canvas.csv", "moodle.csv", "gradescope.zip"),
+)
+"""What a run writes beside its journal, and over what an earlier run wrote."""
 
 
 @dataclass(frozen=True)
@@ -91,12 +96,13 @@ def grade_class(
     Raises
     ------
     ValueError
-        The folder, the roster, the changes, an exercise or the journal cannot be used; nothing has
-        been graded.
+        The folder, the roster, the changes, an exercise or the journal cannot be used, or a file
+        that no run has written would be lost; nothing has been graded.
     OSError
         The results cannot be written, or no cluster answers.
     """
     names = tuple(exercise_by_name(name).name for name in exercises)
+    _refuse_to_lose(out)
     enrolled = None if roster is None else read_roster(roster)
     own = {os.path.realpath(path) for path in (out, roster) if path}
     hand_ins, left_out = collect(folder, enrolled.students if enrolled else None, without=own)
@@ -133,6 +139,16 @@ def grade_class(
     write_imports(book, out)
     write_pages(book, out)
     return book
+
+
+def _refuse_to_lose(out: Path) -> None:
+    """Raise if a run would write over a file that no earlier run has written."""
+    taken = [out / name for name in (JOURNAL, *WRITTEN) if os.path.lexists(out / name)]
+    if taken and not is_journal(out / JOURNAL):
+        raise ValueError(
+            f"{taken[0]}: is there already, and no earlier run wrote it; "
+            "--out names another folder for the marks"
+        )
 
 
 def _graded(

@@ -15,7 +15,7 @@ from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.verdict import Verdict, better, calls_of, judge
 from lesson_code.course.isolation.call_outcome import CallOutcome
-from lesson_code.course.isolation.inside.answers import in_the_form_of
+from lesson_code.course.isolation.inside.answers import DISPLAY, in_the_form_of
 from lesson_code.course.isolation.inside.imports import THE_LIST, may_be_imported
 
 LARGEST_SEED = 10_000
@@ -158,9 +158,11 @@ def left_out_of(function: Callable[..., Any]) -> list[str]:
     """Return in a line for each reason what an answer uses and grading leaves out.
 
     That is what comes from lesson_code, and from imports that are not on the list. Helpers that the
-    answer calls, if they stand in the same notebook, are looked through, too.
+    answer calls, if they stand in the same notebook, are looked through, too. Jupyter's `display`
+    is there while an answer is graded.
     """
-    found = [(_home_of(value), name) for name, value in _looked_up(function)]
+    looked_up = [(name, value) for name, value in _looked_up(function) if name != DISPLAY]
+    found = [(_home_of(value), name) for name, value in looked_up]
     found += [(root, "") for code in _codes_of(function) for root in _imported_in(code)]
     left_out = {home for home, _ in found if not may_be_imported(home)} - {_home_of(function)}
     lines = []

@@ -48,7 +48,7 @@ def of_form(got: Any, expected: Any, *, may_be_none: bool = False) -> str:
         return f"{_asked_for(expected)}."
     is_flat = isinstance(expected, list) and not any(isinstance(item, list) for item in expected)
     if is_flat and expected and _is_column(got):
-        return f"{_asked_for(expected)}: one row, and yours is a column. Shape it by .ravel()."
+        return f"{_asked_for(expected)}: one row, and yours is a column. np.ravel(...) helps."
     if isinstance(expected, list) and len(got) != len(expected):
         return f"{_asked_for(expected)}, and there {_are(len(got))}."
     return _of_form_inside(got, expected)

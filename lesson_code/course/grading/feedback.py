@@ -17,11 +17,16 @@ from lesson_code.course.grading.task import Arguments, Task
 from lesson_code.course.grading.tried import TriedCall, of_any_answer
 from lesson_code.course.isolation.inside.answers import plain
 from lesson_code.course.isolation.inside.imports import THE_LIST
+from lesson_code.course.isolation.inside.reading import AWAITED
 
 NOT_WRITTEN = "not written yet"
 
 LEFT_OUT = "which is left out"
-"""What is said of an import that no answer may use."""
+"""What is said of an import that no answer may use, and of a line that waits."""
+
+ON_ITS_OWN = "an answer stands on its own"
+
+NO_ORDER = "returned a set where the order counts: a set has none, a list or tuple has"
 
 SAYS_ALL = ("missing", "not called")
 """Kinds of outcome whose own words are the message: nothing was called."""
@@ -148,6 +153,8 @@ def hidden_message(call: TriedCall) -> tuple[str, str]:
     if outcome.kind in SAYS_ALL:
         return outcome.text, outcome.text
     said = HIDDEN.get(outcome.kind, _sentence(outcome.text))
+    if outcome.text == NO_ORDER:
+        said = _sentence(f"it {NO_ORDER}")
     if outcome.kind == "returned":
         said = HIDDEN_FORMS.get(_kinds_of(call), said)
     return said, said
@@ -196,18 +203,22 @@ def _explained(task: Task, arguments: Arguments, answer: Any) -> str:
 
 
 def left_out_name(text: str, left_out: dict[str, str]) -> str:
-    """Return why a name is missing, if the import that gives it is left out when grading.
+    """Return why a name is missing, if what gives it, or may give it, is left out when grading.
 
-    >>> left_out_name("NameError: name 'mtv' is not defined", {"mtv": "import of lesson_code"})
+    >>> left_out_name("NameError: name 'mtv' is not defined", {"mtv": "an import of lesson_code"})
     'mtv comes from an import of lesson_code, which is left out: an answer stands on its own'
-    >>> left_out_name("NameError: name 'plt' is not defined", {"plt": "import of matplotlib"})
+    >>> left_out_name("NameError: name 'mtv' is not defined", {"*": "an import of lesson_code"})
+    'mtv may come from an import of lesson_code, which is left out: an answer stands on its own'
+    >>> left_out_name("NameError: name 'plt' is not defined", {"plt": "an import of matplotlib"})
     "plt comes from an import of matplotlib, which is left out: answers can use Python's own ..."
     """
     name = text.removeprefix("NameError: name '").partition("'")[0]
-    if not text.startswith("NameError") or name not in left_out:
+    source = left_out.get(name) or left_out.get("*")
+    if not text.startswith("NameError") or not source:
         return ""
-    rule = "an answer stands on its own" if left_out[name].endswith("lesson_code") else THE_LIST
-    return f"{name} comes from an {left_out[name]}, {LEFT_OUT}: {rule}"
+    rules = {AWAITED: "give it its value without await", "an import of lesson_code": ON_ITS_OWN}
+    comes = "comes" if name in left_out else "may come"
+    return f"{name} {comes} from {source}, {LEFT_OUT}: {rules.get(source, THE_LIST)}"
 
 
 def missing_function(function: str, others: Iterable[str], lost: dict[str, str]) -> str:

@@ -106,6 +106,7 @@ def _as_dict(task: Task) -> dict[str, Any]:
         "objective": task.objective,
         "parameters": task.parameters,
         "section": task.section,
+        "any_order": task.any_order,
         "explain": task.explain and reference(task.explain),
         "wrong_models": seal([[m.name, m.misconception, m.hint] for m in task.wrong_models]),
         "criteria": [
@@ -137,6 +138,7 @@ def _task(entry: dict[str, Any]) -> Task:
         explain=entry["explain"] and _found(entry["explain"]),
         parameters=tuple(entry["parameters"]),
         section=entry["section"],
+        any_order=entry["any_order"],
     )
 
 

@@ -20,6 +20,9 @@ from lesson_code.course.isolation.reader import TOO_SLOW, read_file, reader
 LARGEST_FILE = 50_000_000
 """Bytes. A notebook with every figure in it stays under 2 MB; films and printed loops take more."""
 
+ARCHIVES = (".zip", ".7z", ".rar", ".tar", ".gz", ".tgz", ".bz2", ".xz")
+"""How files end in which others are packed."""
+
 CLEAR = "clear the outputs of its cells and save it"
 """What makes a notebook small."""
 
@@ -90,7 +93,7 @@ class Submission:
 
     @property
     def left_out(self) -> dict[str, str]:
-        """What gives a name and is left out, by that name: imports that are not on the list."""
+        """What gives a name and is left out, by that name: imports off the list, and awaits."""
         return {name: why for unit in self.units for name, why in unit.left_out.items()}
 
     @property
@@ -154,9 +157,15 @@ def _must_be_readable(path: Path) -> None:
     if not path.is_file():
         raise SubmissionError(f"{path}: a submission is a file, and this is none")
     if path.suffix.lower() not in (".ipynb", ".py"):
-        raise SubmissionError(f"{path}: a submission ends in .ipynb or .py")
+        cure = "; unpack it first" if is_archive(path.name) else ""
+        raise SubmissionError(f"{path}: a submission ends in .ipynb or .py{cure}")
     if path.stat().st_size > LARGEST_FILE:
         raise SubmissionError(f"{path}: larger than {LARGEST_FILE // 1_000_000} MB{_cure(path)}")
+
+
+def is_archive(name: str) -> bool:
+    """Return whether other files are packed in a file, by its name."""
+    return name.lower().endswith(ARCHIVES)
 
 
 def _cure(path: Path) -> str:

@@ -142,7 +142,8 @@ class Task:
 
     `section` is that of the chapter's notebook in which the formula stands; a program has none.
     `has_one_form` says that honest answers are the same line by line, so that two that are alike
-    tell nothing.
+    tell nothing. `any_order` is the level at which any order is right, and a set with it: 0 of the
+    answer itself, 1 of each of its parts.
     """
 
     id: str
@@ -156,6 +157,7 @@ class Task:
     parameters: tuple[str, ...] = ()
     section: int | None = None
     has_one_form: bool = False
+    any_order: int | None = None
 
     @property
     def points(self) -> int:

@@ -9,7 +9,7 @@ from functools import lru_cache
 from random import Random
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.feedback import NOT_WRITTEN, hidden_message, message
+from lesson_code.course.grading.feedback import NO_ORDER, NOT_WRITTEN, hidden_message, message
 from lesson_code.course.grading.recognition import Diagnosis, diagnoses
 from lesson_code.course.grading.task import Arguments, Criterion, Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall, quietly
@@ -177,6 +177,8 @@ def _try(task: Task, criterion: Criterion, call: Call, seed: int) -> list[TriedC
     trials: list[TriedCall] = []
     for arguments, expected in drawn(task, criterion, seed):
         outcome = call(task.function, arguments)
+        if not outcome.sets <= {task.any_order}:
+            outcome = CallOutcome("unusable", text=NO_ORDER)
         trials.append(TriedCall(criterion, arguments, expected, outcome))
         if outcome.kind not in GOES_ON:
             break

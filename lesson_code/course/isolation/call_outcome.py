@@ -18,19 +18,25 @@ LONGEST_TEXT = 500
 
 @dataclass(frozen=True)
 class CallOutcome:
-    """The outcome of a call: a plain value, or the reason why there is none."""
+    """The outcome of a call: a plain value, or the reason why there is none.
+
+    `sets` are the levels of the value at which sets stood, 0 for the value itself.
+    """
 
     kind: Kind
     value: Any = None
     text: str = ""
+    sets: frozenset[int] = frozenset()
 
 
 def call_outcome(reply: dict[str, Any]) -> CallOutcome:
     """Return what a reply says, if it says it in the form agreed on."""
-    kind, text = reply.get("kind"), reply.get("text", "")
+    kind, text, sets = reply.get("kind"), reply.get("text", ""), reply.get("sets", [])
     try:
-        if kind in KINDS_FROM_CHILD and isinstance(text, str):
-            return CallOutcome(kind, answers.plain(reply.get("value")), one_line(text))
+        are_levels = isinstance(sets, list) and all(isinstance(level, int) for level in sets)
+        if kind in KINDS_FROM_CHILD and isinstance(text, str) and are_levels:
+            value = answers.plain(reply.get("value"))
+            return CallOutcome(kind, value, one_line(text), frozenset(sets))
     except (ValueError, OverflowError):
         pass
     return CallOutcome("crashed", text="the answer could not be read")

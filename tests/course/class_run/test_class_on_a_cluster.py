@@ -79,4 +79,6 @@ def test_workers_of_a_cluster_need_no_shared_folder(
     assert {student.id: student.points for student in book.students} == {
         "01_one_dimension": 10, "empty": 0, "zip": 0,
     }  # fmt: skip
-    assert book.students[2].problems == ("zip.zip: a submission ends in .ipynb or .py",)
+    assert book.students[2].problems == (
+        "zip.zip: a submission ends in .ipynb or .py; unpack it first",
+    )

@@ -19,6 +19,7 @@ from lesson_code.course.class_run import collect as collecting
 from lesson_code.course.class_run.collect import collect
 from lesson_code.course.class_run.exports import as_csv, as_dict, credits_of
 from lesson_code.course.class_run.gradebook import gradebook
+from lesson_code.course.class_run.journal import JOURNAL, Journal
 from lesson_code.course.class_run.names import visible
 from lesson_code.course.class_run.roster import Enrolled
 from lesson_code.course.isolation.inside import disk
@@ -50,6 +51,34 @@ def test_folder_or_file_is_a_student(make_class: MakeClass) -> None:
         }
     )
     assert papers(folder) == {"ada": ["ada/deep/01.ipynb"], "bob": ["bob.py"]}
+
+
+@pytest.mark.parametrize("ids", [[], ["ada"]])
+def test_marks_and_files_of_the_system_are_no_students(
+    make_class: MakeClass, ids: list[str]
+) -> None:
+    """An earlier run's folder is known by its journal; another kind of file is a student's."""
+    folder = make_class(
+        {"ada/01.py": "", "ada/Thumbs.db": "", "notes.txt": "", "Thumbs.db": "", "Desktop.ini": ""}
+    )
+    (folder / "marks").mkdir()
+    with Journal(folder / "marks" / JOURNAL, {"version": 1}, {}):
+        pass
+    hand_ins, left_out = collect(folder, [Enrolled(name) for name in ids] or None)
+    assert [h.student.id for h in hand_ins] == ["ada", "notes"]
+    assert left_out == (
+        "left out, a file of the system: Desktop.ini, Thumbs.db",
+        "left out, the marks of an earlier run: marks",
+    )
+    assert hand_ins[0].notes == ("left out, a file of the system: ada/Thumbs.db",)
+
+
+@unix
+def test_journal_that_is_none_makes_no_folder_ours(make_class: MakeClass) -> None:
+    """Whatever a student calls so, a pipe even, is handed in."""
+    folder = make_class({"ada/01.py": "", "ada/journal.jsonl": "{}", "bob/01.py": ""})
+    os.mkfifo(folder / "bob" / JOURNAL)
+    assert list(papers(folder)) == ["ada", "bob"]
 
 
 def test_files_named_after_exercises_belong_to_one_student(make_class: MakeClass) -> None:
@@ -85,6 +114,14 @@ def test_what_cannot_be_graded_is_named(make_class: MakeClass) -> None:
     (bob, carl) = collect(folder).hand_ins
     assert [paper.name for paper in bob.papers] == ["bob.zip"]
     assert carl.problems == ("carl: holds no .ipynb or .py file",)
+
+
+def test_archive_in_a_folder_is_to_be_unpacked(make_class: MakeClass) -> None:
+    """Where nothing else was handed in, what may hold it is named."""
+    folder = make_class({"ada/all.ZIP": "", "ada/a.txt": "", "bob/01.py": "", "bob/b.zip": ""})
+    ada, bob = collect(folder).hand_ins
+    assert ada.problems == ("ada: holds no .ipynb or .py file; unpack ada/all.ZIP first",)
+    assert bob.problems == ()
 
 
 @unix

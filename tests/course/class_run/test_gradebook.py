@@ -184,8 +184,31 @@ def test_full_mark_is_that_of_the_exercises_that_are_graded() -> None:
 def test_exercise_counts_if_the_class_has_it_in_common(
     handed_in: list[list[str]], count: set[str]
 ) -> None:
-    """At least two students and a tenth of those with marks; if no two share one, all count."""
-    assert common_exercises(handed_in) == count
+    """At least two files and a tenth of those with marks; if no two are to one, all count."""
+    files = [{name: f"{n}/{name}.py" for name in names} for n, names in enumerate(handed_in)]
+    assert common_exercises(files) == count
+
+
+def test_file_that_a_group_shares_is_one_whoever_submitted_it() -> None:
+    """A group of two or twenty makes no exercise count, and takes no other out of the count."""
+    alone = [{"01": f"{n}.py"} for n in range(3)]
+    groups = [{"01": "first.py"}] * 30 + [{"01": "second.py"}] * 30
+    assert common_exercises([*alone, *[{"02": "group.py"}] * 2]) == {"01"}
+    assert common_exercises([*groups, {"02": "mine.py"}]) == {"01"}
+
+
+def test_group_that_hands_in_one_stray_file_changes_nobodys_full_mark() -> None:
+    """Both of the group are told which file does not count."""
+    shared = paper("pool.py")
+    stray = marks(4, 3, 3) | {"exercise": "pool", "submission": "pool.py"}
+    students = [hand_in(name, paper(f"{name}.py")) for name in ("ada", "bob")]
+    group = [hand_in(name, shared) for name in ("eve", "fay")]
+    marks_of = {"ada.py": marks(4, 3, 3), "bob.py": marks(4, 3, 3), "pool.py": stray}
+    book = book_of(*students, *group, marks_of=marks_of)
+    assert [student.points for student in book.students] == [10, 10, 0, 0]
+    assert book.full_points == 10
+    assert [len(student.problems) for student in book.students] == [0, 0, 1, 1]
+    assert "which does not count: files of the class that answer it: 1;" in str(book.students[2])
 
 
 def test_summary_counts_what_a_class_believes() -> None:

@@ -35,6 +35,8 @@ def owner(name: str) -> Owner:
         ("ada_LATE_123_456_my answers", "ada"),
         ("ada_", "ada"),
         ("Ada Byron", "b7"),
+        ("Byron, Ada", "b7"),
+        ("LOVELACE, ada", "ada"),
         ("ann_1", "ann_1"),
         ("Ada Byron_123_assignsubmission_file", "b7"),
         ("Ada Byron_123_assignsubmission_file_", "b7"),
@@ -57,6 +59,10 @@ def test_name_that_one_line_fits_whole_is_credited_to_it(name: str, student: str
         ("Ada_123_assignsubmission_file_", ""),
         ("Ada Byrons_123_assignsubmission_file", "fits no line"),
         ("Kim Lee", "fits 2 lines of the roster (c1, c2)"),
+        ("Lee, Kim", "fits 2 lines of the roster (c1, c2)"),
+        ("Byron Ada", "fits no line"),
+        ("Byron, Ada, Jr.", "fits no line"),
+        ("Ada, Byron", "fits no line"),
         ("Kim Lee_5_assignsubmission_file", "fits 2 lines of the roster (c1, c2)"),
         ("ann_1_02_restitution", "fits 2 lines of the roster (ann, ann_1)"),
         ("Ada Byron_1_assignsubmission_file_2_assignsubmission_file", "fits no line"),
@@ -100,6 +106,13 @@ def test_letters_that_a_course_system_takes_out_lead_to_the_same_line(
 ) -> None:
     """Moodle's PARAM_FILE takes out apostrophes and slashes; Canvas low lines round a number."""
     assert owners([called], [enrolled, Enrolled("t", "Ada Bryon")]) == [[Owner("s")]]
+
+
+def test_name_as_it_stands_in_one_line_goes_before_the_same_name_turned() -> None:
+    """A comma tells two students apart whom the roster writes in two ways."""
+    roster = [Enrolled("a", "Lee, Kim"), Enrolled("b", "Kim Lee")]
+    assert owners(["Lee, Kim"], roster) == [[Owner("a")]]
+    assert owners(["Kim Lee"], roster)[0][0].unmatched.startswith("fits 2 lines")
 
 
 @pytest.mark.parametrize("written", ["Sam Comma, Jr.", "Comma, Jr., Sam"])

@@ -19,7 +19,8 @@ from lesson_code.cli import app
 from lesson_code.course import class_run
 from lesson_code.course.class_run import Gradebook, Hands, grade_class, marking
 from lesson_code.course.class_run import run as running
-from lesson_code.course.class_run.journal import Journal
+from lesson_code.course.class_run.changes import CHANGES
+from lesson_code.course.class_run.journal import JOURNAL, Journal
 from lesson_code.course.isolation import IsolationError
 
 from .conftest import RIGHT, STUB, SWAPS, MakeClass, contents_of
@@ -208,6 +209,32 @@ def test_other_seed_asks_for_a_fresh_run(make_class: MakeClass, tmp_path: Path) 
     assert json.loads(fresh.stdout)["seed"] == 8
 
 
+@pytest.mark.parametrize("name", [JOURNAL, *running.WRITTEN])
+@pytest.mark.parametrize("fresh", [False, True])
+def test_files_that_no_run_wrote_are_kept(
+    make_class: MakeClass, tmp_path: Path, name: str, fresh: bool
+) -> None:
+    """A folder of the instructor's own is refused by the name of the file that would be lost."""
+    own = tmp_path / "own"
+    own.mkdir()
+    (own / name).write_text("precious")
+    folder = make_class({"ada.py": RIGHT})
+    with pytest.raises(ValueError, match=rf"{name}: is there already, and no earlier run wrote it"):
+        grade_class(folder, own, hands=Hands(1), fresh=fresh)
+    assert {path.name: path.read_text() for path in own.iterdir()} == {name: "precious"}
+
+
+def test_run_writes_what_it_says_over_its_own_alone(make_class: MakeClass, tmp_path: Path) -> None:
+    """Files of other names may stand beside the marks; there is nothing else that a run writes."""
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "mine.txt").write_text("mine")
+    for _ in range(2):
+        grade_class(make_class({"ada.py": RIGHT}), out, hands=Hands(1))
+    names = {JOURNAL, CHANGES, "mine.txt", *running.WRITTEN}
+    assert {path.name for path in out.iterdir()} == names
+
+
 def test_hostile_neighbours_change_nobodys_marks(tmp_path: Path) -> None:
     """Among those who kill, forge and patch, an honest student has full marks."""
     folder = tmp_path / "class"
@@ -252,10 +279,10 @@ def test_what_cannot_be_graded_has_a_line_each(make_class: MakeClass, tmp_path: 
         "right": [],
         "syntax": [],
         "unknown": [],
-        "zip": ["zip.zip: a submission ends in .ipynb or .py"],
+        "zip": ["zip.zip: a submission ends in .ipynb or .py; unpack it first"],
     }
     shown = workbook_anywhere("grade", folder, "--out", tmp_path / "out", "--exercise", "01")
-    assert "zip: zip.zip: a submission ends in .ipynb or .py\n" in shown.stderr
+    assert "zip: zip.zip: a submission ends in .ipynb or .py; unpack it first\n" in shown.stderr
     assert "9 students: 3 graded, 0 late, 0 missing, 6 not gradable" in shown.stdout
 
 
@@ -331,3 +358,12 @@ def test_options_of_a_class_are_refused_for_a_file(make_class: MakeClass) -> Non
     ran = workbook("grade", make_class({"ada.py": RIGHT}) / "ada.py", "--workers", 2)
     assert ran.exit_code == 2
     assert "--workers is for a class" in ran.stderr
+
+
+def test_archive_of_a_class_is_to_be_unpacked(make_class: MakeClass) -> None:
+    """Whatever options stand beside it."""
+    archive = make_class({"moodle.zip": "PK"}) / "moodle.zip"
+    for options in ([], ["--workers", 2]):
+        ran = workbook("grade", archive, *options)
+        assert ran.exit_code == 2
+        assert "unpack it first" in " ".join(ran.stderr.split())

@@ -263,3 +263,11 @@ def test_check_of_a_wrong_answer_names_the_wrong_functions_it_calls(
     check_task("4.4", in_a_notebook(OVERLAP)["resolve_overlap"], seed=3)
     last = capsys.readouterr().out.splitlines()[-1]
     assert last == "  it calls your `separate`, which lost points in 4.3"
+
+
+def test_check_of_an_answer_that_displays_a_value_names_nothing() -> None:
+    """Jupyter's display is there while an answer is graded, imported or not."""
+    names: dict[str, Any] = {"__name__": "notebook"}
+    source = "from IPython.display import display\ndef reflect(v, n):\n    display(v)\n"
+    exec(source, names)  # noqa: S102 - a notebook's cell
+    assert left_out_of(names["reflect"]) == []

@@ -31,7 +31,7 @@ from lesson_code.course.grading.difference import of_form, of_given, of_numbers
         (
             [[1.0], [2.0]],
             [1.0, 2.0],
-            "Two values were asked for: one row, and yours is a column. Shape it by .ravel().",
+            "Two values were asked for: one row, and yours is a column. np.ravel(...) helps.",
         ),
     ],
 )

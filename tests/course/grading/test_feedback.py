@@ -83,6 +83,25 @@ def test_name_from_an_import_that_is_left_out_is_said_to_be(write: Write) -> Non
     assert "ours comes from an import of lesson_code, which is left out" in lines[1]
 
 
+@pytest.mark.parametrize(
+    ("before", "said"),
+    [
+        ("two = await slow()", "two comes from a line with await, which is left out"),
+        ("async with slow() as two:\n    pass", "two comes from a line with await"),
+        ("from lesson_code.formulas import *", "two may come from an import of lesson_code, which"),
+    ],
+)
+def test_name_from_a_line_that_is_left_out_is_not_called_misspelt(
+    write: Write, before: str, said: str
+) -> None:
+    """An answer is told which line gave the name, and is asked nothing about its spelling."""
+    path = write("a.ipynb", before, "def elastic_1d(m1, v1, m2, v2):\n    return two * v1, v2\n")
+    with Grader() as grader:
+        lines = grader.grade(path, exercise="01", seed=1).verdicts[0].lines
+    assert said in lines[1]
+    assert QUESTIONS["NameError"] not in str(lines)
+
+
 def test_error_is_told_once_with_its_place_and_a_question() -> None:
     """Three calls that fail alike are one line, without a traceback."""
     lines = judged(lambda *given: given[0] / 0).lines
@@ -222,11 +241,15 @@ def test_hidden_message_says_of_what_kind_an_answer_is(write: Write) -> None:
     path = write(
         "answer.py",
         "def elastic_1d(m1, v1, m2, v2): return v1\n"
-        "def inelastic_1d(m1, v1, m2, v2): v = 0.0, 0.0\n",
+        "def inelastic_1d(m1, v1, m2, v2): v = 0.0, 0.0\n"
+        "def elastic_impulse_1d(m1, v1, m2, v2): return {m1, v1}\n",
     )
     with Grader(hide_inputs=True) as grader:
-        first, second, _ = grader.grade(path, exercise="01", seed=1).verdicts
+        first, second, third = grader.grade(path, exercise="01", seed=1).verdicts
     assert (
         first.criteria[0].message == "It returned one number where several values were asked for."
     )
     assert second.criteria[0].message == "It returned None where several values were asked for."
+    assert third.criteria[0].message == (
+        "It returned a set where the order counts: a set has none, a list or tuple has."
+    )

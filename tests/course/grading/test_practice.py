@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import pytest
 
-from lesson_code.course.grading.exercises import Exercise, exercises
+from lesson_code.course.grading.exercises import Exercise, exercises, task_by_id
 from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.practice import practice_of, practice_tasks, reference
 from lesson_code.course.grading.task import KnownAnswer, Task
@@ -63,6 +63,16 @@ def test_practice_takes_points_from_wrong_models_and_recognises_them(practice: P
                 assert verdict.recognised.name == model.name
                 assert verdict.recognised.hint == model.hint
                 assert verdict.recognised.misconception == model.misconception
+
+
+def test_practice_welcomes_a_set_where_any_order_is_right(tmp_path: Path) -> None:
+    """What earns full marks in grading passes in the student's copy, too."""
+    path = tmp_path / "tasks.json"
+    own = task_by_id("11.1")
+    path.write_text(practice_of([own]), encoding="utf-8")
+    (task,) = practice_tasks(path)
+    as_set = KnownAnswer(own.id, lambda boxes: set(own.expected(boxes)))
+    assert all(verdict.is_full for verdict in verdicts(task, as_set))
 
 
 def test_practice_says_what_the_courses_own_checks_say() -> None:

@@ -59,14 +59,16 @@ def zipped() -> bytes:
         ("binary.py", b"\x80\x81\xff", "is not text in UTF-8"),
         ("latin.py", "# Stoß".encode("latin-1"), "is not text in UTF-8"),
         ("zipped.ipynb", zipped(), "is not text in UTF-8"),
-        ("answer.zip", zipped(), "ends in .ipynb or .py"),
+        ("answer.zip", zipped(), "ends in .ipynb or .py; unpack it first"),
         ("answer", b"x = 1", "ends in .ipynb or .py"),
+        ("answer.tar.gz", b"", "ends in .ipynb or .py; unpack it first"),
         ("not_json.ipynb", b"x = 1", "is not a notebook (its text is not JSON)"),
         ("deep.ipynb", b"[" * 100_000, "is not a notebook (its text is not JSON)"),
         ("list.ipynb", b"[1, 2]", "is not a notebook (it has no list of cells)"),
         ("object.ipynb", b"{}", "is not a notebook (it has no list of cells)"),
         ("cells.ipynb", b'{"cells": {"a": 1}}', "is not a notebook (it has no list of cells)"),
         ("numbers.ipynb", b'{"cells": [1]}', "is not a notebook (it has no list of cells)"),
+        ("old.ipynb", b'{"worksheets": []}', "is in the format of an old notebook; open it in"),
         ("no_cells.ipynb", b'{"cells": []}', "holds no code to grade"),
         ("comments.py", b"# nothing\n\n'''nothing'''\nprint(1)\n", "holds no code to grade"),
     ],
@@ -344,6 +346,30 @@ def test_read_magic_does_no_harm_to_its_cell(write: Write, magic: str, grader: G
     assert points(grader, path)[0] == 4
 
 
+@pytest.mark.parametrize("indent", ["    ", "  ", "\t", "\n \n  "])
+@pytest.mark.parametrize("magic", ["", "%timeit 1\n"])
+def test_read_cell_that_is_indented_as_a_whole(
+    write: Write, indent: str, magic: str, grader: Grader
+) -> None:
+    """IPython takes the first line's indent off all lines of a cell, and so does the grader."""
+    empty, _, spaces = indent.rpartition("\n")
+    cell = "".join(f"{spaces}{line}\n" for line in (magic + ELASTIC).splitlines())
+    path = write("answer.ipynb", f"{empty}\n{cell}", INELASTIC)
+    assert points(grader, path)[:2] == [4, 3]
+
+
+def test_read_cell_whose_first_comment_alone_is_indented(write: Write) -> None:
+    """What Python can read as it is stays as it is."""
+    source = "      # mine\ndef f(x):\n    if x:\n        return 1\n"
+    assert read_submission(write("answer.ipynb", source)).unreadable == ()
+
+
+def test_read_indented_cell_names_the_line_of_its_error(write: Write) -> None:
+    """The line is that of the student's own cell."""
+    (said,) = read_submission(write("answer.ipynb", "\n  x = 1\n  y = (\n")).unreadable
+    assert said.startswith("your cell 1, line 3: ")
+
+
 def test_read_line_that_starts_with_an_operator_is_no_magic(write: Write) -> None:
     """A % at the start of a continued line is the remainder, and stays."""
     source = "x = (7\n     % 4)\ntext = '''\n%d\n!x\n'''"
@@ -500,6 +526,14 @@ def test_read_leaves_out_what_never_ends_or_waits(
     """A demo below the answers takes no points away from what stands above it."""
     path = write(name, SETS_UP + below)
     assert grader.grade(path, exercise="01", seed=1).verdicts[0].is_full
+
+
+def test_read_leaves_out_what_comes_of_an_await(write: Write, grader: Grader) -> None:
+    """What is made of it goes along, the rest of its cell does not."""
+    cell = f"c = 1\nd = c\na = await nothing()\nb = a + 1\nc = await nothing()\n{ELASTIC}"
+    path = write("answer.ipynb", cell)
+    assert kept(read_submission(path)) == [f"c = 1\n\nd = c\n\n{ELASTIC.strip()}"]
+    assert grader.grade(path, exercise="01", seed=1).notes == ()
 
 
 @pytest.mark.parametrize("magic", ["%%bash\nls -l | wc\n", "%%html\n<b>bold</b>\n"])

@@ -65,6 +65,13 @@ import numpy as np
 def elastic_impulse_1d(m1, v1, m2, v2):
     return np.array(2 * (v1 - v2) / (1 / m1 + 1 / m2))
 """),
+    Unusual("1.3", "a value that is displayed on the way", """\
+from IPython.display import display, Markdown
+def elastic_impulse_1d(m1, v1, m2, v2):
+    reduced = m1 * m2 / (m1 + m2)
+    display(reduced)
+    return 2 * reduced * (v1 - v2)
+"""),
     Unusual("2.1", "try and except for what cannot be", """\
 def restitution_1d(v1, v2, v1_after, v2_after):
     try:
@@ -383,6 +390,42 @@ def near_pairs(boxes):
     near = (l[:, None] <= r) & (l <= r[:, None]) & (b[:, None] <= t) & (b <= t[:, None])
     return np.argwhere(np.triu(near, 1))
 """),
+    Unusual("10.2", "a set of names", """\
+from itertools import combinations
+def effects_called_for(bodies, gravity):
+    pairs = [(a, b) for a, b in combinations(bodies, 2) if a[0] > 0 or b[0] > 0]
+    found = {"friction"} if any(a[3] * b[3] > 0 for a, b in pairs) else set()
+    if gravity.any():
+        found.add("gravity")
+    if any(min(a[2], b[2]) > 0 for a, b in pairs):
+        found.add("restitution")
+    if any(b[4] or (b[0] > 0 and (b[1] or "friction" in found)) for b in bodies):
+        found.add("rotation")
+    return found
+"""),
+    Unusual("10.5", "a difference of sets", """\
+def bodies_asleep(inverse_masses, still, touches):
+    free = {n for n, w in enumerate(inverse_masses) if w}
+    awake = left = {n for n in free if not still[n]}
+    while left:
+        left = {b for a in left for b in free if touches[a][b]} - awake
+        awake = awake | left
+    return free - awake
+"""),
+    Unusual("11.1", "a set of pairs", """\
+def near_pairs(boxes):
+    return {
+        (i, j)
+        for j, (l, r, b, t) in enumerate(boxes)
+        for i, (le, ri, bo, to) in enumerate(boxes[:j])
+        if l <= ri and le <= r and b <= to and bo <= t
+    }
+"""),
+    Unusual("11.4", "two differences of sets", """\
+def touch_changes(before, now):
+    earlier, later = ({tuple(map(int, pair)) for pair in pairs} for pairs in (before, now))
+    return later - earlier, earlier - later
+"""),
     Unusual("D.1", "the angle of a complex number", """\
 import cmath
 def tipping_angle(width, height): return cmath.phase(complex(height, width))
@@ -554,12 +597,32 @@ import numpy as np
 def reflect(incident, normal):
     i, n = np.array(incident).reshape(2, 1), np.array(normal).reshape(2, 1)
     return i - 2 * n @ (n.T @ i)
-""", "yours is a column. Shape it by .ravel()"),
+""", "yours is a column. np.ravel(...) helps"),
+    Unusual("3.1", "a column of a matrix", """\
+import numpy as np
+def reflect(incident, normal):
+    i, n = np.asmatrix(incident).T, np.asmatrix(normal).T
+    return i - 2 * n * (n.T * i)
+""", "yours is a column. np.ravel(...) helps"),
     Unusual("1.1", "names for its values", """\
 def elastic_1d(m1, v1, m2, v2):
     c = (m1 * v1 + m2 * v2) / (m1 + m2)
     return {"v1": 2 * c - v1, "v2": 2 * c - v2}
 """, "returned an object of type dict, which is no number, vector or tuple"),
+    Unusual("1.1", "a set", """\
+def elastic_1d(m1, v1, m2, v2):
+    c = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return {2 * c - v1, 2 * c - v2}
+""", "returned a set where the order counts"),
+    Unusual("11.1", "a list of pairs without order", """\
+def near_pairs(boxes):
+    return [
+        frozenset((i, j))
+        for j, (l, r, b, t) in enumerate(boxes)
+        for i, (le, ri, bo, to) in enumerate(boxes[:j])
+        if l <= ri and le <= r and b <= to and bo <= t
+    ]
+""", "returned a set where the order counts"),
     Unusual("1.3", "a list of one number", """\
 def elastic_impulse_1d(m1, v1, m2, v2):
     return [2 * (v1 - v2) / (1 / m1 + 1 / m2)]

@@ -95,6 +95,8 @@ def failing() -> Iterator[float]:
         (np.array(3 + 4j), [3.0, 4.0]),
         ([1, (2.0, [3])], [1, [2.0, [3]]]),
         (np.array([[1.0, 2.0]]), [[1.0, 2.0]]),
+        (np.ones((2, 1)).view(np.matrix), [[1.0], [1.0]]),
+        ((np.ones((1, 2), dtype=int).view(np.matrix), 1), [[[1, 1]], 1]),
         (pygame.Vector2(3, 4), [3.0, 4.0]),
         (pygame.Vector3(1, 2, 3), [1.0, 2.0, 3.0]),
         (range(3), [0, 1, 2]),
@@ -135,6 +137,13 @@ def test_plain_refuses_what_is_no_number_or_vector(value: Any) -> None:
     """Dictionaries, sets, bytes, functions and other objects are refused by name of type."""
     with pytest.raises((NotPlainError, TypeError), match="which is no number, vector or tuple"):
         plain(value)
+
+
+def test_plain_of_sets_says_where_they_stood() -> None:
+    """Sets become lists, the same ones in every process, and their levels are told."""
+    levels: set[int] = set()
+    assert plain([1, {"b", "a"}, [frozenset({2})]], levels) == [1, ["a", "b"], [[2]]]
+    assert levels == {1, 2}
 
 
 @pytest.mark.parametrize("claimed", [str, list, float, int, bool, type(None)])
@@ -273,6 +282,7 @@ def _raises(error: BaseException) -> Callable[[], Any]:
     ("function", "answer"),
     [
         (lambda: 1.5, {"kind": "returned", "value": 1.5}),
+        (lambda: ({3, 10, 2}, 1), {"kind": "returned", "value": [[10, 2, 3], 1], "sets": [1]}),
         (dict, {"kind": "unusable", "text": "returned an object of type dict, which is no number, "
                 "vector or tuple"}),
         (failing, {"kind": "raised", "text": "ZeroDivisionError: half way"}),

@@ -4,7 +4,7 @@ The parent writes one JSON request a line, the child answers each with one JSON 
 
     {"load": [{"name", "source", "groups", "missing", "codes"}, ...]}
                                             ->  {"loaded": [[unit, statement, error], ...]}
-    {"call": function, "arguments": [...]}  ->  {"kind": "returned", "value": ...}
+    {"call": function, "arguments": [...]}  ->  {"kind": "returned", "value": ..., "sets": [...]}
                                                 or {"kind": "raised" | ..., "text": ...}
     {"together": [[[function, [...]], ...], ...]}
                                             ->  {"answers": [[answer, ...], ...]}
@@ -32,7 +32,7 @@ from functools import partial
 from typing import Any, BinaryIO
 
 from .reading import compiled, parsed, read
-from .vectors import is_array_of_floats, is_vector, shape_of, vector
+from .vectors import is_array_of_floats, is_matrix, is_vector, shape_of, vector
 
 MOST_NUMBERS = 10_000
 """Numbers and letters in an answer at most; no task asks for more than a thousand."""
@@ -58,6 +58,9 @@ UNORDERED = (dict, set, frozenset, bytes)
 LONGEST_TEXT = 300
 """Characters of an error's own words that are passed on."""
 
+DISPLAY = "display"
+"""What Jupyter has built in beside Python's own names."""
+
 LARGEST_INTEGER = 2**53
 """A larger integer is taken as a float, as all the answers' other numbers are."""
 
@@ -66,11 +69,14 @@ class NotPlainError(ValueError):
     """An answer that is nothing a task can ask for; the message says what it is instead."""
 
 
-def plain(value: Any) -> Any:
+def plain(value: Any, sets: set[int] | None = None) -> Any:
     """Return an answer as None, bool, int, float, str, or lists of these.
 
     Lists, tuples, arrays, Fractions, complex numbers (as [x, y]) and vectors of other libraries
     are all welcome. What comes back holds these very types, none made from them.
+
+    Where `sets` is given, sets are welcome, too: they become lists in an order of our own, and
+    `sets` is told at which levels they stood, 0 for the answer itself.
 
     Raises
     ------
@@ -83,11 +89,13 @@ def plain(value: Any) -> Any:
     >>> from fractions import Fraction
     >>> plain((Fraction(1, 2), 3 + 4j, None))
     [0.5, [3.0, 4.0], None]
+    >>> plain(({3, 2}, set()), levels := set()), levels
+    ([[2, 3], []], {1})
     """
-    return _plain(value, [MOST_NUMBERS], DEEPEST)
+    return _plain(value, [MOST_NUMBERS], DEEPEST, sets)
 
 
-def _plain(value: Any, room: list[int], depth: int) -> Any:
+def _plain(value: Any, room: list[int], depth: int, sets: set[int] | None) -> Any:
     """Return `value` made plain; `room` counts down the numbers there is still room for."""
     room[0] -= 1
     if room[0] < 0 or depth < 0:
@@ -99,11 +107,13 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
         if depth > 0 and len(value) <= room[0] and EXACT.issuperset(map(type, value)):
             room[0] -= len(value)
             return list(value)
-        return [_plain(item, room, depth - 1) for item in value]
+        return [_plain(item, room, depth - 1, sets) for item in value]
     if isinstance(value, float):  # NumPy's, too
         return float.__float__(value)
+    if is_matrix(value):  # its rows are matrices, without end
+        value = value.A
     if is_array_of_floats(value) and value.size <= room[0]:
-        return _plain(value.tolist(), room, depth)
+        return _plain(value.tolist(), room, depth, sets)
     if isinstance(value, str):
         text = str.__str__(value)  # str(value) would ask a class of its own
         room[0] -= len(text)
@@ -120,9 +130,12 @@ def _plain(value: Any, room: list[int], depth: int) -> Any:
     if isinstance(value, numbers.Complex):
         return [float(value.real), float(value.imag)]
     if getattr(value, "shape", None) == ():  # a NumPy array of no dimensions is a number
-        return _plain(value.item(), room, depth - 1)
+        return _plain(value.item(), room, depth - 1, sets)
     if isinstance(value, Iterable) and not isinstance(value, UNORDERED):
-        return [_plain(item, room, depth - 1) for item in value]
+        return [_plain(item, room, depth - 1, sets) for item in value]
+    if sets is not None and isinstance(value, set | frozenset):
+        sets.add(DEEPEST - depth)
+        return sorted([_plain(item, room, depth - 1, sets) for item in value], key=repr)
     raise NotPlainError(
         f"returned an object of type {kind.__name__}, which is no number, vector or tuple"
     )
@@ -142,8 +155,10 @@ def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[lis
 
     No word of an error is passed on, since code that is loaded may say anything in it.
 
-    A ``from __future__`` import holds from there on, as it does in a notebook and in a file.
+    A ``from __future__`` import holds from there on, as it does in a notebook and in a file. As in
+    a notebook there is a `display`, which shows nothing here.
     """
+    namespace.setdefault(DISPLAY, _display)
     compiler = codeop.Compile()
     is_compiled = _is_compiled(units)
     for place, unit in enumerate(units):
@@ -159,6 +174,10 @@ def load(units: list[dict[str, Any]], namespace: dict[str, Any]) -> Iterator[lis
                 except STOPPED as error:
                     yield [place, index, type(error).__name__]
                     break
+
+
+def _display(*_: Any, **__: Any) -> None:
+    """Show nothing."""
 
 
 def _is_compiled(units: list[dict[str, Any]]) -> bool:
@@ -192,7 +211,9 @@ def call(
     if returned is not None and value is not None:
         returned[function] = value
     try:
-        return {"kind": "returned", "value": plain(value)}
+        sets: set[int] = set()
+        answer = {"kind": "returned", "value": plain(value, sets)}
+        return answer | {"sets": sorted(sets)} if sets else answer
     except NotPlainError as error:
         return {"kind": "unusable", "text": str(error)}
     except STOPPED as error:  # an answer may be an object of any class

@@ -20,6 +20,7 @@ MOST_CODE = 1_000_000
 """Characters. A chapter's answers have 5,000; the outputs of a notebook are not counted."""
 
 NO_TEXT = "is not text in UTF-8; save it as UTF-8"
+OLD_FORMAT = "is in the format of an old notebook; open it in Jupyter and save it"
 TOO_MUCH_CODE = f"has more than {MOST_CODE:,} characters of code; leave out what is no answer"
 
 
@@ -61,6 +62,8 @@ def _notebook(path: str) -> dict[str, Any]:
         whole = json.loads(text)
     except (ValueError, RecursionError):
         return {"problem": "is not a notebook (its text is not JSON)"}
+    if isinstance(whole, dict) and "cells" not in whole and "worksheets" in whole:
+        return {"problem": OLD_FORMAT}
     cells = whole.get("cells") if isinstance(whole, dict) else None
     if not isinstance(cells, list) or not all(isinstance(cell, dict) for cell in cells):
         return {"problem": "is not a notebook (it has no list of cells)"}

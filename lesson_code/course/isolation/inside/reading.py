@@ -18,6 +18,7 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Collection, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any
@@ -35,6 +36,9 @@ FOREIGN = re.compile(
     r"\s*%%(bash|sh|html|javascript|js|latex|markdown|svg|script|writefile|perl)\b"
 )
 """How a cell in another language begins."""
+
+INDENT = re.compile(r"(?:[ \t]*\n)*([ \t]*)")
+"""The indent of a cell's first line that is not empty."""
 
 DEFINITION = re.compile(r"^[ \t]*def[ \t]+([A-Za-z_]\w*)", re.MULTILINE)
 """Where a function begins in code that cannot be read."""
@@ -66,9 +70,9 @@ def read(sources: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
 
     Statements are named by their place. They stand in groups; a cell is one group, and in a
     program each statement is its own. `lines` says where each statement begins, `left_out` which
-    names come from which import, `missing` which names stand for nothing once that is gone, `uses`
-    which names stand in the definition of another, `prints` the fingerprints of functions, and
-    `codes` what is kept, compiled.
+    names come from which import or await, `missing` which names stand for nothing once that is
+    gone, `uses` which names stand in the definition of another, `prints` the fingerprints of
+    functions, and `codes` what is kept, compiled.
 
     Parameters
     ----------
@@ -208,7 +212,7 @@ def _without(definition: Any, missing: set[str]) -> ast.stmt:
 
 
 def _missing(statements: Iterable[ast.stmt]) -> set[str]:
-    """Return the names that stand for nothing without the imports that are left out.
+    """Return the names that stand for nothing without the imports and awaits that are left out.
 
     What gets its value from such a name is missing, too: the figure of a plot, and what is drawn
     in it.
@@ -223,7 +227,8 @@ def _missing(statements: Iterable[ast.stmt]) -> set[str]:
         for alias in getattr(kept_part(part, ()), "names", ())
     }
     for statement in statements:
-        if isinstance(statement, ast.Assign | ast.AnnAssign) and missing:
+        is_kept = isinstance(statement, ast.Assign | ast.AnnAssign) and not _waits(statement)
+        if missing and is_kept:
             bound = _named(statement).given
             if _names(statement) & missing:
                 missing |= bound
@@ -241,7 +246,9 @@ def _left_out(body: Iterable[ast.stmt]) -> Iterator[tuple[str, str]]:
                 if alias not in kept:
                     module = getattr(statement, "module", None) or alias.name
                     name = (alias.asname or alias.name).partition(".")[0]
-                    yield name, f"import of {module.partition('.')[0]}"
+                    yield name, f"an import of {module.partition('.')[0]}"
+        elif not isinstance(statement, DEFINITIONS) and _waits(statement):
+            yield from ((name, AWAITED) for name in sorted(_named(statement).given))
 
 
 def _nodes(tree: ast.AST, kind: Any) -> Iterator[Any]:
@@ -280,6 +287,8 @@ class _Named:
     awaits: bool
 
 
+AWAITED = "a line with await"
+
 AWAITING = (ast.Await, ast.AsyncFor, ast.AsyncWith)
 
 
@@ -302,17 +311,20 @@ def _names(tree: ast.AST) -> set[str]:
 
 
 def _cell(source: str) -> tuple[str, list[ast.stmt]]:
-    """Return a cell's code and statements, with magics commented out if it cannot be read as it is.
+    """Return a cell's code and statements.
 
-    A cell in another language is no code at all.
+    If it cannot be read as it is, the indent of its first line is taken off all lines, as IPython
+    does, and if need be magics are commented out. A cell in another language is no code at all.
     """
     if FOREIGN.match(source):
         return "", []
-    try:
-        return source, parsed(source)
-    except UNPARSABLE:
-        code = MAGIC.sub(r"\1pass  # a magic, left out", source)
-        return code, parsed(code)
+    indent = INDENT.match(source)
+    moved = re.sub(rf"^{indent[1]}", "", source, flags=re.MULTILINE) if indent else source
+    for code in dict.fromkeys((source, moved)):
+        with suppress(*UNPARSABLE):
+            return code, parsed(code)
+    code = MAGIC.sub(r"\1pass  # a magic, left out", moved)
+    return code, parsed(code)
 
 
 def _unreadable(name: str, error: Exception) -> str:

@@ -113,6 +113,11 @@ def is_array_of_floats(value: Any) -> bool:
     return np is not None and type(value) is np.ndarray and value.dtype == float
 
 
+def is_matrix(value: Any) -> bool:
+    """Return whether a value is NumPy's matrix, which has two dimensions whatever is cut of it."""
+    return np is not None and isinstance(value, np.matrix)
+
+
 def shape_of(value: Any) -> tuple[int, ...]:
     """Return how many values stand in each direction of a vector, or of rows; () of a number.
 
