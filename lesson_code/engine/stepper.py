@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping
 from contextlib import closing, nullcontext
 from copy import copy, deepcopy
@@ -30,6 +31,7 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import add_capacity
+from lesson_code.engine.core.constants import MOST_IMPACTS
 from lesson_code.engine.core.frames import (
     STATE_FIELDS,
     STATE_NUMBERS,
@@ -43,7 +45,7 @@ from lesson_code.engine.core.one_thread import one_thread
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.plan import EffectChoice, Plan
 from lesson_code.engine.core.recording import Stepper, record
-from lesson_code.engine.core.rows import World
+from lesson_code.engine.core.rows import State, World
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
 from lesson_code.engine.core.solver import Request, Solver
@@ -129,7 +131,21 @@ def run_in_steps(asked: Request, solver: Solver) -> Run:
         options=asked.options,
     )
     with closing(stepper):
-        return record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
+        run = record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
+        warn_of_late_steps(stepper.world.state)
+    return run
+
+
+def warn_of_late_steps(state: State) -> None:
+    """Say that bodies have stood still where they should have flown, if any have."""
+    if state.late_steps > 0:
+        warnings.warn(
+            f"in {state.late_steps} of {state.steps_done} steps there were more than "
+            f"{MOST_IMPACTS} impacts: fast bodies stood still for the rest of them, and are late; "
+            "a smaller dt loses less time",
+            RuntimeWarning,
+            stacklevel=5,  # where `simulate` was called
+        )
 
 
 class EngineStepper(Stepper):

@@ -522,7 +522,7 @@ check(
 )
 
 # %%
-pile = simulate(scenes.trough(14, rng), 4.0, solver="sequential")
+pile = simulate(scenes.trough(14, rng), 6.0, solver="sequential")
 check("in the end all are still, m/s", pile.velocities[-1], 0, tolerance=1e-3)
 
 # %% tags=["nbval-ignore-output"]

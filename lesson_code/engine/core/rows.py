@@ -292,6 +292,7 @@ class State:
     free_count: int = 0  # bodies that can be pushed
     asleep_count: int = 0  # those of them that sleep
     has_moving_static: bool = False  # whether a body that nothing can push moves
+    late_steps: int = 0  # so far, in which fast bodies had to wait after too many impacts
     softened: int = 0  # islands so far that had no exact answer (the direct solver alone counts)
 
 

@@ -10,7 +10,7 @@ With a skin contacts are seen before the bodies touch, and a body is fast as soo
 more than the skin. Of the direct solver ``next_contact`` says how far its step goes.
 
 After many impacts within one step the fast bodies wait for the next step. They lose time then,
-but pass through nothing.
+but pass through nothing; the run warns of it.
 """
 
 from __future__ import annotations
@@ -275,5 +275,6 @@ def time_into(world: World, a: BodyRow, b: BodyRow, is_now: bool, effects: Effec
 
 def let_fast_wait(world: World) -> None:
     """Let every fast body stay where it is for what is left of the step."""
+    world.state.late_steps += 1
     for body in world.bodies:
         body.waits = body.is_fast and body.inv_m > 0.0

@@ -142,9 +142,7 @@ def prepare(
             change = island.delassus @ x
             has_impact = has_impact or float(change[:m].max()) > quiet_of(world, island, u)
             apply_impulses(island, x)
-            jn, jt = x[:m].tolist(), x[m:].tolist()
-            for c, normal, tangent in zip(contacts, jn, jt, strict=True):
-                c.normal_total, c.tangent_total = normal, tangent
+            add_to_totals(contacts, x)
             u = u + change
         if is_fine(world, island):
             state.horizon = min(state.horizon, next_closing(world, island, gap, u[:m]))
@@ -244,6 +242,15 @@ def settle(island: Island, quiet: float) -> None:
                 break
         apply_impulses(island, x)
         apply_pseudo_impulses(island, -x)
+        add_to_totals(contacts, x)
+
+
+def add_to_totals(contacts: list[ContactRow], x: Floats) -> None:
+    """Add impulses to those that are written down beside the forces'."""
+    m = len(contacts)
+    for c, normal, tangent in zip(contacts, x[:m].tolist(), x[m:].tolist(), strict=True):
+        c.normal_total += normal
+        c.tangent_total += tangent
 
 
 # Pushes

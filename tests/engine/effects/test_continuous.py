@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tiers import share
 
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
-from lesson_code.engine.core.constants import MOST_IMPACTS, SLOP
+from lesson_code.engine.core.constants import MOST_FALLING, MOST_IMPACTS, SLOP
 from lesson_code.engine.effects import continuous
 from lesson_code.engine.effects.continuous import fastest_way
 
@@ -85,6 +85,10 @@ def test_pymunks_ball_passes_through_a_thin_wall() -> None:
     assert simulate(scene, 0.1, solver="sequential").positions[-1, 1, 0] < 0
 
 
+LATE = "steps there were more than 64 impacts"
+
+
+@pytest.mark.filterwarnings(f"ignore:.*{LATE}:RuntimeWarning")
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("speed", [10.0, 1e3, 1e6])
 def test_ball_stays_in_its_room_with_its_energy(speed: float, solver: str) -> None:
@@ -93,6 +97,60 @@ def test_ball_stays_in_its_room_with_its_energy(speed: float, solver: str) -> No
     run = simulate(scene, 0.5, solver=solver)
     assert np.abs(run.positions[:, 4]).max() <= 0.95 + SLOP * 0.1
     assert run.kinetic_energy == pytest.approx(run.kinetic_energy[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("solver", [*SOLVERS, "direct"])
+def test_run_warns_where_bodies_had_to_wait(solver: str) -> None:
+    """Else nobody would know that time stood still for them; the line is the caller's."""
+    box = Body(Polygon.box(0.1, 0.1), mass=1.0, material=BALL, velocity=(2e3, 0))
+    with pytest.warns(RuntimeWarning, match=f"in 6 of 6 {LATE}") as told:
+        simulate(Scene([*room(0.2), box]), 0.1, solver=solver)
+    assert [one.filename for one in told] == [__file__]
+
+
+@pytest.mark.parametrize("seed", range(share(6)))
+def test_planks_that_fall_beside_one_another_all_come_to_lie(seed: int) -> None:
+    """Enough of them for sweeps: a tip that rubs along the floor holds nobody up in the air."""
+    rng = np.random.default_rng(seed)
+    thickness, rough = 10 ** rng.uniform(-1.7, -1), Material(0.0, rng.uniform(0.3, 1.0))
+    planks = [
+        Body(
+            Polygon.box(1, thickness),
+            mass=1.0,
+            material=rough,
+            position=(5.0 * n, rng.uniform(1, 3)),
+            angle=rng.uniform(0, math.pi),
+            velocity=(rng.uniform(-1, 1), 0),
+            angular_velocity=rng.uniform(-3, 3),
+        )
+        for n in range(MOST_FALLING + 1)
+    ]
+    floor = Body(Segment((-500, 0), (500, 0)), material=rough)
+    run = simulate(Scene([floor, *planks], gravity=(0, -9.81)), 4.0)
+    assert run.plan.solver == "sequential"
+    assert run.positions[-1, 1:, 1] == pytest.approx(thickness / 2, rel=0.1)
+    assert run.energy.max() < 1.02 * run.energy[0]
+
+
+@pytest.mark.parametrize("seed", range(share(60)))
+def test_nobody_passes_a_ceiling_from_which_gravity_draws_it_back(seed: int) -> None:
+    """In a part of a step that is cut short it rises faster than was foreseen for the whole."""
+    rng = np.random.default_rng(seed)
+    rod, box = Segment((-0.5, 0), (0.5, 0), radius=0.025), Polygon.box(1, 0.2)
+    speed, spin = (60 * 10 ** rng.uniform(-1, most) for most in (1, 1.5))
+    thrown = Body(
+        (rod, box, Polygon.regular(5, 0.5))[seed % 3],
+        mass=1.0,
+        material=Material(rng.uniform(0, 1)),
+        position=(0, -0.8 - rng.uniform(0, speed / 60)),
+        angle=rng.uniform(0, 6),
+        velocity=(0, speed),
+        angular_velocity=spin,
+    )
+    ceiling = Body(Segment((-1e4, 0), (1e4, 0)), material=Material(1.0))
+    gravity = speed * 10 ** rng.uniform(0, 1.8)
+    run = simulate(Scene([ceiling, thrown], gravity=(0, -gravity)), 0.1)
+    assert run.positions[:, 1, 1].max() < 0.0
 
 
 def test_step_is_finished_after_the_impact() -> None:
@@ -148,6 +206,7 @@ def test_slow_scene_is_never_split(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(run.contacts) > 0
 
 
+@pytest.mark.filterwarnings(f"ignore:.*{LATE}:RuntimeWarning")
 def test_fast_body_waits_after_many_impacts_in_one_step() -> None:
     """It loses time, but neither speed nor its place in the room."""
     scene = Scene([*room(), ball(0.05, velocity=(1e6, 0))])

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
-from lesson_code import Body, Circle, MixingRule, Scene, Segment
+from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segment, simulate
 from lesson_code.engine.core.rows import ContactRow, ImpulseRow, World
 from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.effects import impulse_record
@@ -89,6 +90,39 @@ def test_table_has_room_for_the_steps_that_are_ahead(steps: int, rows: int) -> N
     stepper = lying(keep_impulses=True)
     stepper.advance(steps)
     assert len(stepper.world.impulses) == rows
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_record_holds_all_that_has_changed_the_momentum(seed: int) -> None:
+    """Boxes and pentagons that tumble onto a floor: m dv = m g T and the impulses written down."""
+    rng = np.random.default_rng(seed)
+    surface = Material(rng.uniform(0, 0.6), rng.uniform(0, 1))
+    shapes = Polygon.box(1, 0.6), Polygon.regular(5, 0.5)
+    bodies = [
+        Body(
+            shapes[(seed + n) % 2],
+            mass=10 ** rng.uniform(-1, 1),
+            material=surface,
+            position=(rng.uniform(-0.3, 0.3), 1 + 1.2 * n),
+            angle=rng.uniform(0, 6),
+            velocity=(rng.uniform(-2, 2), 0),
+            angular_velocity=rng.uniform(-2, 2),
+        )
+        for n in range(3)
+    ]
+    floor = Body(Segment((-20, 0), (20, 0)), material=surface)
+    run = simulate(Scene([floor, *bodies], gravity=(0, -9.81)), 4.0)
+    hits, masses = run.contacts, np.array([[body.mass] for body in bodies])
+    tangent = np.stack((-hits.normal[:, 1], hits.normal[:, 0]), axis=1)
+    given = hits.normal_impulse[:, None] * hits.normal + hits.tangent_impulse[:, None] * tangent
+    received = np.zeros((4, 2))
+    np.add.at(received, hits.body_b, given)
+    np.add.at(received, hits.body_a, -given)
+    weight = masses * 4.0 * np.array([0, -9.81])
+    change = masses * (run.velocities[-1] - run.velocities[0])[1:]
+    np.testing.assert_allclose(
+        change, weight + received[1:], rtol=0, atol=1e-11 * abs(weight).max()
+    )
 
 
 def test_run_without_a_record_has_the_same_bits_and_no_impulses() -> None:
