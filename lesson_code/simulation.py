@@ -63,7 +63,7 @@ def simulate(
         bodies, "substep" for heavy bodies on light ones, "sequential" for others. ``run.plan``
         says which, and why.
     dt : float
-        The time step, s, > 0. All steps have this length.
+        The time step, s, > 0. All steps have this length, but for the last, which ends the run.
     iterations : int, optional
         Sweeps over the contacts in each step, >= 1; 10 unless given. For "substep": sweeps before
         and again after each of its motions, whose springs are as many times as stiff; 1 unless
@@ -115,6 +115,11 @@ def simulate(
         The exact solver finds no end of the collisions at one instant; "auto" takes another then.
     ModuleNotFoundError
         Box2D is asked for and not installed.
+
+    Warns
+    -----
+    RuntimeWarning
+        A step had too many impacts: fast bodies stood still for the rest of it, and are late.
 
     Examples
     --------

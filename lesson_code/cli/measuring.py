@@ -111,7 +111,7 @@ def measure_cases(
     workers: Workers = None,
     cluster: Cluster = None,
     store: Annotated[
-        bool, typer.Option("--store", help="Keep the result for the notebook.")
+        bool, typer.Option("--store", help="Keep the result for the notebook, beside the others'.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -122,8 +122,6 @@ def measure_cases(
         if replayed is not None:
             _show(hard_cases.replay(*_family_and_seed(replayed), engines=engines), as_json)
             return
-        if store and (only or engines):
-            raise ValueError("--store needs all families and engines: leave out --only, --solver")
         measured = hard_cases.measure_hard_cases(
             only,
             draws=draws,
@@ -135,7 +133,8 @@ def measure_cases(
             progress="hard cases",
         )
     if store:
-        measured.store()
+        before = hard_cases.stored() if measured.file.exists() else measured
+        before.merged(measured).store()
     _show(measured, as_json)
     raise typer.Exit(1 if hard_cases.OURS in measured.engines and measured.not_held() else 0)
 

@@ -344,6 +344,14 @@ def test_stored_file_gives_back_what_was_stored(tmp_path: Path) -> None:
     assert '"worst": null' in (tmp_path / "kept.json").read_text()
 
 
+def test_what_is_measured_anew_stands_in_the_place_of_the_old() -> None:
+    """A family or an engine alone, in the order of the catalogue."""
+    anew = Result("zeno", "naive", 5, 5, 0.0, 0), Result("crowd", OURS, 4, 4, 0.0, 0)
+    merged = some_results().merged(Comparison(anew))
+    told = [(result.family, result.engine, result.draws) for result in merged.results]
+    assert told == [("crowd", OURS, 4), ("zeno", OURS, 3), ("zeno", "naive", 5)]
+
+
 def test_stored_file_of_another_version_is_refused(tmp_path: Path) -> None:
     """Its keys may mean something else."""
     (tmp_path / "old.json").write_text(json.dumps({"version": 1}))

@@ -7,7 +7,9 @@ turned the island. So the island is turned back: as a rigid body about its centr
     omega = -(sum of m s x v) / (sum of m r^2)
 
 Two bodies that are pushed apart thus go around each other the more slowly, as a skater does who
-stretches out the arms.
+stretches out the arms. Rods that slide on one another may be turned back the way they go round, and
+gain energy. Then what they have of motion about their centre of mass is slowed as well, spins
+included, and turned by so much more that the angular momentum is right and no energy comes.
 """
 
 from __future__ import annotations
@@ -15,6 +17,9 @@ from __future__ import annotations
 import numpy as np
 
 from lesson_code.engine.core.islands import Floats, Island, changes_of
+
+NEARLY_ONE_BODY = 1e-6
+"""Of an island that turns as one body: what is nearer to that would be changed a thousandfold."""
 
 
 def keep_angular_momentum(island: Island, pushes: Floats, duration: float) -> None:
@@ -42,10 +47,43 @@ def keep_angular_momentum(island: Island, pushes: Floats, duration: float) -> No
     r = place - mass @ place / mass.sum()
     inertia = float(mass @ (r * r).sum(axis=1))
     if inertia > 0.0:
-        gained = float(mass @ (shift[:, 0] * v[:, 1] - shift[:, 1] * v[:, 0]))
+        gained = float(mass @ _cross(shift, v))
         omega = -gained / inertia
-        for body, (rx, ry) in zip(island.bodies, r.tolist(), strict=True):
-            body.vx -= omega * ry
-            body.vy += omega * rx
-            body.pseudo_vx += omega * ry
-            body.pseudo_vy -= omega * rx
+        change = np.column_stack((-omega * r[:, 1], omega * r[:, 0], np.zeros(len(r))))
+        if omega * float(mass @ _cross(r, v)) + omega * omega * inertia / 2.0 > 0.0:
+            change = _without_gain(island, mass, r, v, gained, change)
+        for body, (vx, vy, w) in zip(island.bodies, change.tolist(), strict=True):
+            body.vx += vx
+            body.vy += vy
+            body.w += w
+            body.pseudo_vx -= vx
+            body.pseudo_vy -= vy
+            body.pseudo_w -= w
+
+
+def _without_gain(
+    island: Island, mass: Floats, r: Floats, v: Floats, gained: float, otherwise: Floats
+) -> Floats:
+    """Return changes of velocities and spins, shape (N, 3), that take back an angular momentum.
+
+    They are a turn and a part of the motion about the centre of mass, so that the energy stays.
+    Where all turns as one body, there is no such pair.
+    """
+    inertias = np.array([1.0 / body.inv_i if body.inv_i > 0.0 else 0.0 for body in island.bodies])
+    spins = np.array([body.w if body.inv_i > 0.0 else 0.0 for body in island.bodies])
+    weight = np.column_stack((mass, mass, inertias))
+    turn: Floats = np.column_stack((-r[:, 1], r[:, 0], inertias > 0.0))
+    motion: Floats = np.column_stack((v - mass @ v / mass.sum(), spins))
+    of_turn, of_both, of_motion = (
+        float((weight * p * q).sum()) for p, q in ((turn, turn), (turn, motion), (motion, motion))
+    )
+    rest = of_turn * of_motion - of_both * of_both
+    if rest <= NEARLY_ONE_BODY * of_turn * of_motion:
+        return otherwise
+    return (of_both * motion - of_motion * turn) * (gained / rest)
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    """Return the cross products of rows, shape (N,)."""
+    product: Floats = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    return product

@@ -5,8 +5,8 @@
 3. Discs in free flight, one collision at a time: the exact solver. Where two collisions of a disc
    come at once it gives up, and the next one runs.
 4. Few bodies, or some more that stand from the start or that nothing presses together: the direct
-   solver. All contacts are solved at once, and no law depends on the step. Sweeps take less time,
-   and break laws.
+   solver. All contacts are solved at once, and at any step energy and momentum keep their laws.
+   Sweeps take less time, and break them.
 5. Many bodies, heavy ones on light ones: the solver with sub-steps.
 6. Other scenes of many bodies: the sequential solver.
 """

@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Self
 
 from rich.table import Table
 
-from lesson_code.evidence.hard_cases.catalogue import family_by_name
+from lesson_code.evidence.hard_cases.catalogue import FAMILIES, family_by_name
 from lesson_code.evidence.hard_cases.parameters import Value
 from lesson_code.evidence.hard_cases.trial import (
     ENGINES,
@@ -152,6 +152,12 @@ class Comparison(Measurement):
     def price(self, family: str) -> float:
         """Return the time of a usual draw of a family with ours over that with sweeps."""
         return self.result(family, OURS).seconds / self.result(family, SWEEPS).seconds
+
+    def merged(self, other: Comparison) -> Comparison:
+        """Return a comparison in which what was measured anew stands in the place of the old."""
+        found = {(r.family, r.engine): r for r in (*self.results, *other.results)}
+        pairs = [(known.name, engine) for known in FAMILIES for engine in ENGINES]
+        return Comparison(tuple(found[pair] for pair in pairs if pair in found))
 
     def as_dict(self) -> dict[str, Any]:
         """Return the comparison as one JSON object; null stands for a value that is not finite."""

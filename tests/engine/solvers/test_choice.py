@@ -291,6 +291,7 @@ def test_simulate_goes_on_to_the_next_solver_when_the_exact_one_finds_no_end(
         simulate(scene, 1.0, solver="exact")
 
 
+@pytest.mark.filterwarnings("ignore:.*steps there were more than 64 impacts:RuntimeWarning")
 def test_disc_between_walls_that_come_together_is_stepped() -> None:
     """It bounces more and more often: before they meet there are some 1e8 collisions."""
     walls = [

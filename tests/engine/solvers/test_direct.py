@@ -419,6 +419,7 @@ def test_elastic_stack_that_falls_stays_bounded(rule: str) -> None:
     assert speed < 5.0
 
 
+@pytest.mark.filterwarnings("ignore:.*steps there were more than 64 impacts:RuntimeWarning")
 @settings(max_examples=share(100), deadline=None)
 @given(
     decades=st.floats(0, 8),
