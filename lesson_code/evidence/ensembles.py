@@ -11,7 +11,7 @@ from typing import Any, TypeAlias, TypeVar, overload
 
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.run import Run
-from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.scene import Scene, listed
 from lesson_code.parallel import map_tasks
 from lesson_code.simulation import simulate
 
@@ -106,13 +106,13 @@ def simulate_many(
     >>> [run.positions[-1, 0, 0].item() for run in runs]
     [3.0, 6.0]
     """
-    listed = list(scenes)
-    own = [{} for _ in listed] if each is None else list(each)
-    if len(own) != len(listed):
-        raise ValueError(f"each must be one for each of {len(listed)} scenes, got {len(own)}")
+    chosen = listed("scenes", scenes)
+    own = [{} for _ in chosen] if each is None else list(each)
+    if len(own) != len(chosen):
+        raise ValueError(f"each must be one for each of {len(chosen)} scenes, got {len(own)}")
     tasks = [
         (scene, {"duration": duration, **options, **others})
-        for scene, others in zip(listed, own, strict=True)
+        for scene, others in zip(chosen, own, strict=True)
     ]
     for number, (scene, arguments) in enumerate(tasks):
         inspect.signature(simulate).bind(scene, **arguments)
@@ -128,7 +128,7 @@ def simulate_many(
     if measure is not None:
         return results
     # Each run has the scene that was given, and not a copy that has travelled there and back.
-    return [replace(run, scene=scene) for run, scene in zip(results, listed, strict=True)]
+    return [replace(run, scene=scene) for run, scene in zip(results, chosen, strict=True)]
 
 
 def _simulated(measure: Callable[[Run], Any] | None, task: tuple[Scene, dict[str, Any]]) -> Any:

@@ -139,6 +139,8 @@ def test_option_that_simulate_does_not_know_is_refused_before_anything_runs(opti
 
 
 def test_what_is_no_scene_is_refused_by_its_place() -> None:
-    """The error names the scene and shows what was given."""
+    """The error names the scene and shows what was given; so it does of a single scene."""
+    with pytest.raises(TypeError, match=r"scenes must be a list or tuple, got Scene"):
+        simulate_many(gases()[0], 1.0)  # type: ignore[call-overload]
     with pytest.raises(TypeError, match=r"scenes\[1\] must be a Scene, got 3"):
         simulate_many([Scene(), 3], 1.0, workers=2)  # type: ignore[list-item]

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 from lesson_code.engine.core.callbacks import Callbacks
 from lesson_code.engine.core.columns import Columns, columns_of
@@ -29,6 +29,8 @@ from lesson_code.geometry.edges import direction
 from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape, length_of
 
 XY: TypeAlias = tuple[float, float]
+
+Item = TypeVar("Item")
 
 OFF_CENTRE = 1e-9
 """Of a segment's length: how far the middle of a rod may lie from its centre of mass."""
@@ -189,7 +191,7 @@ class Scene:
         damping: float = 0.0,
         callbacks: Callbacks | None = None,
     ) -> None:
-        bodies = tuple(bodies)
+        bodies = listed("bodies", bodies)
         _require_bodies(bodies)
         callbacks = Callbacks() if callbacks is None else callbacks
         _require_type("callbacks", callbacks, (Callbacks,))
@@ -368,6 +370,13 @@ def _pair(name: str, value: Vector) -> XY:
 def _is_plain(value: Any) -> bool:
     """Return whether a value is a number that every rule for finite ones accepts."""
     return type(value) in (float, int) and abs(value) <= sys.float_info.max
+
+
+def listed(name: str, values: Iterable[Item]) -> tuple[Item, ...]:
+    """Return values as a tuple, and refuse a single one by name."""
+    if not isinstance(values, Iterable):
+        raise TypeError(f"{name} must be a list or tuple, got {values!r}")
+    return tuple(values)
 
 
 def _require_bodies(bodies: tuple[Any, ...]) -> None:

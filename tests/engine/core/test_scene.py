@@ -143,6 +143,13 @@ def test_body_of_another_kind_is_refused_by_name(wrong: dict[str, Any], message:
         Body(**{"shape": DISC, "mass": 1} | wrong)
 
 
+@pytest.mark.parametrize("bodies", [None, Body(DISC, mass=1)])
+def test_scene_of_no_list_is_refused_by_name(bodies: Any) -> None:
+    """A single body is no list of bodies."""
+    with pytest.raises(TypeError, match=r"bodies must be a list or tuple, got (None|Body)"):
+        Scene(bodies)
+
+
 def test_body_takes_all_but_its_shape_by_name() -> None:
     """Nobody has to remember the order of six numbers."""
     with pytest.raises(TypeError, match="positional"):
