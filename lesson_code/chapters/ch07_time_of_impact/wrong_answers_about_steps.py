@@ -48,3 +48,9 @@ def origin_in_the_middle() -> None:
 @edited(from_wall_to_wall, {"zip(v, room, strict=True)": "zip(v, [room[0], room[0]], strict=True)"})
 def as_high_as_wide() -> None:
     """The room is as high as it is wide."""
+
+
+@wrong_model("7.3", "Your ball comes back from each wall as fast as it came. What is e for?")
+@edited(from_wall_to_wall, {"-restitution * v": "-v"})
+def elastic_walls() -> None:
+    """A bounce turns the velocity round, and costs none of it."""

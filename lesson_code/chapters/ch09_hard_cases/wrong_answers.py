@@ -194,6 +194,12 @@ def to_the_nearest(light: float, heavy: float, left: float) -> int:
     return max(1, round(-math.log(left) / math.log1p(light / heavy)))
 
 
+@wrong_model("9.2", "Sweeps are counted. What is 2.3 of one?")
+def not_a_whole_number(light: float, heavy: float, left: float) -> float:
+    """The number of sweeps is where the power comes down to the part that is allowed."""
+    return -math.log(left) / math.log1p(light / heavy)
+
+
 @wrong_model("9.4", "Push a moving body against its motion. Does its energy grow?")
 def energies_add_up(
     mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector

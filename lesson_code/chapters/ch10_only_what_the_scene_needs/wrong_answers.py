@@ -55,6 +55,15 @@ def smaller_of_both(inverse_masses: Vector, frictions: Vector) -> float:
     return max((min(frictions[a], frictions[b]) for a, b in some), default=0.0)
 
 
+@wrong_model("10.1", "One pair rubs, and no other does. Is friction called for?")
+def smoothest_pair(inverse_masses: Vector, frictions: Vector) -> float:
+    """The pair that rubs least decides."""
+    count = len(frictions)
+    pairs = [(a, b) for a in range(count) for b in range(a + 1, count)]
+    some = [(a, b) for a, b in pairs if inverse_masses[a] > 0 or inverse_masses[b] > 0]
+    return min((math.sqrt(frictions[a] * frictions[b]) for a, b in some), default=0.0)
+
+
 @wrong_model("10.1", "Your pairs: can a body meet itself?")
 def pairs_with_itself(inverse_masses: Vector, frictions: Vector) -> float:
     """Each body makes a pair with every body, itself included."""
