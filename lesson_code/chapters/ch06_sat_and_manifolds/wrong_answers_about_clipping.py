@@ -119,7 +119,7 @@ def cut_at_the_origin(start: Vector, end: Vector, normal: Vector, offset: float)
     s, e = start @ normal, end @ normal
     if s > offset and e > offset:
         return None
-    cut = start + s / (s - e) * (end - start)
+    cut = start + (s / (s - e) if s != e else 0.0) * (end - start)
     return (cut if s > offset else start), (cut if e > offset else end)
 
 
