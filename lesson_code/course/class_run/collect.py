@@ -34,13 +34,15 @@ LEFT_ALONE = (
     *("__pycache__", "__MACOSX", "venv", "site-packages"),
     *("lesson_code", "notebooks", "solutions", "backups"),
 )
-OF_THE_SYSTEM = ("thumbs.db", "desktop.ini")
 """Folders of tools and of the workbook, which students hand in along with their own.
 
-They are left out, and so are files that Windows makes, and what begins with a dot: systems hide
-such names, and tools keep copies of notebooks there, which would be taken for a student's answer.
-An entry that the roster lists is graded whatever it is called, and all that is left out is named.
+They are left out, and so is what begins with a dot: systems hide such names, and tools keep copies
+of notebooks there, which would be taken for a student's answer. An entry that the roster lists is
+graded whatever it is called, and all that is left out is named.
 """
+
+OF_THE_SYSTEM = ("thumbs.db", "desktop.ini")
+"""Files that Windows makes in a folder. They are left out, too."""
 
 DOT, TOOLS = "the name begins with a dot", "a folder of tools or of the workbook"
 SYSTEM = "a file of the system"

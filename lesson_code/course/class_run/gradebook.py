@@ -136,7 +136,7 @@ def gradebook(
     """
     changed = changes or Changes()
     students = [counted(hand_in, marks) for hand_in in hand_ins]
-    wanted = set(exercises) or common_exercises(_files_of(student) for student in students)
+    wanted = set(exercises) or common_exercises(map(_files_of, students))
     chosen = tuple(
         exercise
         for exercise in course.exercises()
@@ -144,8 +144,7 @@ def gradebook(
     )
     ids = [student.id for student in students]
     labels, stems = told_apart(ids, visible), told_apart(ids, file_stem)
-    pairs = {pair for student in students for pair in _files_of(student).items()}
-    files = Counter(name for name, _ in pairs)
+    files = _file_counts(map(_files_of, students))
     return Gradebook(
         tuple(
             replace(
@@ -190,10 +189,16 @@ def common_exercises(handed_in: Iterable[Mapping[str, str]]) -> set[str]:
     >>> sorted(common_exercises([ada, group, group]))
     ['01', '02']
     """
-    each = {frozenset(files.items()) for files in handed_in if files}
-    counts = Counter(name for name, _ in {pair for files in each for pair in files})
-    common = {n for n, count in counts.items() if count >= max(FEWEST, SHARE * len(each))}
+    each = [files for files in handed_in if files]
+    sharing = {frozenset(files.items()) for files in each}
+    counts = _file_counts(each)
+    common = {n for n, count in counts.items() if count >= max(FEWEST, SHARE * len(sharing))}
     return common or set(counts)
+
+
+def _file_counts(handed_in: Iterable[Mapping[str, str]]) -> Counter[str]:
+    """Return how many files there are to each exercise; one that a group shares is one."""
+    return Counter(name for name, _ in {pair for files in handed_in for pair in files.items()})
 
 
 def _without_strays(student: Student, wanted: set[str], files: Counter[str]) -> Student:

@@ -17,6 +17,7 @@ from __future__ import annotations
 import numpy as np
 
 from lesson_code.engine.core.islands import Floats, Island, changes_of
+from lesson_code.formulas.arithmetic import cross
 
 NEARLY_ONE_BODY = 1e-6
 """Of an island that turns as one body: what is nearer to that would be changed a thousandfold."""
@@ -47,10 +48,10 @@ def keep_angular_momentum(island: Island, pushes: Floats, duration: float) -> No
     r = place - mass @ place / mass.sum()
     inertia = float(mass @ (r * r).sum(axis=1))
     if inertia > 0.0:
-        gained = float(mass @ _cross(shift, v))
+        gained = float(mass @ cross(shift.T, v.T))
         omega = -gained / inertia
         change = np.column_stack((-omega * r[:, 1], omega * r[:, 0], np.zeros(len(r))))
-        if omega * float(mass @ _cross(r, v)) + omega * omega * inertia / 2.0 > 0.0:
+        if omega * float(mass @ cross(r.T, v.T)) + omega * omega * inertia / 2.0 > 0.0:
             change = _without_gain(island, mass, r, v, gained, change)
         for body, (vx, vy, w) in zip(island.bodies, change.tolist(), strict=True):
             body.vx += vx
@@ -81,9 +82,3 @@ def _without_gain(
     if rest <= NEARLY_ONE_BODY * of_turn * of_motion:
         return otherwise
     return (of_both * motion - of_motion * turn) * (gained / rest)
-
-
-def _cross(a: Floats, b: Floats) -> Floats:
-    """Return the cross products of rows, shape (N,)."""
-    product: Floats = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    return product

@@ -318,12 +318,14 @@ def _cell(source: str) -> tuple[str, list[ast.stmt]]:
     """
     if FOREIGN.match(source):
         return "", []
+    with suppress(*UNPARSABLE):
+        return source, parsed(source)
     indent = INDENT.match(source)
-    moved = re.sub(rf"^{indent[1]}", "", source, flags=re.MULTILINE) if indent else source
-    for code in dict.fromkeys((source, moved)):
+    if indent and indent[1]:
+        source = re.sub(rf"^{indent[1]}", "", source, flags=re.MULTILINE)
         with suppress(*UNPARSABLE):
-            return code, parsed(code)
-    code = MAGIC.sub(r"\1pass  # a magic, left out", moved)
+            return source, parsed(source)
+    code = MAGIC.sub(r"\1pass  # a magic, left out", source)
     return code, parsed(code)
 
 
