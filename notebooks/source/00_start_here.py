@@ -9,9 +9,9 @@
 # %% [markdown]
 # # 00 Start here
 #
-# When two pool balls meet, one slows down, the other speeds up, and the two changes fit each
-# other exactly. This course is about that moment: how a program finds it, how it computes what
-# happens, and how you know that the answer is right.
+# A pool ball hits another one that lies still. The first slows down, the second speeds up, and
+# the two changes fit each other exactly. This course is about that moment: how a program finds it,
+# how it computes what happens, and how you know that the answer is right.
 #
 # **After this notebook you will be able to**
 #
@@ -50,9 +50,9 @@ lab()
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
 # The sum of mass times velocity, as vectors: the **momentum**. Try it. Drag a disc, or the tip of
-# its velocity, at the other one and press Run. Give one of them more mass, or lower the
-# restitution: speeds and energy change, and the momentum stays. The engine that you will read in
-# this course moves the discs.
+# its velocity, at the other one and press Run. Give one of them more mass, or lower the elasticity:
+# speeds and energy change, and the momentum stays, until a disc hits a wall. The engine that you
+# will read in this course moves the discs.
 
 # %% [markdown]
 # ## 1 Every collision goes through one pipeline
@@ -108,7 +108,7 @@ check("the ball is above the floor, and stays", onto_the_floor(position[1], radi
 y, heights = position[1], []
 for _ in range(6):
     y = onto_the_floor(y + velocity[1] * dt, radius)
-    heights.append(round(y, 3))
+    heights.append(round(float(y), 3))
 print("the next six steps:", heights)
 check("it falls by 0.3 m a step, until it lies on the floor", y, 0.5)
 
@@ -140,8 +140,8 @@ check("the direction has length 1", np.hypot(*direction(v)), 1.0, tolerance=1e-1
 # %% [markdown]
 # **Dot product.** `dot(a, b)` is a_x b_x + a_y b_y. It answers a question that you will ask all the
 # time: *is b in front of a, beside it or behind it?* Positive means in front, zero means at a right
-# angle, negative means behind. If `b` has length 1, the dot product is also how far `a` reaches
-# along `b`.
+# angle, negative means behind. If `a` has length 1, the dot product is also how far `b` reaches
+# along `a`.
 
 # %%
 looking = np.array([1.0, 0.0])
@@ -188,8 +188,8 @@ check("the tangent lies counter-clockwise", cross(normal, tangent), 1.0, toleran
 # place, just before they draw. The billiards exercise of chapter 03 is the one exception: it speaks
 # pixels and y down, and says so.
 #
-# The mirror formula of chapter 03 does not care: a level wall turns round a ball that falls, and
-# also one that rises:
+# The mirror formula of chapter 03 works both ways. Here a ball falls on the floor and comes back
+# up, first with y up, then with y down:
 
 # %%
 check("y up: falling at 4, floor with normal (0, 1)", reflect((3, -4), (0, 1)), (3, 4))

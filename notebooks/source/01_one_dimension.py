@@ -232,9 +232,9 @@ for bad in ((inf, 1, inf, -1), (-2, 1, 1, 0), (1, float("nan"), 1, 0)):
 # ## 6 Three judges that are not us
 #
 # Is the formula right? Do not take our word for it. Ask three judges: the two laws, on 10,000
-# random pairs; exact arithmetic, which solves the same two equations in fractions, without
-# rounding; and pymunk, a physics engine that we did not write. They judge your own collision beside
-# ours.
+# random pairs; exact arithmetic, which solves the equations of momentum and restitution in
+# fractions, without rounding; and pymunk, a physics engine that we did not write. They judge your
+# own collision beside ours.
 
 # %%
 rng = np.random.default_rng(seed=1)

@@ -40,10 +40,10 @@ from lesson_code.view.browser.live import live
 # %% [markdown]
 # ## 1 Restitution is a ratio of speeds
 #
-# Before they meet, two bodies approach each other with the speed $v_1 - v_2$. Afterwards they
-# part with the speed $v_2' - v_1'$. Newton found that for two given bodies the ratio hardly
-# depends on how fast they meet: separation over approach, the **restitution** e. Both speeds are
-# positive in a real collision. e is 1 when nothing is lost and 0 when the bodies stick. Write it:
+# Before they meet, two bodies approach each other with the speed $v_1 - v_2$. Afterwards they part
+# with the speed $v_2' - v_1'$. Newton found that for two given bodies the ratio hardly depends on
+# how fast they meet: separation over approach, the **restitution** e. In a real collision neither
+# speed is negative. e is 1 when nothing is lost and 0 when the bodies stick. Write it:
 
 
 # %%
@@ -201,7 +201,7 @@ figures.heights(
 )
 
 # %% [markdown]
-# At the end of the 4.5 s the two no longer agree. How much would a shorter step help?
+# From bounce to bounce pymunk's ball falls further behind. How much would a shorter step help?
 
 # %%
 predict("02-steps")
@@ -270,7 +270,7 @@ print(f"asked for e = 0.25, measured e = {measured:.3f}")
 check("it is the square root of what was asked for", measured, 0.25**0.5, tolerance=1e-12)
 
 # %% [markdown]
-# ## 7 No threshold unless you ask for one
+# ## 7 A slow ball bounces, too
 #
 # Some engines set e to 0 below a certain speed, so that things come to rest sooner. In such an
 # engine a slow ball does not bounce at all. pymunk has no such threshold, and this course has none

@@ -196,7 +196,7 @@ figures.speeds(v_bounce, v_scaled, tangent=280.0)
 # `scaled_reflection`. Now you know what it costs.
 #
 # Drag I, move the sliders and compare both rules. They agree at e = 1, and for a ball that comes
-# straight down. At which angle do their directions differ most?
+# straight down. What is left of each at e = 0?
 
 # %%
 live(
