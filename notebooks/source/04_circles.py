@@ -311,12 +311,13 @@ def my_step(p1, v1, r1, m1, p2, v2, r2, m2, e, dt):
         return p1, v1, p2, v2
     distance = np.hypot(*d)
     n = d / distance
+    way_1, way_2 = ways(r1 + r2 - distance, m1, m2)
+    p1, p2 = p1 - way_1 * n, p2 + way_2 * n  # separate first
     vn = dot(v2 - v1, n)
-    if vn < 0:
+    if vn < 0:  # the gate
         j = impulse_along(vn, m1, m2, e)
         v1, v2 = v1 - j / m1 * n, v2 + j / m2 * n
-    way_1, way_2 = ways(r1 + r2 - distance, m1, m2)
-    return p1 - way_1 * n, v1, p2 + way_2 * n, v2
+    return p1, v1, p2, v2
 
 
 # %% [markdown]
@@ -464,10 +465,10 @@ check("each round leaves this part of the fault", fault[1:6] / fault[:5], 1 / 16
 check("pymunk's fault, round by round", aside["pymunk"] - fault, 0, 1e-12)
 
 # %% [markdown]
-# Why 1/16? The two contacts share the cue ball, which is one of the two discs in each pair, and
-# their normals are 60 degrees apart. So an impulse at one contact spoils the other by
-# cos 60°/2 = 1/4, and each round goes there and back. The engine and pymunk make ten rounds in
-# each step, unless you ask for more.
+# Why 1/16? An impulse at one contact changes the velocities of two equal discs. Only the cue ball,
+# half of that change, belongs to the other contact too. The normals are 60 degrees apart, so
+# cos 60° = 1/2 of it counts there: the other contact is spoilt by 1/4. Each round goes there and
+# back. The engine and pymunk make ten rounds in each step, unless you ask for more.
 #
 # Are ten enough for the break? Fifteen balls stand in a triangle, a millimetre apart; e = 0.95. By
 # symmetry the cue ball can never leave the middle line. With ten rounds it does: every later hit
@@ -516,9 +517,9 @@ figures.row_of_five(last)
 # <b class="answer">The answer.</b>
 # With a gap the pairs collide one after the other, each by chapter 01. With an overlap the step
 # solves all four contacts *together*: the first pair must part as fast as it approached, and no
-# pair may come closer. Both answers keep momentum and energy: for three bodies these laws alone do
-# not decide. Steel balls on strings come close to the first answer, because a shock takes time to
-# run through them.
+# pair may come closer. Both answers keep momentum and energy: for more than two bodies these laws
+# alone do not decide. Steel balls on strings come close to the first answer, because a shock takes
+# time to run through them.
 
 # %% [markdown]
 # ## 9 Break it on purpose: two discs in one place

@@ -108,7 +108,7 @@ show(
 # \frac{\sum (p \cdot p + p \cdot q + q \cdot q)\,(p \times q)}{\sum p \times q}$$
 #
 # Each $p \times q$ is twice the area of a triangle, with a sign. Go round the other way, and all
-# signs change, above and below. So the order of the vertices does not matter.
+# signs change, above and below. So it does not matter which way round you go.
 
 # %%
 box = np.array([(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0)])
@@ -177,13 +177,14 @@ show(
 # $$\frac{1}{m_\text{eff}} = \frac{1}{m_a} + \frac{1}{m_b} +
 # \frac{(r_a \times n)^2}{I_a} + \frac{(r_b \times n)^2}{I_b}$$
 #
-# Chapter 01 had the first two terms. The new ones are never negative: **a hit off centre meets a
+# Chapter 04 had the first two terms. The new ones are never negative: **a hit off centre meets a
 # smaller effective mass**. It pushes less and spins more. The same formula with t in place of n
 # is the effective mass for friction.
 
 # %%
 rod_inertia = 1 / 3  # a thin rod of 2 m and 1 kg: m L² / 12
 for arm in (0.0, 0.5, 1.0):
+    # 1/m of ball and rod, 1/I of both, and both lever arms; a smooth ball cannot turn
     m_eff = effective_mass(1, 1, 0, 1 / rod_inertia, 0, arm)
     impulse = 2 * m_eff  # a ball of 1 kg comes at 1 m/s, e = 1
     print(f"ball hits {arm:.1f} m off centre: effective mass {m_eff:.3f} kg, ", end="")
@@ -309,8 +310,8 @@ live(
 print(inspect.getsource(hit).split('"""')[-1].strip("\n"))
 
 # %% [markdown]
-# Take a disc of 1 kg and 0.5 m, without spin. It hits a rough floor at (3, -4) m/s, with e = 0.5.
-# Along the normal: j_n = 1.5 · 4 = 6 N s. Along the tangent 1/m_eff = 1 + r²/I = 3, so the
+# Take a disc of 1 kg and 0.5 m radius, without spin. It hits a rough floor at (3, -4) m/s, with e =
+# 0.5. Along the normal: j_n = 1.5 · 4 = 6 N s. Along the tangent 1/m_eff = 1 + r²/I = 3, so the
 # effective mass is a third of the mass, and it takes 3/3 = 1 N s to stop the sliding.
 
 # %%
@@ -326,7 +327,7 @@ for name, friction, v, w in (("rubber", 1.0, (2, 2), -4.0), ("ice", 0.05, (2.7, 
     check(f"{name}: spin", after.angular_velocity, w, tolerance=1e-12)
 after = scenes.hit_wall(disc, up, restitution=0.5, friction=1.0)
 slip = contact_velocity(after.velocity, after.angular_velocity, -0.5 * up)[0]
-check("rubber: no sliding is left, the disc rolls", slip, 0.0, tolerance=1e-12)
+check("rubber: no sliding is left at the contact", slip, 0.0, tolerance=1e-12)
 
 # %% [markdown]
 # A law checks this without any formula of ours. The floor acts on the disc at the contact alone,

@@ -126,7 +126,7 @@ def slope_to_tip(width, height):
 expected = np.degrees(slope_to_tip(0.5, 1.0))
 for solver in ("sequential", "pymunk"):
     ten = scenes.tipping_angle(0.5, 1.0, solver=solver, iterations=10)
-    print(f"{solver}, 10 sweeps over the contacts: {abs(ten - expected):.1f} degrees away from it")
+    print(f"{solver}, 10 sweeps over the contacts: off by {ten - expected:+.1f} degrees")
     fifty = scenes.tipping_angle(0.5, 1.0, solver=solver, iterations=50)
     check(f"{solver}, 50 sweeps", fifty, expected, tolerance=0.1)
 
@@ -198,8 +198,8 @@ show(
 
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
-# A second wrong model has the right sign, but stops the sliding as if the disc could not turn. It
-# overshoots, again and again.
+# With the wrong sign it grows with every bounce. A second wrong model has the right sign, but stops
+# the sliding as if the disc could not turn. It overshoots, again and again.
 
 # %%
 predict("05-which-law")
@@ -207,7 +207,7 @@ predict("05-which-law")
 # %% tags=["answer"]
 # energy and angular momentum after one bounce
 up = np.array([0.0, 1.0])
-start = np.array([3.0, -4.0]), 0.0, 0.5, up, 1.0, 0.3
+start = np.array([3.0, -4.0]), 0.0, 0.5, up, 1.0, 0.3  # v, w, radius, normal, e, mu
 for name in ("right", "torque with the wrong sign"):
     velocity, w = rules[name](*start)
     after = Disc(1.0, 0.5, 0.5 * up, velocity, w)
@@ -217,8 +217,8 @@ for name in ("right", "torque with the wrong sign"):
 
 # %% [markdown]
 # **No clamp, and a dead band.** Here are two wrong models of the friction impulse. The first always
-# stops the sliding, so ice grips as well as rubber. The second ignores any sliding below 0.01 m/s,
-# because a body at rest then needs no work.
+# stops the sliding, so ice grips as well as rubber. The second saves itself the work for bodies at
+# rest: it ignores any sliding below 0.01 m/s.
 
 # %% tags=["plumbing"]
 fig, axes = style.figure(2, width=9.5, height=3.4)
@@ -281,11 +281,12 @@ show_quiz("05")
 #
 # **Checked here:** in both parts of the chapter, whole impacts of 2,000 random pairs of discs
 # against pymunk, to 1e-13 of the fastest speed; the angular momentum about the contact; rolling,
-# slopes, tipping and the rod's end against closed forms, in our engine and in pymunk; your three
-# lines on drawn numbers.
+# slopes, tipping and the rod's end against closed forms, in our engine and in pymunk; your four
+# lines on random numbers.
 #
 # **Limits.** Coulomb's rule is itself a rough picture of real surfaces: static and sliding
-# friction are one number here, and nothing rubs against rolling.
+# friction are one number here, and nothing rubs against rolling. A real superball gives along the
+# floor, too, and springs back: it can turn a sliding round.
 #
 # **Do now:** the exercise [05 Spin and friction](../exercises/05_spin_and_friction.ipynb): five
 # tasks, twenty points. `workbook watch` checks it whenever you save. `workbook play pool` has

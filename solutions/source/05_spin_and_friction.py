@@ -58,7 +58,7 @@ check_task("5.1", moment_of_inertia)
 
 # %% [markdown] tags=["solution"]
 # **Why.** Each edge makes a triangle with the origin. Its area, with a sign, is the weight. The
-# signs cancel in the ratio, so the order does not matter, and an extra vertex only splits one
+# signs cancel in the ratio, so either way round will do, and an extra vertex only splits one
 # triangle into two. The parallel axis theorem moves the axis from the origin to the centroid.
 
 # %% [markdown]
