@@ -329,8 +329,9 @@ animate(
 
 # %% [markdown]
 # The naive solver of chapter 04 pushes from centre to centre. The ball gains a velocity along the
-# plank, though nothing pushes it that way, and the plank does not turn. Yet momentum, energy and
-# angular momentum are all kept. No law notices the fault, because only the *direction* is wrong.
+# plank, though nothing pushes it that way, and the plank does not turn. Yet an impulse along the
+# line of the centres keeps momentum, energy and angular momentum. None of these laws notices that
+# its *direction* is wrong.
 
 # %%
 predict("06-plank-as-wall")
@@ -459,8 +460,8 @@ live(
 )
 
 # %% [markdown]
-# **A corner with friction** is the other case. There is only one contact, but its normal and its
-# tangent influence each other: a push at a corner also makes it slide, and friction at a corner
+# **A corner with friction** has only one contact, but its normal and its tangent influence each
+# other: a push at a corner also makes it slide, and friction at a corner
 # also presses it down. The answer is a pair of linear equations. We let 500 boxes land on a corner,
 # with random size, speed, spin, restitution and friction.
 
@@ -556,8 +557,8 @@ check("the crate was this deep, m", depth, 0.5)
 check("and is now this deep, m", mtv(room, crate + depth * pointed)[1], 1.0)
 
 # %% [markdown]
-# Even the two middles mislead you when B is deep. Here the middle of a dart
-# lies beyond the middle of A, and the shorter way out leads back past it.
+# Even the two middles mislead you when B is deep. Here the middle of a dart lies below that of A,
+# and yet its shorter way out leads up.
 
 # %%
 kite = np.array([(1.7, 1.9), (-1.5, 1.4), (-1.7, 1.1), (-0.4, -0.9)])
@@ -607,7 +608,8 @@ show_quiz("06")
 # %% [markdown]
 # ## Key takeaways
 #
-# - One axis on which the shadows part proves a gap. No gap on any edge's normal proves an overlap.
+# - One axis on which the shadows part proves a gap. If the shadows overlap on the normals of all
+#   edges, the shapes overlap.
 # - The shortest way out of all axes is the depth, and it brings its own direction with it. Where a
 #   shape has its position plays no part.
 # - A manifold is the incident edge, clipped at the ends of the reference edge: one point or two.

@@ -46,7 +46,7 @@ from lesson_code.view.svg.animation import animate
 # gravity a parabola. So an **event-driven** simulation goes from one collision to the next:
 #
 # 1. For every disc, predict its next event: the earliest of all its times of impact.
-# 2. Take the earliest event of all. (A *heap* has it on top.)
+# 2. Take the earliest event of all. (A *heap* is a list that keeps its least entry in front.)
 # 3. Move the discs that take part to that time, and let them bounce.
 # 4. Their other predictions no longer hold, so make new ones. All other discs fly on as predicted.
 #
@@ -83,8 +83,8 @@ for speed in (1.0, 1e3, 1e6):
 # ## 9 Two blocks and a wall
 #
 # Two blocks slide on ice before a wall. The inner one, of 1 kg, is at rest; the outer one, of M kg,
-# comes. All is elastic. The inner block bounces to and fro between the wall and the outer block,
-# until the outer block has turned round and is the faster one.
+# comes towards it. All is elastic. The inner block bounces to and fro between the wall and the
+# outer block, until the outer block has turned round and is the faster one.
 
 # %%
 predict("07-pi")
@@ -103,8 +103,9 @@ for digits in range(5):
 # These are the digits of pi. Galperin's reason is a picture. Take $\sqrt{m_1}\,x_1$ and
 # $\sqrt{m_2}\,x_2$ as the coordinates of *one* point. The two sides of a wedge with the angle
 # $\theta$, where $\tan\theta = 1/\sqrt{M}$, are "the inner block is at the wall" and "the blocks
-# touch". A collision is a reflection there. Unfold the wedge, as one unfolds a mirror: the way
-# becomes a straight line, and it crosses a side at each multiple of $\theta$ below $\pi$.
+# touch". A collision is a reflection there. Instead of the way, mirror the *wedge*, again and
+# again: then the way is a straight line, and it crosses a side at each multiple of $\theta$ below
+# $\pi$.
 
 # %% tags=["plumbing"]
 fig, ax = style.figure(width=8, height=3.6)
@@ -136,8 +137,8 @@ for mass_ratio in (1.0, 2.0, 50.0, 123_456.0):
 # %% [markdown]
 # For M = $100^k$ the angle is nearly $10^{-k}$, and $\pi/10^{-k}$ has the digits of pi. A stepped
 # engine has a hard time here: the inner block gets faster and faster, in a narrower and narrower
-# gap. For M = $100^3$ it moves at a thousand times the speed of the outer one, in a gap of a
-# millimetre.
+# gap. For M = $100^3$ it reaches a thousand times the speed at which the outer one came, in a
+# gap of a millimetre.
 
 # %%
 million = events.two_blocks(100.0**3)
@@ -180,7 +181,7 @@ show(
 # %% [markdown]
 # Write the fold, for one direction. In the box the ball can be from 0 to `room`. Without walls it
 # would be at `x`: far beyond, or below 0. Where is it? The wallpaper repeats after 2 `room`. In
-# Python `x % p` moves x by whole p to a place from 0 to p, also from below 0.
+# Python `x % p` moves x by whole multiples of p to a place from 0 to p, also from below 0.
 
 
 # %%
@@ -277,8 +278,8 @@ animate(
 # A ball is dropped from 1 m, with e = 0.8. You know from section 4 of chapter 02 that it bounces
 # infinitely often, and yet lies still after 4.02 s (here g is 10 m/s²).
 #
-# A simulation that goes from event to event would never get there. It needs a **rule**: a ball
-# that leaves the floor slower than $10^{-13}$ of the scene's speed rests. What it leaves out would
+# A simulation that goes from event to event would never get there. It needs a **rule**: a ball that
+# leaves the floor slower than $10^{-13}$ of the scene's speed rests. The bounces left out would
 # have lasted less than $10^{-12}$ s.
 
 # %%

@@ -160,7 +160,7 @@ for name, t in (("first root", first), ("later root", later)):
 
 # %% [markdown]
 # **A time in the past.** Two circles that part have met before, if they flew like that for ever.
-# The quadratic says when. `t <= dt` is true for it.
+# The quadratic says when: at a t below 0. A program that asks only `t <= dt` lets it pass.
 
 # %%
 t = wrong.negative_time(p1, -v1, 2.0, p2, -v2, 3.0, 6.0)
@@ -209,7 +209,7 @@ show_quiz("07")
 # - Move to the impact, bounce, and go on with the rest of the step.
 # - Where motion between collisions has a formula, steps are not needed at all: go from event to
 #   event.
-# - Discs are chaotic. Compare what is not: energy, momentum, pressure, a law.
+# - A gas of discs is chaotic. Compare what is not: energy, momentum, pressure, a law.
 
 # %% [markdown]
 # ## What was checked, and what comes next
@@ -220,8 +220,8 @@ show_quiz("07")
 # closed forms; a gas that runs backwards, and one against Henderson's and Enskog's formulas.
 #
 # **Limits.** The exact solver takes discs and fixed walls only. A gas of discs is chaotic: after
-# some thirty collisions each, no simulation can say where a single disc is. And real bodies do not
-# bounce at an instant: they are in touch for a thousandth of a second.
+# some forty-five collisions each, no simulation can say where a single disc is. And real bodies do
+# not bounce at an instant: they are in touch for a thousandth of a second.
 #
 # **Do now:** the exercise [07 Time of impact](../exercises/07_time_of_impact.ipynb): five tasks,
 # twenty-two points. `workbook watch` checks it whenever you save. `workbook play breakout` flies
