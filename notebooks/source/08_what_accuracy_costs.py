@@ -91,7 +91,7 @@ figures.staircase(times, off)
 # %% [markdown]
 # ## 2 What a shorter step buys
 #
-# You could just make the step shorter. How much better is that? If errors follow a power of it,
+# You could just make the step shorter. How much better is that? If errors follow a power of dt,
 #
 # $$E = C\,dt^{\,p} \qquad\Longrightarrow\qquad \ln E = \ln C + p\,\ln dt,$$
 #
@@ -119,7 +119,8 @@ print(f"order, first to last: {order_of(1 / 30, errors[0], 1 / 960, errors[-1]):
 # %% [markdown] tags=["answer"]
 # <b class="answer">The answer.</b>
 # Half the step, half the error, on the whole. But from 240 to 480 steps you gain nothing: where in
-# its step an impact falls is chance. So fit the slope through *all* errors, by least squares:
+# its step an impact falls is chance. So fit the slope through *all* errors, by least squares. (The
+# last number says by which factor an error typically lies off the line.)
 
 # %% tags=["answer"]
 # the slope through all errors
@@ -151,10 +152,10 @@ dt, phases = 1 / 50, np.arange(0.05, 1, 0.1)
 
 
 def wrong_by(phase):
-    x, v = -(10 + phase) * dt, 1.0
+    x, v = -(10 + phase) * dt, 1.0  # at the wall, x = 0, after ten steps and a part of one
     for _ in range(50):
         x, v = step(x, v, dt, -9.0, 0.0)
-    return x - ((10 + phase) * dt - 1)
+    return x - ((10 + phase) * dt - 1)  # less the right place after 1 s
 
 
 law = [late_by(1.0, 1.0, (1 - phase) * dt) for phase in phases]
@@ -247,7 +248,8 @@ check("with springs, best in this many sub-steps", best.substeps, 1)
 # <b class="answer">The answer.</b>
 # Two methods want as many sub-steps as they can get: what a sweep leaves over moves the boxes only
 # for a short time. "substep" holds the boxes apart by springs, and makes them stiffer the more
-# sweeps follow each motion. **For the stack one step with fifty is its best**; in 25 sub-steps with
+# sweeps follow each motion. It sweeps twice in an iteration, before the motion and after it, so 50
+# iterations make the hundred. **For the stack one step with 50 is its best**; in 25 sub-steps with
 # two each the stack falls. The heavy box wants the opposite: short sub-steps stiffen springs, too.
 
 # %% [markdown]

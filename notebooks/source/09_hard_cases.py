@@ -74,9 +74,10 @@ for ratio in (1.0, 100.0):
         check(f"{ratio:3.0f} : 1, {sweeps:3} sweeps: part left", left, law, tolerance=1e-9)
 
 # %% [markdown]
-# Now break it. Make the load heavier until ten sweeps cannot carry it. Let more steps pass: the
-# impulses of the step before are remembered, and the forces grow. What becomes of the tower
-# meanwhile? Last, put boxes below the load, with few sweeps: how does the weight get down?
+# Now break it. In the figure, make the load heavier until ten sweeps cannot carry it. Let more
+# steps pass: the impulses of the step before are remembered, and the forces grow. What becomes of
+# the tower meanwhile? Last, put boxes below the load, with few sweeps: how does the weight get
+# down?
 
 # %%
 live(
@@ -233,7 +234,8 @@ def energy_kept(**chosen):
     return energy[-1] / energy[0]
 
 
-a = np.pi / 4  # 1/mass, 1/inertia, velocity, spin, and the arm from the centre to the tip:
+# for each body 1/mass, 1/inertia, velocity, spin, and the arm from its centre to the contact
+a = np.pi / 4
 tip = Struck(1.0, 3.0, (0.0, -1.0), 2.0, (-np.cos(a), -np.sin(a)))
 floor = Struck(0.0, 0.0, (0, 0), 0.0, (0, 0))
 after = impact_with_friction(floor, tip, (0, 1), 1.0, 1.0)
@@ -257,7 +259,7 @@ predict("09-stronge")
 print(f"Stronge's e = 1: {energy_kept():.4f} of the energy")
 
 # %% [markdown]
-# What gives back at most what it took can gain nothing. For a smooth impact both laws agree.
+# A floor that gives back at most what it took adds no energy. For a smooth impact both laws agree.
 # `simulate(scene, T)` takes Stronge's wherever it solves contacts at once; you have to ask for
 # Newton's by name. Throw 500 boxes onto one corner each:
 
@@ -272,7 +274,8 @@ check("Stronge's law: boxes that gain", gains_in(run), 0)
 # Friction can do worse: it can keep sweeps from ever ending. Pull the same rod over the floor, with
 # mu = 2 and its tip coming down at 1 mm/s. The normal impulse calls for friction, friction lifts
 # the tip, and less normal impulse is needed than was given; the next sweep takes it back. Here you
-# can work out the answer (task 9.3): with its friction, 1 N s lifts the tip by 5.5 m/s.
+# can work out the answer (task 9.3): with the friction that it calls for, 1 N s changes the tip's
+# velocity by 5.5 m/s upwards.
 
 # %%
 drawn = rods.rod_on_floor(a, 1.0, -1e-3)
@@ -300,7 +303,7 @@ for rule, law in (
 ):
     v = simulate(row, 0.5, solver="direct", impacts=rule, dt=1 / 240).velocities[-1, :, 0]
     check(rule, v, law(5, 1.0), tolerance=1e-8)
-    check("   momentum, energy", [v.sum(), (v * v).sum()], [1, 1], tolerance=1e-8)
+    check("   momentum, energy", [v.sum(), (v * v).sum() / 2], [1, 0.5], tolerance=1e-8)
 
 # %% [markdown]
 # Which rule does nature take? Neither, quite. The steel balls of a toy cradle give a little under
@@ -311,7 +314,7 @@ for rule, law in (
 
 # %%
 v = simulate(together.cradle(1), 1e-9, dt=1e-9, solver="pymunk", sample="end").velocities[-1, :, 0]
-print("pymunk, 10 sweeps:", *(f"{x:.3f}" for x in v), f"energy {(v * v).sum():.3f}")
+print("pymunk, 10 sweeps:", *(f"{x:.3f}" for x in v), f"m/s, energy {(v * v).sum() / 2:.3f} J")
 
 # %% [markdown]
 # ## 6 What the default chooses, and the price
@@ -343,8 +346,8 @@ show_quiz("09")
 #
 # - A case is hard where things are **far apart**: masses, sizes, speeds, lengths of steps, or the
 #   ends of a long chain of contacts.
-# - Sweeps converge by a factor that you can work out: M/(M + m) for a load on a box. Nothing but a
-#   solution of all contacts together helps against a factor near 1.
+# - Sweeps converge by a factor that you can work out: M/(M + m) for a load on a box. Against a
+#   factor near 1 solve all contacts together, or make the steps much shorter.
 # - What an engine keeps from one step to the next has a unit. If the step changes, it has to change
 #   too (section 8).
 # - Newton's e and Coulomb's friction together may make energy. Stronge's e cannot.
@@ -365,7 +368,7 @@ show_quiz("09")
 # $$a_1 = \rho + a_0 (1 - \rho) \qquad a_2 = 1 + a_1 \left(1 - \tfrac{1}{\rho}\right)
 # = \rho - \frac{(\rho - 1)^2}{\rho}\, a_0$$
 #
-# An error of $a$ grows if the factor before $a_0$ is more than 1: $(\rho - 1)^2 > \rho$. That is
+# An error in $a$ grows if the factor before $a_0$ is more than 1: $(\rho - 1)^2 > \rho$. That is
 # the case from $\rho = (3 + \sqrt{5})/2 = 2.618$ on, the square of the golden section.
 
 # %%

@@ -247,9 +247,9 @@ except ValueError as refused:
 # %% [markdown]
 # ## 5 How fast can a body become?
 #
-# How does it know before the hit? Impacts change speeds. But without gravity, driven walls and
-# corners that rub (chapter 09), the *energy* of all bodies never grows. At worst the lightest body
-# gets all of it. How fast is it then?
+# How does it know before the hit? Impacts change speeds. But where there is no gravity, no driven
+# wall and no corner that rubs (chapter 09), the *energy* of all bodies never grows. At worst the
+# lightest body gets all of it. How fast is it then?
 
 
 # %%
@@ -260,7 +260,7 @@ def fastest(energy, lightest):
 
 # %% [markdown]
 # Here all bodies together have 800 J, and the lightest has 0.01 kg. The rule compares your bound,
-# times 1.5 for rounding, with half the width of the thinnest body.
+# times 1.5 to be safe, with half the width of the thinnest body.
 
 # %%
 way, _ = fastest_way(hit, dt=1 / 60)

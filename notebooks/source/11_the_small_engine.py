@@ -108,9 +108,9 @@ def pairs_of(n):
 
 # %% [markdown]
 # A thousand bodies make half a million pairs, and hardly any of them touch. A broad phase finds the
-# few that may. Comparing **every pair** costs about N²/2. A **sweep** sorts the bodies from left to
-# right and compares each with those that have not ended yet: about N to the power 1.5 in a square.
-# A **grid** looks only into neighbouring cells: about N.
+# few that may. Comparing **every pair** costs about N²/2. A **sweep** (not the one over contacts)
+# sorts the bodies by their left ends, and compares each with those whose right end is still ahead:
+# about N to the power 1.5 in a square. A **grid** looks only into neighbouring cells: about N.
 
 # %%
 counts = [100, 200, 400, 800, 1600]
