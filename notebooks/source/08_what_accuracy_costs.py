@@ -214,9 +214,9 @@ for name, ms in milliseconds(programs).items():
 # To choose, you need more prices than these. The next figure is a map of them. Each point is a
 # method at one setting. **Down and left is better.** Besides those that you know there are *naive*,
 # the first attempt of chapter 04; *substep*, with short steps and springs in its contacts (section
-# 6); *direct*, which chapter 09 is about; and Box2D, another engine in C. Ours run in plain Python
-# or compiled to machine code. All ran the same scene in turns, without drawing (`workbook measure
-# accuracy`), and the right answer comes from none of them.
+# 6); *direct*, which ends its steps where bodies touch (chapter 09); and Box2D, another engine in
+# C. Ours run in plain Python or compiled to machine code. All ran the same scene in turns, without
+# drawing (`workbook measure accuracy`), and the right answer comes from none of them.
 
 # %% tags=["plumbing"]
 result = wp.stored()
@@ -224,8 +224,8 @@ figures.map_of_prices(result)
 
 # %% [markdown]
 # Go *along* a line, and the step gets shorter. The gap between two parallel lines is a factor in
-# time: that is what plain Python costs. A **cross** is a failure. Leave those out, and every method
-# looks good.
+# time: that is what plain Python costs. An arrow downwards names an error that lies below the
+# figure. A **cross** is a failure. Leave those out, and every method looks good.
 #
 # ## 6 A tower: how to spend a hundred sweeps
 #
@@ -328,7 +328,8 @@ show_quiz("08")
 # ## Key takeaways
 #
 # - Say which number is the error before you compare: the largest distance, at many times.
-# - A program that steps sees impacts late: half the step, half the error. That is the first order.
+# - A program that looks at the ends of steps sees impacts late: half the step, half the error. That
+#   is the first order.
 # - A millimetre has a price that you can work out: a tenth of the error, ten times the time.
 # - The exact solver has no such error, but needs a formula; a tower needs many short sub-steps.
 # - First ask what is good enough, then what is cheapest. Never let a method be its own judge.

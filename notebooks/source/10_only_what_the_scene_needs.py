@@ -293,7 +293,7 @@ print(f"pymunk's time with mu and without: {pymunk.needed / pymunk.left_out:.2f}
 # But you wait for more than steps: for Python, the import, the plan. So look at whole runs of a
 # gas, from the start of Python to the result. Ours finds the machine code that an earlier run has
 # kept. (Where none is kept, a program with every effect is used, which comes with the workbook: to
-# compile the plan's own takes half a minute, and saves what the line "all effects" above says.)
+# compile the plan's own takes half a minute, and saves what the lines "all effects" above say.)
 
 # %%
 predict("10-from-how-many")

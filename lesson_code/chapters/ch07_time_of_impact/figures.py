@@ -154,7 +154,8 @@ def unfolded_wedge(ax: Axes, mass_ratio: float) -> Axes:
     for k in range(1, count + 1):
         place = (height / math.tan(k * theta), height)
         ax.plot(*place, zorder=5, **_mark(style.VERMILION, "o"))
-        ax.annotate(str(k), place, xytext=(0, 7), textcoords="offset points", ha="center")
+        label = ax.annotate(str(k), place, xytext=(0, 7), textcoords="offset points", ha="center")
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 1})  # over the rays
     ax.set(xlim=(-1.95, 1.95), ylim=(-0.05, 1.4), aspect="equal")
     ax.axis("off")
     _legend(
