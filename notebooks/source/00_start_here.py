@@ -90,7 +90,8 @@ show(
 #
 # Here is your first gap. `y` is the height of the ball's centre, and the floor is at height 0.
 # Replace the three dots by what the height should be (Python's `max` helps), and run the cell. If
-# you leave the dots, the notebook goes on with our line.
+# you leave the dots, the notebook goes on with our line. The line with `@gap` hands your function
+# to the notebook; leave it as it is.
 
 
 # %%

@@ -136,7 +136,7 @@ rng = np.random.default_rng(seed=3)
 angles = rng.uniform(0, 2 * np.pi, 10_000)
 n = np.stack((np.cos(angles), np.sin(angles)), axis=-1)
 v = rng.uniform(-10, 10, (10_000, 2))
-r = reflect(v, n)
+r = reflect(v, n)  # a wall in each row; r.T has all x, then all y
 check("speed", np.hypot(*r.T) - np.hypot(*v.T), 0, tolerance=1e-12)
 check("tangent part", dot((r - v).T, perpendicular(n.T)), 0, tolerance=1e-12)
 check("normal part", dot((r + v).T, n.T), 0, tolerance=1e-12)
@@ -196,7 +196,7 @@ figures.speeds(v_bounce, v_scaled, tangent=280.0)
 # `scaled_reflection`. Now you know what it costs.
 #
 # Drag I, move the sliders and compare both rules. They agree at e = 1, and for a ball that comes
-# straight down. What is left of each at e = 0?
+# straight at the wall. What is left of each at e = 0?
 
 # %%
 live(

@@ -118,8 +118,8 @@ for name, v1, v2 in (
     ("2 runs away, 1 is faster", (3, 4), (0.6, 0.8)),
     ("they pass each other", (4, -3), (-4, 3)),
 ):
-    vn = dot(np.subtract(v2, v1), n)
-    print(f"{name:26} vn = {vn + 0:+5.1f} m/s: {'approach' if vn < 0 else 'separate'}")
+    vn = dot(np.subtract(v2, v1), n) + 0.0  # makes 0.0 of -0.0
+    print(f"{name:26} vn = {vn:+5.1f} m/s: {'approach' if vn < 0 else 'separate'}")
 
 # %% [markdown]
 # ## 3 The impulse acts along the normal, and along nothing else
@@ -356,6 +356,7 @@ figures.two_on_their_way(run)
 # %%
 pairs = table.random_pairs(3000, seed=4)
 moved, late = pairs.by_formula(moved=True), pairs.by_formula(moved=False)
+# the largest component of each pair's velocities
 size = np.abs(pairs.velocities).max(axis=(0, 2))[:, np.newaxis, np.newaxis]
 for solver in ("sequential", "pymunk"):
     off = (pairs.after_one_step(solver) - moved) / size

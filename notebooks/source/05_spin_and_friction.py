@@ -303,8 +303,8 @@ live(
 #
 # Now put it together. An impact gives j_n along n and j_t along t. Both act at the contact, so both
 # have a torque. For a disc the normal impulse points at the centre and turns nothing; the friction
-# impulse has the whole radius as its lever arm. These lines do all of it, and you know every name
-# in them:
+# impulse has the whole radius as its lever arm. These lines do all of it. You know every name
+# in them but `pushed`: it adds J/m to the velocity and (r x J)/I to the spin.
 
 # %%
 print(inspect.getsource(hit).split('"""')[-1].strip("\n"))

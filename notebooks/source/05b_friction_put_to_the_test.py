@@ -108,7 +108,7 @@ show(
 )
 
 # %% [markdown]
-# The vertical line is your μ. pymunk's box, at its usual 10 iterations, creeps by less than 0.1
+# The vertical line is your μ. pymunk's box, at its usual 10 iterations, creeps at less than 0.1
 # mm/s where it should stay.
 #
 # The third slope is a balance on an edge, and asks more of a solver. The box stands on two

@@ -223,8 +223,8 @@ hits = [found is not None for found in ours]
 print(sum(hits), "of 1000 pairs overlap")
 for judge, answers in (("pymunk", pymunks), ("Minkowski", minkowskis)):
     check(f"{judge} agrees who overlaps", [found is not None for found in answers], hits)
-    pair_of_depths = [(a[1], b[1]) for a, b in zip(ours, answers, strict=True) if a is not None]
-    apart = np.subtract(*np.transpose(pair_of_depths))
+    both = [(a, b) for a, b in zip(ours, answers, strict=True) if a is not None]
+    apart = [depth - other for (_, depth), (_, other) in both]
     check(f"depths, ours and {judge}'s, m", apart, 0, tolerance=1e-12)
 
 # %% [markdown]

@@ -74,14 +74,15 @@ for covered, duration in ((0.05, 150.0), (0.12, 100.0), (0.2, 80.0), (0.3, 60.0)
     gas = gas_scenes.disc_gas(12, covered, seed=1)
     run = simulate(gas, duration, solver="exact", sample=np.arange(0, duration, 0.25))
     measured.append(scenes.in_the_middle(run, since=4.0))
-    hits, side = run.contacts, np.sqrt(144 * np.pi / 4 / covered)
+    hits = run.contacts
+    side = np.sqrt(144 * np.pi / 4 / covered)  # of the box: a disc covers pi/4 m²
     on_walls = (hits.body_a < events.WALLS) & (hits.time > 4.0)  # the walls are bodies 0 to 3
     blows = hits.normal_impulse[on_walls]
     pressures.append(pressure(blows, duration - 4.0, 4 * (side - 1.0)))
 
 # %%
 eta = np.array([m.covered for m in measured])
-z = np.array(pressures) / (eta / (np.pi / 4) * gas_scenes.ENERGY)  # a disc covers pi/4 m²
+z = np.array(pressures) / (eta / (np.pi / 4) * gas_scenes.ENERGY)
 rate = np.array([m.collision_rate for m in measured])
 henderson = [event_closed_forms.hard_disc_compressibility(e) for e in eta]
 enskog = [event_closed_forms.hard_disc_collision_rate(e, 1, 1, 1) for e in eta]
