@@ -185,7 +185,7 @@ live(
 # ## 5 An engine steps through time
 #
 # The arcs above come from a **closed form**: a formula that gives the place at any time, at once.
-# Engines have none. They move everything by a small step `dt`, look who overlaps, and apply an
+# Most engines have none. They move everything by a small step `dt`, look who overlaps, and apply an
 # impulse. So they always find the ball a little *after* it has touched the floor. This is pymunk,
 # at its usual 1/60 s:
 

@@ -54,8 +54,8 @@ from lesson_code.view.svg.animation import animate
 #
 # A body turns with **angular velocity** w, in radians per second, positive counter-clockwise. Take
 # a point of the body at r = (r_x, r_y) from the centre of mass. The spin carries it around the
-# centre at the speed |w| |r|, at right angles to r: in the direction (-r_y, r_x). The centre itself
-# moves with v. Add both:
+# centre at the speed |w| |r|, at right angles to r: for w > 0 in the direction (-r_y, r_x). The
+# centre itself moves with v. Add both:
 #
 # $$v_\text{contact} = v + w\,(-r_y,\ r_x)$$
 
