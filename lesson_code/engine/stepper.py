@@ -31,7 +31,6 @@ from lesson_code.engine.compiled import (
 )
 from lesson_code.engine.compiled.loader import Entry
 from lesson_code.engine.core.capacity import add_capacity
-from lesson_code.engine.core.constants import MOST_IMPACTS
 from lesson_code.engine.core.frames import (
     STATE_FIELDS,
     STATE_NUMBERS,
@@ -58,6 +57,7 @@ from lesson_code.engine.effects.choice import (
     names_used,
     suit_any_scene,
 )
+from lesson_code.engine.effects.continuous import most_impacts
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 
@@ -141,8 +141,8 @@ def warn_of_late_steps(state: State) -> None:
     if state.late_steps > 0:
         warnings.warn(
             f"in {state.late_steps} of {state.steps_done} steps there were more than "
-            f"{MOST_IMPACTS} impacts: fast bodies stood still for the rest of them, and are late; "
-            "a smaller dt loses less time",
+            f"{most_impacts(state)} impacts: fast bodies stood still for the rest of them, and are "
+            "late; a smaller dt loses less time",
             RuntimeWarning,
             stacklevel=5,  # where `simulate` was called
         )

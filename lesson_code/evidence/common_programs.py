@@ -23,6 +23,7 @@ def common_programs() -> dict[str, Program]:
     return {
         "exact": program_for_any_scene("exact"),
         "substep": program_for_any_scene("substep"),
+        "substep_with_sleep": program_for_any_scene("substep", sleeping=True),
         "sequential": program_for_any_scene("sequential"),
         "sequential_with_sleep": program_for_any_scene("sequential", sleeping=True),
     }

@@ -29,7 +29,7 @@ def test_common_programs_are_those_that_runs_ask_for(
     simulate(falling_discs(99), 1.1, sample="end")
     programs = common.common_programs()
     names = [name for name, program in programs.items() if program in asked]
-    assert names == ["exact", "sequential", "sequential_with_sleep"]
+    assert names == ["exact", "substep", "substep_with_sleep"]
     usual = {"dt": 1.0, "iterations": None, "combine": MixingRule(), "compiled": False}
     for solver in ("substep", "sequential"):
         assert stepper_for(Scene([]), solver, **usual).program() == programs[solver]

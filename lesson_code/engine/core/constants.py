@@ -73,8 +73,11 @@ LOOKS_OF_AN_IMPACT = 4
 """Looks that one counts for at whose start something has hit: two such in a step, but more where
 a corner that turns is looked at again and again, and passes by."""
 
-MOST_IMPACTS = 64
-"""Impacts of fast bodies in one step. A ball of 1e6 m/s between two walls would make thousands."""
+MOST_IMPACTS, IMPACTS_A_BODY = 64, 4
+"""Impacts of fast bodies in one step, and for each body that can be pushed where that is more. A
+ball of 1e6 m/s between two walls would make thousands; of a heap of planks that is poured into a
+bin each has some at once, in the worst step.
+"""
 
 IMPACTS_TO_DOUBLE = 4
 """Impacts in one step after which a body is let go twice as deep, before the next one is seen."""
@@ -177,6 +180,9 @@ the lesser width. Of two hundred balls that are thrown about, 20 sweeps let one 
 0.14 of its radius, where a heavy one hits a crowd.
 """
 
+ROUNDING_OF_WORK = 1e-12
+"""Of the work of an impulse: less is rounding, and no gain of energy."""
+
 IMPACT_ROUNDING = 1e-12
 """m/s: a slower approach is rounding, not an impact. At this speed a millimetre takes 30 years."""
 
@@ -219,9 +225,6 @@ drift take 2 ms and 6 ms. A crowd that flies fast takes longer, 60 boxes at 7 m/
 another, 1 to 2 s for each second. Sweeps take a twentieth of it; but then rods may gain as much
 energy in one step as all of them began with, and boxes lie in one another by half of their width.
 """
-
-HEAVY_ON_LIGHT = 10.0
-"""Times the smallest mass: if a body is heavier, sweeps propagate its load too slowly."""
 
 TOUCHING = 1e-6
 """Of the radius: discs that are nearer than this at the start touch, and are struck together."""

@@ -29,7 +29,7 @@ class BodyRow:
     pseudo_vy: float = 0.0
     pseudo_w: float = 0.0  # rad/s, likewise
 
-    start_vx: float = 0.0  # m/s, before the forces of this part of a step (the direct solver)
+    start_vx: float = 0.0  # m/s, before the forces of this part of a step, or before its impacts
     start_vy: float = 0.0
     start_w: float = 0.0  # rad/s
     seen_x: float = 0.0  # m, where it was when its box was drawn (next_contact.py)
@@ -63,7 +63,10 @@ class BodyRow:
     friction: float = -1.0  # negative: left to the other body
     bounding_radius: float = 0.0  # m, distance of its farthest point from the centre of mass
     quiet: float = 0.0  # s, for how long it has been still
-    island: int = 0  # the first body of the island that it belongs to (sleep.py)
+    island: int = 0  # the first body of the island that it belongs to (islands.py)
+    gained: float = 0.0  # J, of an island's first body: what its bounces have gained (impacts.py)
+    lost: float = 0.0  # J, what it loses without a bounce
+    between: float = 0.0  # J, of the difference between the two motions
     mass: float = math.inf  # kg, and kg m^2, as a page gives them; its program inverts them and
     inertia: float = 0.0  # takes 0 for the inertia of the filled shape (view/browser/set_up.py)
 
@@ -162,6 +165,7 @@ class ContactRow:
     # Of the solver with sub-steps; there the impulses above are those of one sub-step
     gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles
     soft_mass: float = 0.0  # kg, effective mass along the normal of a contact that gives way
+    lift_vn: float = 0.0  # m/s, of the bounce to reach: what gravity takes from it at once
     slack_vn: float = 0.0  # m/s, <= 0, normal velocity that impacts have left to the next step
     softness: float = 0.0  # 1/kg, >= 0: speed by which it gives way for 1 N s that it carries
     soft_vn: float = 0.0  # m/s, relative normal velocity to reach at least, but for giving way

@@ -52,9 +52,6 @@ class Request:
 
 RunScene: TypeAlias = Callable[[Request], Run]
 
-NEVER_SLEEPS = {"sleeping": "only the sequential and the direct solver let islands sleep"}
-"""For a solver that lacks it."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Solver:

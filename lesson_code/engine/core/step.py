@@ -309,6 +309,8 @@ def soft_part(world: World, pipeline: Pipeline) -> bool:
     of a sub-step.
     """
     state, effects = world.state, pipeline.effects
+    if effects.sleeping and everything_sleeps(world):
+        return rest(world, pipeline)
     if not state.is_prepared and not prepare_part(world, pipeline):
         return False
     if not choose_part(world, pipeline):
@@ -321,8 +323,9 @@ def soft_part(world: World, pipeline: Pipeline) -> bool:
             return False
     if effects.collisions:
         pipeline.solver.store(world, effects)
-        post_process(world, pipeline)
     state.dt = part
+    if effects.collisions:
+        post_process(world, pipeline)
     state.is_prepared = False
     return True
 

@@ -19,7 +19,6 @@ from lesson_code.engine.core.constants import (
     IMPACT_DEPTH,
     LEAST_MARGIN,
     LEAST_PART,
-    MOST_IMPACTS,
     STEPS_AHEAD,
 )
 from lesson_code.engine.core.motion import turn_with_angle
@@ -31,6 +30,7 @@ from lesson_code.engine.effects.continuous import (
     free_impact_time,
     is_far,
     let_fast_wait,
+    most_impacts,
     rim_speed,
     way_between,
     way_of,
@@ -151,7 +151,7 @@ def choose_part_ahead(world: World, pipeline: Pipeline) -> bool:
         if state.dt < longest:
             if longest == min(state.left, state.horizon):  # and this is the first look at the part
                 state.impacts += 1
-            if state.impacts > MOST_IMPACTS:
+            if state.impacts > most_impacts(state):
                 state.dt = state.left
                 let_fast_wait(world)
     state.time = (state.steps_done + 1) * state.whole - (state.left - state.dt)

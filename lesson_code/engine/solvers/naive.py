@@ -16,7 +16,7 @@ import math
 
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
-from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
+from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 
 
@@ -87,6 +87,6 @@ SOLVER = Solver(
         "continuous": "the naive solver looks for no fast bodies",
         "warm_starting": "the naive solver remembers nothing",
         "position_correction": "the naive solver shifts each pair as it visits it",
-        **NEVER_SLEEPS,
+        "sleeping": "the naive solver brings nothing to rest",
     },
 )

@@ -23,12 +23,15 @@ the spring has pushed would be speed out of nothing: after the motion the rigid 
 vn >= 0 and takes it back.
 
 Impacts are no springs. They are solved first, rigid, from e times the speed of approach, sweep
-after sweep until they fit; there is no other bounce in the step. Their impulses are not repeated
-in a warm start. So an impact with e = 1 keeps its energy, and nothing fast is let in.
+after sweep until they fit (``impacts``); there is no other bounce in the step. Their impulses are
+not repeated in a warm start. So an impact with e = 1 keeps its energy, and nothing fast is let in.
 
 Where the points have parted within the step, they may come together again as far as the gap is
 wide, and no faster: no contact pulls, and none is missed. The same holds for a contact that bodies
 with skins have before they touch; if they bounce, it is in the sub-step in which they would meet.
+
+Where nothing presses bodies together, neither gravity nor a mover, there is nothing to carry. Their
+contacts are rigid then, and an overlap is undone by pushes alone: a spring would give it a speed.
 
 Two points of one manifold are solved together here too. In turn, a tower of 20 boxes that does
 not stand straight has leaned over by 0.3 m after 20 s; together, by 2 mm.
@@ -46,10 +49,6 @@ import math
 
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
-    IMPACT_ROUNDING,
-    IMPACT_SWEEPS,
-    IMPACT_WAY,
-    MOST_IMPACT_SWEEPS,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -58,7 +57,6 @@ from lesson_code.engine.core.contact_frame import (
     apply_impulses,
     bring_to_total,
     friction_impulse,
-    missing_velocity,
     normal_impulse,
     normal_velocity,
     tangent_velocity,
@@ -66,11 +64,12 @@ from lesson_code.engine.core.contact_frame import (
 from lesson_code.engine.core.contact_motion import normal_of
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
-from lesson_code.engine.core.solver import NEVER_SLEEPS, Solver
+from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
 from lesson_code.engine.solvers.block_solver import two_impulses
+from lesson_code.engine.solvers.impacts import let_impacts_pass
 from lesson_code.engine.solvers.sequential import (
     give_again,
     has_overlap_to_undo,
@@ -91,12 +90,14 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
         c.gap_origin = -c.penetration - way_apart(c, a, b)
+        c.lift_vn = 0.0
         if c.target_vn > 0.0:
-            c.target_vn -= clamp(gain_from_gravity(world, c, a, b), -c.target_vn, c.target_vn)
+            c.lift_vn = -clamp(gain_from_gravity(world, c, a, b), -c.target_vn, c.target_vn)
+            c.target_vn += c.lift_vn
         c.slack_vn = min(c.target_vn, 0.0)
         if c.penetration < 0.0:
             close_gap(c, a, b, world.state.dt)
-    solve_impacts(world, effects)
+    let_impacts_pass(world, effects)
     begin_totals(world, effects)
     push_deep(world, effects)
 
@@ -109,7 +110,7 @@ def close_gap(c: ContactRow, a: BodyRow, b: BodyRow, h: float) -> None:
     """
     closing = c.penetration / h
     if c.target_vn <= 0.0 or normal_velocity(c, a, b) > closing:
-        c.target_vn = closing
+        c.target_vn, c.lift_vn = closing, 0.0
 
 
 def way_apart(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
@@ -134,52 +135,6 @@ def gain_from_gravity(world: World, c: ContactRow, a: BodyRow, b: BodyRow) -> fl
     if a.inv_m > 0.0 and b.inv_m > 0.0:
         return 0.0
     return gain if b.inv_m > 0.0 else -gain
-
-
-def solve_impacts(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Let bodies that approach bounce or stop, in as many sweeps as it takes up to a limit.
-
-    A body at rest gains g h in a sub-step. Slower than that there is no impact to solve: a bounce
-    would be over after two sub-steps. Without gravity the slowest impact counts.
-
-    A pair that parts may be pressed together by a third body, up to e times its speed. It then
-    approaches, and bounces in the next step.
-
-    Where many bodies are pressed together the limit is reached before all impacts fit. What is left
-    over moves bodies into one another: there it goes on for as long as that would be much.
-    """
-    state = world.state
-    gravity = math.sqrt(state.gravity_x * state.gravity_x + state.gravity_y * state.gravity_y)
-    most = gravity * state.dt + IMPACT_ROUNDING
-    sweeps = 0
-    while sweeps < IMPACT_SWEEPS and is_off_target(world, most):
-        contact_solver.solve(world, effects)
-        most = IMPACT_ROUNDING
-        sweeps += 1
-    while sweeps < MOST_IMPACT_SWEEPS and would_enter(world):
-        contact_solver.solve(world, effects)
-        sweeps += 1
-
-
-def would_enter(world: World) -> bool:
-    """Return whether bodies would enter one another in a sub-step, by more than a little."""
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        a, b = world.bodies[c.a], world.bodies[c.b]
-        way = -missing_velocity(c, a, b) * world.state.dt
-        if way > IMPACT_WAY * min(a.min_width, b.min_width):
-            return True
-    return False
-
-
-def is_off_target(world: World, most: float) -> bool:
-    """Return whether a normal velocity is wrong by more than so much, m/s."""
-    for k in range(world.state.contact_count):
-        c = world.contacts[k]
-        missing = missing_velocity(c, world.bodies[c.a], world.bodies[c.b])
-        if missing < -most or (c.normal_impulse > 0.0 and missing > most):
-            return True
-    return False
 
 
 def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
@@ -214,9 +169,16 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
     """Return the overlap that is left to the spring, m: what its load sinks by, and the slop."""
-    state = world.state
-    sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
+    state, sinking = world.state, 0.0
+    if has_load(world):
+        sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
     return sinking + SLOP * min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
+
+
+def has_load(world: World) -> bool:
+    """Return whether anything presses bodies together for long: gravity, or a mover."""
+    state = world.state
+    return state.gravity_x != 0.0 or state.gravity_y != 0.0 or state.has_moving_static
 
 
 # In each sub-step
@@ -235,11 +197,11 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 
 def soften(world: World, c: ContactRow) -> None:
-    """Set the spring of a contact by its overlap; where there is a gap, it is rigid."""
+    """Set the spring of a contact by its overlap; with a gap, or nothing to carry, it is rigid."""
     h, omega = world.state.dt, world.state.omega
     gap = c.gap_origin + way_apart(c, world.bodies[c.a], world.bodies[c.b])
     c.target_vn = min(c.slack_vn, -max(gap, 0.0) / h)
-    if gap > 0.0:
+    if gap > 0.0 or not has_load(world):
         c.soft_vn, c.softness, c.soft_mass = c.target_vn, 0.0, c.normal_mass
     else:
         damping = 2 * SOFT_DAMPING + omega * h
@@ -326,6 +288,5 @@ SOLVER = Solver(
     shares_contacts=True,
     iterations=1,
     substeps=4,
-    lacks=NEVER_SLEEPS,
     built_in={"warm_starting": "each sub-step begins with the impulses of the one before"},
 )

@@ -73,8 +73,7 @@ def test_blow_is_no_force_that_is_remembered(seed: int) -> None:
         for n in range(26)
     ]
     bodies = [Body(wall, material=surface) for wall in walls] + capsules
-    run = simulate(Scene(bodies, gravity=(0, -9.81)), 3.0)
-    assert run.plan.solver == "sequential"
+    run = simulate(Scene(bodies, gravity=(0, -9.81)), 3.0, solver="sequential")
     assert run.energy.max() < 1.02 * run.energy[0]
 
 

@@ -1,0 +1,158 @@
+"""Families of heaps: many bodies that fall on one another, more than are solved at once."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from lesson_code.engine.core.constants import MOST_DRIFTING, MOST_FALLING
+from lesson_code.engine.core.run import Run
+from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.evidence.hard_cases.collisions import any_surface, change_of_momentum, rush
+from lesson_code.evidence.hard_cases.measures import DT, ROUNDING, free, gain, largest
+from lesson_code.evidence.hard_cases.parameters import Draw
+from lesson_code.evidence.hard_cases.trial import Trial, family
+from lesson_code.evidence.scenes.rigid_bodies import GRAVITY
+from lesson_code.geometry.shapes import Circle, Polygon, Segment, Shape
+
+THEME = "Heaps"
+
+MOST = 120
+"""Bodies of a heap: pymunk takes some seconds for as many."""
+
+CELL = 2.4
+"""Of the largest radius: from one body to the next at the start."""
+
+
+class Heap(NamedTuple):
+    """Bodies above a bin into which they fall."""
+
+    scene: Scene
+    size: float  # m, the largest radius
+    width: float  # m, of the bin
+    fall: float  # s, from the top to the floor
+
+
+def poured(draw: Draw, surface: Material) -> Heap:
+    """Draw bodies of one kind or of all, at rest in rows above the floor of a bin, of any size."""
+    count = round(draw.log_uniform("count", MOST_FALLING + 1, MOST))
+    kind = draw.choice("kind", ("disc", "box", "plank", "capsule", "mixed"))
+    size, ratio = draw.log_uniform("size", 0.03, 3.0), draw.log_uniform("ratio", 1.0, 100.0)
+    rng = np.random.default_rng(draw.integer("places", 0, 10**9))
+    columns, cell = math.ceil(0.8 * math.sqrt(count)), CELL * size
+    bodies = []
+    for n in range(count):
+        what = str(rng.choice(("disc", "box", "plank", "capsule"))) if kind == "mixed" else kind
+        bodies.append(
+            Body(
+                shape_of(what, size * rng.uniform(0.5, 1)),
+                mass=float(ratio ** rng.uniform(0, 1)),
+                position=((n % columns + 0.5) * cell, (n // columns + 1) * cell),
+                angle=float(rng.uniform(0, 2 * math.pi)),
+                material=surface,
+            )
+        )
+    width, height = columns * cell, 3 * (count // columns + 2) * cell
+    ends = ((0, height), (0, 0), (width, 0), (width, height))
+    walls = [Body(Segment(a, b), material=surface) for a, b in pairwise(ends)]
+    fall = math.sqrt(2 * height / 3 / GRAVITY)
+    return Heap(Scene([*bodies, *walls], gravity=(0, -GRAVITY)), size, width, fall)
+
+
+def shape_of(kind: str, radius: float) -> Shape:
+    """Return a body that fits into a circle."""
+    shapes: dict[str, Shape] = {
+        "disc": Circle(radius),
+        "box": Polygon.box(1.4 * radius, radius),
+        "plank": Polygon.box(1.9 * radius, 0.2 * radius),
+        "capsule": Segment((-0.9 * radius, 0), (0.9 * radius, 0), radius=0.1 * radius),
+    }
+    return shapes[kind]
+
+
+def outside(heap: Heap, run: Run) -> int:
+    """Return how many bodies have left the bin at the end."""
+    x, y = run.positions[-1, free(run.scene)].T
+    return int(((x < 0) | (x > heap.width) | (y < 0)).sum())
+
+
+@family(
+    THEME,
+    why="A blow within a step may throw a body through its neighbours, or out of the bin.",
+    law="All stay in the bin, and never have more energy than before they fell.",
+    unit="",
+    bound=ROUNDING,
+    reason="rounding",
+)
+def heap_in_a_bin(draw: Draw, trial: Trial) -> float:
+    """25 to 120 bodies of any size, e and mu fall into a bin: energy gained; inf if one is out."""
+    heap = poured(draw, any_surface(draw))
+    run = trial.run(heap.scene, heap.fall + 1.0, sample=None)
+    return math.inf if outside(heap, run) else gain(run.energy)
+
+
+@family(
+    THEME,
+    why="Each impact of one step is told to the record; none may be lost or counted twice.",
+    law="What gravity gives and what the walls take is the change of momentum.",
+    unit="",
+    bound=ROUNDING,
+    reason="rounding of some thousand impulses",
+)
+def heap_and_its_record(draw: Draw, trial: Trial) -> float:
+    """25 to 120 bodies fall into a bin: momentum less weight and recorded impulses."""
+    heap = poured(draw, any_surface(draw))
+    run = trial.run(heap.scene, DT * round((heap.fall + 0.5) / DT))
+    hits = run.contacts
+    masses = np.array([body.mass or 0.0 for body in run.scene.bodies])
+    on_walls = hits.body_b >= len(free(run.scene))
+    tangents = np.column_stack((-hits.normal[:, 1], hits.normal[:, 0]))
+    impulses = hits.normal_impulse[:, None] * hits.normal + hits.tangent_impulse[:, None] * tangents
+    weight = masses.sum() * np.array(heap.scene.gravity) * run.times[-1]
+    gained = masses @ run.velocities[-1] - masses @ run.velocities[0]
+    return largest(gained - weight + impulses[on_walls].sum(axis=0)) / largest(weight)
+
+
+@family(
+    THEME,
+    why="What carries a heap has to find its forces, while bodies still arrive.",
+    law="A dull heap comes to rest, and its bodies hardly lie in one another.",
+    unit="",
+    bound=0.05,
+    reason="speeds and overlaps too small to see",
+)
+def heap_at_rest(draw: Draw, trial: Trial) -> float:
+    """25 to 120 dull, rough bodies fall into a bin: speed or overlap at the end, in their size."""
+    surface = Material(draw.uniform("restitution", 0.0, 0.3), draw.uniform("friction", 0.3, 1.0))
+    heap = poured(draw, surface)
+    unit = math.sqrt(GRAVITY * heap.size)
+    run = trial.run(heap.scene, heap.fall + 40 * heap.size / unit)
+    if outside(heap, run):
+        return math.inf
+    speed = fastest_at_end(run) / unit
+    return max(speed, float(run.max_penetration[-1]) / heap.size)
+
+
+def fastest_at_end(run: Run) -> float:
+    """Return the greatest speed at the end, m/s."""
+    return float(np.hypot(*run.velocities[-1, free(run.scene)].T).max())
+
+
+@family(
+    THEME,
+    why="More than are solved at once: rough impacts are where Newton's restitution gains energy.",
+    law="Momentum is kept, and energy never grows.",
+    unit="",
+    bound=ROUNDING,
+    reason="rounding of some thousand collisions",
+)
+def large_crowd(draw: Draw, trial: Trial) -> float:
+    """65 to 200 discs, boxes or rods with any e and mu rush to one place: change or gain."""
+    scene = rush(draw, round(draw.log_uniform("count", MOST_DRIFTING + 1, 200)))
+    run = trial.run(scene, 3.0, sample=None)
+    energies = run.kinetic_energy
+    rise = largest(energies - np.minimum.accumulate(energies)) / float(energies[0])
+    return max(change_of_momentum(run), rise)
