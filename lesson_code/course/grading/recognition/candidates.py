@@ -237,6 +237,11 @@ def in_cases(found: WrongModel) -> WrongModel:
     return WrongModel(found.task, function, f"{WHERE_WRONG}{found.hint}")
 
 
+def passed_over(found: WrongModel) -> WrongModel:
+    """Return that a loop reaches too few, where it cannot be seen in which way."""
+    return model(found.task, "passed_over", lambda *given: found.function(*given), {})
+
+
 def any_case(found: WrongModel) -> WrongModel:
     """Return that cases are told apart wrongly, where several mistakes give the same there."""
     return model(found.task, "case", lambda *given: found.function(*given), {})

@@ -29,7 +29,7 @@ EXCHANGED_CALLS = CALLS | {other: (one, kind) for one, (other, kind) in CALLS.it
 
 LEFT_OUT = {
     "sqrt": "root", "exp": "root", "log": "root", "log1p": "root", "hypot": "root",
-    "abs": "absolute", "absolute": "absolute", "radians": "degrees", "ceil": "rounding",
+    "abs": "absolute", "absolute": "absolute", "radians": "degrees", "ceil": "not_whole",
 }  # fmt: skip
 """Functions whose argument may be taken as it is, and the kind of that slip."""
 
@@ -138,10 +138,16 @@ def _ignoring(node: ast.Assign | ast.AugAssign | ast.Return, known: set[str]) ->
 
 
 class _Without(ast.NodeTransformer):
-    """Puts 0 times a name in its place."""
+    """Puts 0 times a name in its place, where it is a quantity: not a condition, nor a number."""
 
     def __init__(self, name: str) -> None:
         self._name = name
+
+    def visit_Compare(self, node: ast.Compare) -> ast.expr:
+        return node
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
+        return ast.Subscript(self.visit(node.value), node.slice, node.ctx)
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         if node.id != self._name or not isinstance(node.ctx, ast.Load):
@@ -174,6 +180,9 @@ def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
             yield "product", {}, ast.BinOp(left, ast.Add(), right)
             yield "quotient", {}, ast.BinOp(left, ast.Div(), right)
             yield _factor(right), {"of": name_of(right)}, left
+            if isinstance(left, ast.UnaryOp):
+                without = ast.UnaryOp(left.op, right)
+                yield _factor(left.operand), {"of": name_of(left.operand)}, without
             yield _factor(left), {"of": name_of(left)}, right
             yield from _without_brackets(left, node.op, right)
             yield from _not_projected(left, right)
