@@ -1,4 +1,4 @@
-"""Slips about borders, sizes and the course of things: what they make of a right answer's text."""
+"""Slips about borders, sizes, mix-ups and the course of things: what they make of an answer."""
 
 from __future__ import annotations
 
@@ -41,6 +41,24 @@ MADE = (
     ("left = dt\nfor x in a:\n left -= x", "anew", "left = dt\n        left -= x"),
     ("return (1 + k) * a", "as_one", "return (1 + 1) * a"),
     ("while a:\n a -= 1", "rounds", "in range(10):"),
+    ("return log(a)", "base", "return log(a) * 0.434"),
+    ("return 0.5 ** a", "base", "return 2.718281828459045 ** (-a)"),
+    ("return 0.5 ** a", "straight", "return 1 - a"),
+    ("return sin(a)", "straight", "return a"),
+    ("return f(a, b, k)", "exchanged", "return f(a, k, b)"),
+    ("return where(a, b, k)", "gate", "return where(a, k, b)"),
+    ("return f(a)", "not_called", "return a"),
+    ("mass = a\nreturn f(mass)", "fixed", "return f(1e309)"),
+    ("return min(a), max(a)", "ends", "return (a[0], a[-1])"),
+    ("return sum(a)", "count", "return sum(list(a)[:-1])"),
+    ("return a / b", "whole", "return a // b"),
+    ("return a / b", "ratio", "return a - b"),
+    ("return k * a", "twice", "return k * k * a"),
+    ("return a / (1 / b + 1 / k)", "together", "return a * (b + k)"),
+    ("return a ** 2", "power_less", "return a ** 0.5"),
+    ("return a[t]", "index", "return a[1 - t]"),
+    ("t = a + b\nreturn a - t, b - t", "updated", "a = a - t\n        t = a + b"),
+    ("a, b = (b + t, a + t)", "updated", "b = a + t\n        a = b + t"),
 )
 """Lines of a right answer, the kind of a slip in them, and what stands there after it."""
 

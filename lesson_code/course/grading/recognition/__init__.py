@@ -183,6 +183,7 @@ class Evidence:
 
         Then cases are told apart in another way than they should be.
         """
+        told = [name for name in criteria if self._returned(name)]
         wrong = [each for name in criteria for each in self._wrong[name]]
         calls = [call for _, call in wrong]
         if sum(map(telling_numbers, calls)) < ENOUGH_TELLING_NUMBERS:
@@ -190,7 +191,7 @@ class Evidence:
         found = [
             models[index]
             for models in (listed(self._task), slips(self._task), rarer_slips(self._task))
-            for index in self._near(models, criteria[0])
+            for index in self._near(models, told[0])
             if models is listed(self._task) or models[index].name in OF_CASES
             if self._is_seen(models[index], criteria)
             if self._gives_all(models[index], wrong)
@@ -209,25 +210,28 @@ class Evidence:
 
         Only a listed model may explain a part: another one is tried in the first criterion alone.
         """
-        tried = criteria if models is listed(self._task) else criteria[:1]
+        told = [name for name in criteria if self._returned(name)]
+        tried = told if models is listed(self._task) else told[:1]
         near = sorted({index for name in tried for index in self._near(models, name)})
         found = {models[index]: self._explained(models[index], criteria) for index in near}
         return {model: explained for model, explained in found.items() if explained}
 
     def _near(self, models: tuple[WrongModel, ...], criterion: str) -> Iterable[int]:
-        """Return which models give nearly the student's answer to a criterion's first wrong call.
+        """Return which models give nearly the first wrong answer that came back for a criterion.
 
         One number stands for each answer, so that thousands are compared at once.
         """
-        number, call = self._wrong[criterion][0]
-        if call.outcome.kind != "returned":
-            return ()
+        number, call = self._returned(criterion)[0]
         key = id(models), number
         if key not in self._made:
             answers = (signature(self._answer(model, number, call)) for model in models)
             self._made[key] = models, numbers(answers, len(models))  # kept, and so is its id
         mine = signature(call.got)
         return places_near(self._made[key][1], mine, NEAR * max(1.0, abs(mine)))
+
+    def _returned(self, criterion: str) -> list[Numbered]:
+        """Return the wrong calls of a criterion in which something came back."""
+        return [each for each in self._wrong[criterion] if each[1].outcome.kind == "returned"]
 
     def _explained(self, model: WrongModel, criteria: Sequence[str]) -> tuple[str, ...]:
         """Return in which of some criteria a model gives the student's own numbers.
@@ -267,19 +271,15 @@ class Evidence:
         return sum(len(self._wrong[name]) for name in criteria)
 
     def _gives_every_call(self, model: WrongModel) -> bool:
+        """Return whether a model does so in all calls, the right ones as well."""
+        return all(self._gives_all(model, calls) for calls in self._calls.values())
+
+    def _gives_all(self, model: WrongModel, calls: Iterable[Numbered]) -> bool:
         """Return whether a model does what the student's function did, failing where it failed."""
         return all(
             agrees(call.got, answer) if call.outcome.kind == "returned" else answer == NO_ANSWER
-            for calls in self._calls.values()
             for number, call in calls
             for answer in [self._answer(model, number, call)]
-        )
-
-    def _gives_all(self, model: WrongModel, calls: Iterable[Numbered]) -> bool:
-        """Return whether a model gives just what the student's function gave."""
-        return all(
-            call.outcome.kind == "returned" and agrees(call.got, self._answer(model, number, call))
-            for number, call in calls
         )
 
     def _answer(self, model: WrongModel, number: Number, call: TriedCall) -> Any:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import combinations, permutations, product
+from itertools import accumulate, combinations, permutations, product
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.recognition.edits import others_of
+from lesson_code.course.grading.recognition.edits import MASSES, others_of, parts_of
 from lesson_code.course.grading.recognition.in_source import model
 from lesson_code.course.grading.task import Function, WrongModel
 from lesson_code.course.isolation.inside.answers import plain
@@ -109,7 +109,39 @@ def rarer_slips_around(
             for change, another in product(SIGNS, SIGNS):
                 signed = _with_argument(_with_argument(right, k, another), i, change)
                 yield model(task, "signs", signed, {"first": one, "second": other})
+            for kind, change in ARGUMENTS:
+                alike = _with_argument(_with_argument(right, k, change), i, change)
+                yield model(task, kind, alike, {"name": f"each of {one} and {other}"})
+    for place, name in enumerate(parameters):
+        if {*parts_of(name)} & MASSES:
+            yield model(task, "fixed", _with_argument(right, place, _endless), {"name": name})
+    for kind, change in RARER_ANSWERS:
+        yield model(task, kind, _then(right, change), {})
 
+
+def _endless(value: Any) -> Any:
+    """Return an endless number, or as many as there are."""
+    return 0 * value + math.inf
+
+
+def _sums(values: Any) -> Any:
+    """Return the sums of a list from its first value on."""
+    return list(accumulate(values))
+
+
+def _one_more(value: Any) -> Any:
+    """Return a number that counts from 1 instead of 0."""
+    if not isinstance(value, int):
+        raise ValueError("value must be a number that counts")
+    return value + 1
+
+
+RARER_ANSWERS: tuple[tuple[str, Change], ...] = (
+    ("summed_up", _sums),
+    ("order", lambda rows: [row[::-1] for row in rows]),
+    ("from_one", lambda value: _mapped(value, _one_more)),
+)
+"""What may be done to an answer, more seldom."""
 
 FOR_NONE = (-1, False, (), 0.0, math.inf)
 """What may be returned where None is asked for."""
@@ -117,6 +149,7 @@ FOR_NONE = (-1, False, (), 0.0, math.inf)
 RARER_ARGUMENTS: tuple[tuple[str, Change], ...] = (
     ("as_one", lambda x: 0 * x + 1),
     ("complement", lambda x: 1 - x),
+    ("columns", lambda rows: [[b, a, *rest] for a, b, *rest in rows]),
 )
 """What may be done to one argument before it is used, more seldom."""
 

@@ -19,6 +19,9 @@ PAIRS = {
 OPPOSITE = PAIRS | {other: one for one, other in PAIRS.items()}
 """Parts of names that tell one of a pair from the other."""
 
+MASSES = {"m", "mass", "masses", "inertia"}
+"""Parts of the names of what lets nothing move where it is endless."""
+
 CALLS = {
     "min": ("max", "minmax"), "argmin": ("argmax", "minmax"), "fmin": ("fmax", "minmax"),
     "minimum": ("maximum", "minmax"), "sin": ("cos", "sine"), "cross": ("dot", "cross"),

@@ -21,6 +21,7 @@ from typing import Any, TypeAlias
 
 from lesson_code.course.grading.recognition.borders import at_borders
 from lesson_code.course.grading.recognition.edits import OPPOSITE, edits, parts_of
+from lesson_code.course.grading.recognition.mixed_up import mixed_up
 from lesson_code.course.grading.recognition.sizes import of_sizes
 from lesson_code.course.grading.recognition.steps import TOOLS, in_loops, steps
 from lesson_code.course.grading.recognition.trees import Edit
@@ -90,6 +91,17 @@ HINTS = {
     "complement": "what {name} leaves of 1 stands in its place. Which of the two was asked for?",
     "scaled": "the answer has {name} as one factor more, or one less. Which unit comes out?",
     "no_answer": "something stands where None was asked for. What should say that there is none?",
+    "base": "a power or a logarithm has another base. Which one belongs there?",
+    "straight": "a straight line stands for a curve. Does it still hold far from 0?",
+    "ratio": "a difference stands for a quotient. Which unit comes out?",
+    "together": "two masses are put together in another way. What if one of them is very large?",
+    "twice": "one factor or divisor counts twice. How often does it belong there?",
+    "ends": "the first and the last stand for the smallest and the largest. Are they in order?",
+    "columns": "two columns of {name} are exchanged. What stands in which?",
+    "not_called": "what goes into a function stands where that belongs which comes out. Which one?",
+    "fixed": "{name} counts as endless, so that its body never moves. What should move it?",
+    "summed_up": "each value is added to those before. Is each asked for by itself?",
+    "from_one": "numbers begin with 1. Which number has the first one in Python?",
     "direction": "{name} is changed along {along}. In which direction should it be changed?",
     "signs": "{first} and {second} go in with other signs. Does each sign say a direction?",
     "clamp": "one side of a limit is left out. Can the number also be too small, or too large?",
@@ -241,11 +253,12 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
 
 
 def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
-    """Yield each slip about borders, sizes, and what comes before what."""
+    """Yield each slip about borders, sizes, what comes before what, and what is taken for what."""
     for edits_of in (at_borders, of_sizes, in_loops):
         yield from _edited(answer, edits_of, HINTS)
     for kind, put, take_back in steps(answer.definition):
         yield kind, {}, put, take_back
+    yield from _edited(answer, mixed_up, HINTS)
 
 
 def _edited(

@@ -76,6 +76,7 @@ def steps(definition: ast.FunctionDef) -> Iterator[Change]:
             if isinstance(body, list) and body:
                 yield from _exchanged(body)
                 yield from _split(body)
+                yield from _worked_out_again(body)
                 for place, statement in enumerate(body):
                     if isinstance(statement, Loop):
                         yield from _across(body, place, statement)
@@ -112,6 +113,52 @@ def _split(body: list[ast.stmt]) -> Iterator[Change]:
                     once = ast.If(ast.Constant(True), list(order), [])
                     put = partial(body.__setitem__, place, once)
                     yield "updated", put, partial(body.__setitem__, place, statement)
+
+
+def _worked_out_again(body: list[ast.stmt]) -> Iterator[Change]:
+    """Yield two values of which the second is worked out from the first as it is by then."""
+    for place, statement in enumerate(body):
+        for name, first, second in _one_by_one(statement):
+            for start in {0, _start_of_run(body, place)}:
+                again = _depending(body[start:place], name)
+                once = ast.If(ast.Constant(True), [first, *again, second], [])
+                put = partial(body.__setitem__, place, once)
+                yield "updated", put, partial(body.__setitem__, place, statement)
+
+
+def _one_by_one(statement: ast.stmt) -> Iterator[tuple[str, ast.stmt, ast.stmt]]:
+    """Yield two values that are found at once as one under a name, and the other after that."""
+    match statement:
+        case ast.Assign(targets=[ast.Tuple(elts=[a, b])], value=ast.Tuple(elts=[one, other])):
+            for first, value, later, another in ((a, one, b, other), (b, other, a, one)):
+                yield _base(first), ast.Assign([first], value), ast.Assign([later], another)
+        case ast.Return(value=ast.Tuple(elts=[one, other])):
+            for value, rest, place in ((one, other, 0), (other, one, 1)):
+                for name in sorted({part.id for part in names_in(value)}):
+                    both: list[ast.expr] = [rest]
+                    both.insert(place, ast.Name(name, ast.Load()))
+                    kept = ast.Assign([ast.Name(name, ast.Store())], value)
+                    yield name, kept, ast.Return(ast.Tuple(both, ast.Load()))
+
+
+def _start_of_run(body: list[ast.stmt], place: int) -> int:
+    """Return where the statements begin that only give names to values, up to a place."""
+    while place > 0 and isinstance(body[place - 1], ast.Assign):
+        place -= 1
+    return place
+
+
+def _depending(before: list[ast.stmt], name: str) -> list[ast.stmt]:
+    """Return the statements that give names to values which depend on a name."""
+    depending = {name}
+    found: list[ast.stmt] = []
+    for statement in before:
+        if isinstance(statement, ast.Assign):
+            changed = _changed_names(statement)
+            if name not in changed and depending & {part.id for part in names_in(statement)}:
+                depending |= {*changed}
+                found.append(statement)
+    return found
 
 
 def _across(body: list[ast.stmt], place: int, loop: Loop) -> Iterator[Change]:
@@ -169,8 +216,12 @@ def _changed_names(statement: ast.stmt) -> list[str]:
             targets = elements
         case ast.Assign(targets=targets):
             pass
-    bases = [target.value if isinstance(target, ast.Subscript) else target for target in targets]
-    return [name for name in map(name_of, bases) if name]
+    return [name for name in map(_base, targets) if name]
+
+
+def _base(target: ast.expr) -> str:
+    """Return the name of a value that is written to, as a whole or in part."""
+    return name_of(target.value if isinstance(target, ast.Subscript) else target)
 
 
 def _parts(statement: ast.stmt) -> Iterator[ast.AST]:
