@@ -57,6 +57,11 @@ MADE = (
     ("return a / (1 / b + 1 / k)", "together", "return a * (b + k)"),
     ("return a ** 2", "power_less", "return a ** 0.5"),
     ("return a[t]", "index", "return a[1 - t]"),
+    ("return clip(a, b, k)", "clamp", "return maximum(a, b)"),
+    ("return a * a + a * b + b * b", "factor", "return a * a + 2 * (a * b) + b * b"),
+    ("return dot(a - b, k)", "along", "return (a @ a) ** 0.5 - (b @ b) ** 0.5"),
+    ("t = a + b\nfor x in k:\n b += t * x", "stale", "b += a * x"),
+    ("t = a ** 2 + b ** 2\nreturn t + a ** 2", "power", "t = a + b\n    return t + a ** 2"),
     ("t = a + b\nreturn a - t, b - t", "updated", "a = a - t\n        t = a + b"),
     ("a, b = (b + t, a + t)", "updated", "b = a + t\n        a = b + t"),
 )

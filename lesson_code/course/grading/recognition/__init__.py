@@ -164,7 +164,7 @@ class Evidence:
                 explained = _with_one_of(found, explained)
             most = max(explained.values(), key=len, default=())
             some = [model for model, names in explained.items() if names == most]
-            is_doubted = models_of is rarer_slips or (models_of is pairs and best)
+            is_doubted = models_of is rarer_slips or best
             if len(most) > len(best) and not (
                 is_doubted and len(self._said(some, most)) > MOST_SAID
             ):

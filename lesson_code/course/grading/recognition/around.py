@@ -129,17 +129,19 @@ def _sums(values: Any) -> Any:
     return list(accumulate(values))
 
 
-def _one_more(value: Any) -> Any:
-    """Return a number that counts from 1 instead of 0."""
+def _counted_on(value: Any, by: int) -> Any:
+    """Return a number that counts, changed by one."""
     if not isinstance(value, int):
         raise ValueError("value must be a number that counts")
-    return value + 1
+    return value + by
 
 
 RARER_ANSWERS: tuple[tuple[str, Change], ...] = (
     ("summed_up", _sums),
     ("order", lambda rows: [row[::-1] for row in rows]),
-    ("from_one", lambda value: _mapped(value, _one_more)),
+    ("from_one", lambda rows: [_mapped(row, partial(_counted_on, by=1)) for row in rows]),
+    ("count", partial(_counted_on, by=1)),
+    ("count", partial(_counted_on, by=-1)),
 )
 """What may be done to an answer, more seldom."""
 

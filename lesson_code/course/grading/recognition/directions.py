@@ -122,8 +122,9 @@ def _way(end: list[float], start: list[float]) -> list[float]:
 
 
 def _is_on_an_axis(end: list[float], start: list[float]) -> bool:
-    """Return whether the way from a start to an end is along x or along y, or is 0."""
-    return min(map(abs, _way(end, start))) <= PARALLEL
+    """Return whether a vector changes along x or along y, or is mirrored at walls along these."""
+    is_mirrored = all(abs(abs(a) - abs(b)) <= PARALLEL for a, b in zip(end, start, strict=True))
+    return is_mirrored or min(map(abs, _way(end, start))) <= PARALLEL
 
 
 def _parallel(end: list[float], start: list[float], along: list[float]) -> bool:

@@ -45,7 +45,7 @@ OF_A_COUNT = ("full", "ones", "range", "repeat", "round", "tile", "zeros")
 IN_RADIANS = ("sin", "cos", "tan")
 TURNED = {
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.Eq: ast.NotEq,
-    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
 }  # fmt: skip
 
 
@@ -99,6 +99,8 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
                 moved[i], moved[k] = moved[k], moved[i]
                 yield "order", {}, ast.Tuple(moved, ast.Load())
         case ast.Assign(targets=[ast.Name(id=name)]) if _uses(node.value, name):
+            yield "step", {}, ast.Pass()
+        case ast.AugAssign(op=ast.Mult() | ast.Div()):
             yield "step", {}, ast.Pass()
         case ast.AugAssign(op=ast.Add() | ast.Sub() as op):
             yield "step", {}, ast.Pass()
@@ -249,7 +251,7 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
     name = called(node)
     if name in EXCHANGED_CALLS:
         other, kind = EXCHANGED_CALLS[name]
-        yield kind, {}, ast.Call(_renamed(node.func, other), node.args, node.keywords)
+        yield kind, {}, ast.Call(renamed(node.func, other), node.args, node.keywords)
     if name in ROOTS:
         yield "root", {}, ast.BinOp(node, ast.Pow(), ast.Constant(2))
     if name == "range":
@@ -280,7 +282,7 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
         yield "sign", {}, ast.Call(node.func, turned, node.keywords)
 
 
-def _renamed(function: ast.expr, name: str) -> ast.expr:
+def renamed(function: ast.expr, name: str) -> ast.expr:
     """Return another function of the same module."""
     if isinstance(function, ast.Attribute):
         return ast.Attribute(function.value, name, ast.Load())

@@ -245,11 +245,16 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
     A slip that may be made in several places of the same shape, such as the divisor in the lines
     for both bodies, is made in each and in all of them.
     """
-    used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
-    known = used | {*answer.parameters}
-    yield from _edited(answer, lambda node, parent: edits(node, parent, known), kinds)
+    yield from _edited(answer, _edits_in(answer), kinds)
     if "sequence" in kinds:
         yield from _exchanged_steps(answer)
+
+
+def _edits_in(answer: RightAnswer) -> Callable[[ast.AST, ast.AST], Iterator[Edit]]:
+    """Return what yields the slips at a node of an answer, of which it knows the names."""
+    used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
+    known = used | {*answer.parameters}
+    return lambda node, parent: edits(node, parent, known)
 
 
 def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
@@ -259,6 +264,7 @@ def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
     for kind, put, take_back in steps(answer.definition):
         yield kind, {}, put, take_back
     yield from _edited(answer, mixed_up, HINTS)
+    yield from _in_statements(answer, _edits_in(answer))
 
 
 def _edited(
@@ -268,6 +274,34 @@ def _edited(
 ) -> Iterator[Place]:
     """Yield each slip of some kinds at a node, and those at nodes of the same shape together."""
     alike: dict[str, list[Place]] = {}
+    for _, shape, place in _at_nodes(answer, edits_of, kinds):
+        alike.setdefault(shape, []).append(place)
+        yield place
+    yield from (_all_of(places) for places in alike.values() if len(places) > 1)
+
+
+def _in_statements(
+    answer: RightAnswer, edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]]
+) -> Iterator[Place]:
+    """Yield the slips at nodes of the same shape in one statement together, not in all of them."""
+    everywhere: dict[str, int] = {}
+    alike: dict[tuple[int, str], list[Place]] = {}
+    statements = _statements(answer.definition)
+    for node, shape, place in _at_nodes(answer, edits_of, HINTS):
+        everywhere[shape] = everywhere.get(shape, 0) + 1
+        if id(node) in statements:
+            alike.setdefault((statements[id(node)], shape), []).append(place)
+    for (_, shape), places in alike.items():
+        if 1 < len(places) < everywhere[shape]:
+            yield _all_of(places)
+
+
+def _at_nodes(
+    answer: RightAnswer,
+    edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]],
+    kinds: Collection[str],
+) -> Iterator[tuple[ast.AST, str, Place]]:
+    """Yield each slip of some kinds at a node, with the node and the shape of the slip."""
     for parent in list(ast.walk(answer.definition)):
         for node, put in _children(parent):
             shape = ""
@@ -277,11 +311,14 @@ def _edited(
                     ast.fix_missing_locations(other)  # a line; all others have theirs
                     shown = _shown(names, answer)
                     place = kind, shown, partial(put, other), partial(put, node)
-                    alike.setdefault(f"{kind} {number} {shape}", []).append(place)
-                    yield place
-    for places in alike.values():
-        if len(places) > 1:
-            yield _all_of(places)
+                    yield node, f"{kind} {number} {shape}", place
+
+
+def _statements(definition: ast.FunctionDef) -> dict[int, int]:
+    """Return by the id of each node in which statement it is, conditions left out."""
+    simple = (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)
+    found = [node for node in ast.walk(definition) if isinstance(node, simple)]
+    return {id(part): number for number, node in enumerate(found, 1) for part in ast.walk(node)}
 
 
 def _exchanged_steps(answer: RightAnswer) -> Iterator[Place]:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
-from lesson_code.course.grading.recognition.edits import MASSES, parts_of
+from lesson_code.course.grading.recognition.edits import MASSES, parts_of, renamed
 from lesson_code.course.grading.recognition.trees import Edit, called, like, name_of
 
 LOGARITHMS = {"log": math.e, "log10": 10, "log2": 2}
@@ -25,8 +25,11 @@ OF_MANY = ("sum", "max", "min", "amax", "amin", "mean")
 
 MOST_ARGUMENTS = 9
 
+LIMITS = 3
+"""Arguments of `clip`: a value, and its limits."""
 
-def mixed_up(node: ast.AST, _parent: ast.AST) -> Iterator[Edit]:
+
+def mixed_up(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
     """Yield what may stand in the place of a node by a slip that takes it for another thing."""
     match node:
         case ast.Call():
@@ -37,13 +40,20 @@ def mixed_up(node: ast.AST, _parent: ast.AST) -> Iterator[Edit]:
         ) == ("min", "max"):
             yield "ends", {}, like("(a[0], b[-1])", one, other)
         case ast.BinOp(op=ast.Div(), left=left, right=right):
-            yield "whole", {}, like("a // b", left, right)
+            if not isinstance(parent, ast.BinOp):  # a small term would be lost as a whole
+                yield "whole", {}, like("a // b", left, right)
             yield "ratio", {}, like("a - b", left, right)
             yield "twice", {}, like("a / b / b", left, right)
             yield from _together(left, right)
         case ast.BinOp(op=ast.Mult(), left=left, right=right):
             yield "twice", {}, like("a * a * b", left, right)
             yield "twice", {}, like("a * b * b", left, right)
+        case ast.BinOp(op=ast.Add() | ast.Sub() as op, left=left, right=right):
+            for change in ("2 * a", "a / 2"):
+                if isinstance(left, ast.BinOp) and isinstance(left.op, ast.Mult):
+                    yield "factor", {}, ast.BinOp(like(change, left), op, right)
+                if isinstance(right, ast.BinOp) and isinstance(right.op, ast.Mult):
+                    yield "factor", {}, ast.BinOp(left, op, like(change, right))
         case ast.BinOp(op=ast.Pow(), left=ast.Constant(value=0.5), right=power):
             yield "base", {}, like(f"{math.e} ** -a", power)
             yield "straight", {}, like(f"1 - {math.log(2)} * a", power)
@@ -73,6 +83,10 @@ def _called(node: ast.Call) -> Iterator[Edit]:
         for other, base in LOGARITHMS.items():
             if other != name:
                 yield "base", {}, like(f"a * {math.log(LOGARITHMS[name], base)}", node)
+    if name == "clip" and len(node.args) == LIMITS:
+        for other, limit in (("maximum", 1), ("minimum", 2)):
+            one_sided = ast.Call(renamed(node.func, other), [node.args[0], node.args[limit]], [])
+            yield "clamp", {}, one_sided
     if name in STRAIGHT and len(node.args) == 1:
         yield "straight", {}, like(STRAIGHT[name], node.args[0])
     if name in OF_MANY and len(node.args) == 1:

@@ -81,6 +81,7 @@ def steps(definition: ast.FunctionDef) -> Iterator[Change]:
                     if isinstance(statement, Loop):
                         yield from _across(body, place, statement)
                     yield from _stale(body, place, body[place + 1 :], statement)
+                    yield from _made_from(statement, body[place + 1 :])
 
 
 def _exchanged(body: list[ast.stmt]) -> Iterator[Change]:
@@ -206,6 +207,46 @@ def _stale(
             )
 
 
+def _made_from(made: ast.stmt, users: list[ast.stmt]) -> Iterator[Change]:
+    """Yield what uses, for a value that is made by adding to another, that other one."""
+    for name, first in _sources(made):
+        found = [[each for each in names_in(part) if each.id == name] for part in _all_parts(users)]
+        in_users = [[each for each in _read(user) if each.id == name] for user in users]
+        for some in [*found, *in_users, list(chain.from_iterable(found))]:
+            if some:
+                yield "stale", partial(_rename, some, first), partial(_rename, some, name)
+
+
+def _sources(made: ast.stmt) -> list[tuple[str, str]]:
+    """Return the names that a statement gives to sums, each with that which its sum begins with."""
+    match made:
+        case ast.Assign(targets=[ast.Tuple(elts=targets)], value=ast.Tuple(elts=values)):
+            pairs = list(zip(targets, values, strict=True))
+        case ast.Assign(targets=[target], value=value):
+            pairs = [(target, value)]
+        case _:
+            return []
+    return [
+        (name_of(target), name_of(value.left))
+        for target, value in pairs
+        if isinstance(value, ast.BinOp) and isinstance(value.op, ast.Add | ast.Sub)
+        if name_of(target) and name_of(value.left) not in ("", name_of(target))
+    ]
+
+
+def _all_parts(users: list[ast.stmt]) -> list[ast.AST]:
+    return [part for user in users for part in _parts(user)]
+
+
+def _read(user: ast.stmt) -> list[ast.Name]:
+    return [name for part in _parts(user) for name in names_in(part)]
+
+
+def _rename(users: list[ast.Name], name: str) -> None:
+    for user in users:
+        user.id = name
+
+
 def _changed_names(statement: ast.stmt) -> list[str]:
     """Return the names of values that a statement changes."""
     targets: list[ast.expr] = []
@@ -237,11 +278,9 @@ def _parts(statement: ast.stmt) -> Iterator[ast.AST]:
 def _keep(body: list[ast.stmt], place: int, name: str, users: list[ast.Name]) -> None:
     kept = like("kept(a)", ast.Name(name, ast.Load()))
     body.insert(place, ast.Assign([ast.Name(OLD, ast.Store())], kept))
-    for user in users:
-        user.id = OLD
+    _rename(users, OLD)
 
 
 def _take_back(body: list[ast.stmt], place: int, name: str, users: list[ast.Name]) -> None:
     body.pop(place)
-    for user in users:
-        user.id = name
+    _rename(users, name)
