@@ -57,6 +57,8 @@ MADE = (
     ("return a / (1 / b + 1 / k)", "together", "return a * (b + k)"),
     ("return a ** 2", "power_less", "return a ** 0.5"),
     ("return a[t]", "index", "return a[1 - t]"),
+    ("return a / 3", "number", "return a / 2"),
+    ("t = a + b\nreturn t, a - b", "sign", "t = a - b\n    return (t, a + b)"),
     ("return clip(a, b, k)", "clamp", "return maximum(a, b)"),
     ("return a * a + a * b + b * b", "factor", "return a * a + 2 * (a * b) + b * b"),
     ("return dot(a - b, k)", "along", "return (a @ a) ** 0.5 - (b @ b) ** 0.5"),
@@ -82,6 +84,15 @@ def test_slip_of_a_kind_is_made_and_taken_back(lines: str, kind: str, expected: 
         take_back()
         assert ast.unparse(definition) == before
     assert any(expected in text for text in found), found
+
+
+def test_nothing_is_mixed_up_in_what_is_compared() -> None:
+    """A factor that counts twice in a comparison only moves a few calls to its other side."""
+    definition = ast.parse("def f(a, b):\n if a * b < 2:\n  return a\n return b").body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    made = {kind for kind, *_ in rarer_changes(RightAnswer(definition, {}))}
+    assert "strict" in made
+    assert not made & {"twice", "number"}
 
 
 def test_rarer_slips_are_made_once_and_ask_a_question() -> None:

@@ -30,7 +30,7 @@ from lesson_code.course.grading.recognition.candidates import (
     slips,
 )
 from lesson_code.course.grading.recognition.directions import direction_of
-from lesson_code.course.grading.recognition.said import MOST_SAID, said_of
+from lesson_code.course.grading.recognition.said import MOST_SAID, common_first, said_of
 from lesson_code.course.grading.task import Arguments, Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
@@ -173,7 +173,9 @@ class Evidence:
                 break
         said = self._said(found, best) if best else self._in_some_cases(criteria)
         best = best or tuple(criteria)
-        if not said or len(said) > MOST_SAID:
+        if len(said) > MOST_SAID:
+            said = common_first(self._task, found)
+        if not said:
             return None
         beside = [name for name in self._apart if self._gives_all(said[0], self._wrong[name])]
         return Diagnosis(said, (*best, *beside), is_all=len(best) == len(self.failed))

@@ -19,6 +19,9 @@ PARALLEL = 1e-9
 FEWEST_CALLS = 2
 """Wrong calls in which a direction must be the same: by luck it is so in none."""
 
+FEWEST_CALLS_ON_AXES = 4
+"""Wrong calls in which a vector must change along x or along y: among walls it often does so."""
+
 DIMENSIONS = 2
 
 DIRECTIONS = ("normal", "direction")
@@ -57,7 +60,9 @@ def direction_of(task: Task, names: Sequence[str], calls: Sequence[TriedCall]) -
         if len(off) < FEWEST_CALLS or any(_tells_nothing(*each) for each in off):
             continue
         for start in (name for name in vectors if name not in DIRECTIONS):
-            on_axes = all(_is_on_an_axis(wanted, each[start]) for _, wanted, each in off)
+            on_axes = len(off) < FEWEST_CALLS_ON_AXES or all(
+                _is_on_an_axis(wanted, each[start]) for _, wanted, each in off
+            )
             for said, along in _directions(vectors, on_axes):
                 mine = [_parallel(got, each[start], along(each)) for got, _, each in off]
                 right = (
@@ -79,7 +84,8 @@ def _tells_nothing(got: list[float], wanted: list[float], given: Given) -> bool:
 def _directions(vectors: Sequence[str], on_axes: bool) -> Iterator[Direction]:
     """Yield the directions that the arguments of a call hold, and the axes.
 
-    Where the right answer, too, changes a vector along an axis, an axis tells nothing.
+    Where the right answer, too, changes a vector along an axis, or few calls are wrong, an axis
+    tells nothing.
     """
     for name in vectors:
         yield name, partial(_given, name)

@@ -64,7 +64,7 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         case ast.Constant(value=bool() | str() | None):
             pass
         case ast.Constant(value=value) if value in (2, 0.5):
-            if not _is_no_factor(parent):
+            if not is_no_factor(parent):
                 yield "factor", {}, ast.Constant(1)
                 yield "factor", {}, ast.Constant(2 * value)
         case ast.Constant(value=value) if value in (3, 6, 12, 24):
@@ -112,7 +112,7 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         yield "sign", {}, ast.UnaryOp(ast.USub(), node)
 
 
-def _is_no_factor(parent: ast.AST) -> bool:
+def is_no_factor(parent: ast.AST) -> bool:
     """Return whether a 2 below a node is a power, an end of a slice, or counts values."""
     if isinstance(parent, ast.BinOp):
         parts = (parent.left, parent.right)

@@ -95,6 +95,7 @@ HINTS = {
     "straight": "a straight line stands for a curve. Does it still hold far from 0?",
     "ratio": "a difference stands for a quotient. Which unit comes out?",
     "together": "two masses are put together in another way. What if one of them is very large?",
+    "number": "a number in the formula is another one. Where does it come from?",
     "twice": "one factor or divisor counts twice. How often does it belong there?",
     "ends": "the first and the last stand for the smallest and the largest. Are they in order?",
     "columns": "two columns of {name} are exchanged. What stands in which?",
@@ -124,6 +125,10 @@ that never ends."""
 
 Place: TypeAlias = tuple[str, dict[str, str], Callable[[], None], Callable[[], None]]
 """The kind of a slip, names, what makes it in a tree and what takes it back."""
+
+
+EditsOf: TypeAlias = Callable[[ast.AST, ast.AST], Iterator[Edit]]
+"""Yields what may stand in the place of a node below another."""
 
 
 class TooManyRoundsError(ArithmeticError):
@@ -250,7 +255,7 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
         yield from _exchanged_steps(answer)
 
 
-def _edits_in(answer: RightAnswer) -> Callable[[ast.AST, ast.AST], Iterator[Edit]]:
+def _edits_in(answer: RightAnswer) -> EditsOf:
     """Return what yields the slips at a node of an answer, of which it knows the names."""
     used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
     known = used | {*answer.parameters}
@@ -263,13 +268,27 @@ def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
         yield from _edited(answer, edits_of, HINTS)
     for kind, put, take_back in steps(answer.definition):
         yield kind, {}, put, take_back
-    yield from _edited(answer, mixed_up, HINTS)
+    yield from _edited(answer, _outside_comparisons(answer, mixed_up), HINTS)
     yield from _in_statements(answer, _edits_in(answer))
+
+
+def _outside_comparisons(answer: RightAnswer, edits_of: EditsOf) -> EditsOf:
+    """Return what yields the same slips, but none in what is compared.
+
+    There they change no number of an answer, but only on which side a few calls are.
+    """
+    compared = {
+        id(part)
+        for node in ast.walk(answer.definition)
+        if isinstance(node, ast.Compare)
+        for part in ast.walk(node)
+    }
+    return lambda node, parent: iter(()) if id(node) in compared else edits_of(node, parent)
 
 
 def _edited(
     answer: RightAnswer,
-    edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]],
+    edits_of: EditsOf,
     kinds: Collection[str],
 ) -> Iterator[Place]:
     """Yield each slip of some kinds at a node, and those at nodes of the same shape together."""
@@ -280,25 +299,24 @@ def _edited(
     yield from (_all_of(places) for places in alike.values() if len(places) > 1)
 
 
-def _in_statements(
-    answer: RightAnswer, edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]]
-) -> Iterator[Place]:
-    """Yield the slips at nodes of the same shape in one statement together, not in all of them."""
+def _in_statements(answer: RightAnswer, edits_of: EditsOf) -> Iterator[Place]:
+    """Yield slips in all places of one statement, and in sums and differences of one shape."""
     everywhere: dict[str, int] = {}
-    alike: dict[tuple[int, str], list[Place]] = {}
+    alike: dict[tuple[int, str], list[tuple[str, Place]]] = {}
     statements = _statements(answer.definition)
     for node, shape, place in _at_nodes(answer, edits_of, HINTS):
         everywhere[shape] = everywhere.get(shape, 0) + 1
-        if id(node) in statements:
-            alike.setdefault((statements[id(node)], shape), []).append(place)
-    for (_, shape), places in alike.items():
-        if 1 < len(places) < everywhere[shape]:
-            yield _all_of(places)
+        for here in {0, statements.get(id(node), 0)}:
+            alike.setdefault((here, shape.replace("Sub()", "Add()")), []).append((shape, place))
+    for found in alike.values():
+        shapes = {shape for shape, _ in found}
+        if len(shapes) > 1 or 1 < len(found) < sum(map(everywhere.__getitem__, shapes)):
+            yield _all_of([place for _, place in found])
 
 
 def _at_nodes(
     answer: RightAnswer,
-    edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]],
+    edits_of: EditsOf,
     kinds: Collection[str],
 ) -> Iterator[tuple[ast.AST, str, Place]]:
     """Yield each slip of some kinds at a node, with the node and the shape of the slip."""

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
-from lesson_code.course.grading.recognition.edits import MASSES, parts_of, renamed
+from lesson_code.course.grading.recognition.edits import MASSES, is_no_factor, parts_of, renamed
 from lesson_code.course.grading.recognition.trees import Edit, called, like, name_of
 
 LOGARITHMS = {"log": math.e, "log10": 10, "log2": 2}
@@ -19,6 +19,9 @@ STRAIGHT = {"sin": "a", "tan": "a", "exp": "1 + a", "log1p": "a"}
 
 TOGETHER = ("(a + b)", "(a + b) / 2", "1 / (a + b)", "a * b", "(a * b) ** 0.5", "a", "b")
 """What is taken for the mass that counts in a meeting of two."""
+
+NUMBERS = (2, 3, 4, 5, 6, 8, 12)
+"""Numbers in formulas that are taken for each other."""
 
 OF_MANY = ("sum", "max", "min", "amax", "amin", "mean")
 """Functions of many values, of which one may be passed over."""
@@ -60,6 +63,8 @@ def mixed_up(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
             yield "straight", {}, like("1 - a", power)
         case ast.BinOp(op=ast.Pow(), left=left, right=ast.Constant(value=2)):
             yield "power_less", {"name": name_of(left)}, like("a ** 0.5", left)
+        case ast.Constant(value=2 | 3 | 4 | 6 | 12) if not is_no_factor(parent):
+            yield from (("number", {}, ast.Constant(other)) for other in NUMBERS)
         case ast.Subscript(slice=ast.Name() as place):
             yield "index", {}, ast.Subscript(node.value, like("1 - a", place), node.ctx)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lesson_code.course.grading.recognition.around import AS_IT_SHOULD_BE
 from lesson_code.course.grading.recognition.candidates import in_general
-from lesson_code.course.grading.task import WrongModel
+from lesson_code.course.grading.task import Task, WrongModel
 
 MOST_SAID = 2
 """Mistakes that explain the same and are both said; of more, none is."""
@@ -13,10 +13,11 @@ VAGUEST = ("ignored", "term", "factor_missing", "as_one", "complement", "scaled"
 """Kinds of slips that are not said where others, made in the same place, explain the same."""
 
 SAYS_MORE = {
-    "sign": ("minus",), "other": ("order",), "power_less": ("power",), "power_more": ("root",),
+    "sign": ("minus",), "other": ("order",), "index": ("other",), "ignored": ("fixed",),
+    "power_less": ("power",), "power_more": ("root",),
 }  # fmt: skip
-"""By kind the kinds that say more of the same answer: all signs, not one; the order of all; what
-is left out, not what may be too much."""
+"""By kind the kinds that say more of the same answer: all signs, not one; the order of all; whose
+quantity it is, not its place; that a body never moves; what is left out, not what is too much."""
 
 PLAINEST = "given"
 """A kind that is said alone: nothing else need be thought of where nothing was done."""
@@ -36,6 +37,15 @@ def said_of(found: list[WrongModel]) -> tuple[WrongModel, ...]:
         if len(kinds) > MOST_SAID:
             kinds.pop(kind, None)
     return tuple(_of_one_kind(list(models.values())) for models in kinds.values())
+
+
+def common_first(task: Task, found: list[WrongModel]) -> tuple[WrongModel, ...]:
+    """Return the listed mistake that is in all of some pairs, whatever the other one is."""
+    return tuple(
+        model
+        for model in task.wrong_models
+        if all(pair.name.startswith(f"{model.name} and ") for pair in found)
+    )
 
 
 def _of_one_kind(models: list[WrongModel]) -> WrongModel:
