@@ -53,7 +53,7 @@ MADE = (
     ("return sum(a)", "count", "return sum(list(a)[:-1])"),
     ("return a / b", "whole", "return a // b"),
     ("return a / b", "ratio", "return a - b"),
-    ("return k * a", "twice", "return k * k * a"),
+    ("return k * a", "twice", "return k * a * k"),
     ("return a / (1 / b + 1 / k)", "together", "return a * (b + k)"),
     ("return a ** 2", "power_less", "return a ** 0.5"),
     ("return a[t]", "index", "return a[1 - t]"),

@@ -20,8 +20,8 @@ STRAIGHT = {"sin": "a", "tan": "a", "exp": "1 + a", "log1p": "a"}
 TOGETHER = ("(a + b)", "(a + b) / 2", "1 / (a + b)", "a * b", "(a * b) ** 0.5", "a", "b")
 """What is taken for the mass that counts in a meeting of two."""
 
-NUMBERS = (2, 3, 4, 5, 6, 8, 12)
-"""Numbers in formulas that are taken for each other."""
+NUMBERS = {2: (3, 6), 3: (2, 4), 4: (3, 6), 6: (2, 4), 12: (3, 4, 8)}
+"""Numbers in formulas, and those that are taken for them; twice and half of one is a factor."""
 
 OF_MANY = ("sum", "max", "min", "amax", "amin", "mean")
 """Functions of many values, of which one may be passed over."""
@@ -46,11 +46,13 @@ def mixed_up(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
             if not isinstance(parent, ast.BinOp):  # a small term would be lost as a whole
                 yield "whole", {}, like("a // b", left, right)
             yield "ratio", {}, like("a - b", left, right)
-            yield "twice", {}, like("a / b / b", left, right)
+            if not isinstance(right, ast.Constant):
+                yield "twice", {}, like("a / b / b", left, right)
             yield from _together(left, right)
         case ast.BinOp(op=ast.Mult(), left=left, right=right):
-            yield "twice", {}, like("a * a * b", left, right)
-            yield "twice", {}, like("a * b * b", left, right)
+            for factor in (left, right):
+                if not isinstance(factor, ast.Constant):
+                    yield "twice", {}, like("a * b * c", left, right, factor)
         case ast.BinOp(op=ast.Add() | ast.Sub() as op, left=left, right=right):
             for change in ("2 * a", "a / 2"):
                 if isinstance(left, ast.BinOp) and isinstance(left.op, ast.Mult):
@@ -63,8 +65,8 @@ def mixed_up(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
             yield "straight", {}, like("1 - a", power)
         case ast.BinOp(op=ast.Pow(), left=left, right=ast.Constant(value=2)):
             yield "power_less", {"name": name_of(left)}, like("a ** 0.5", left)
-        case ast.Constant(value=2 | 3 | 4 | 6 | 12) if not is_no_factor(parent):
-            yield from (("number", {}, ast.Constant(other)) for other in NUMBERS)
+        case ast.Constant(value=int(number)) if number in NUMBERS and not is_no_factor(parent):
+            yield from (("number", {}, ast.Constant(other)) for other in NUMBERS[number])
         case ast.Subscript(slice=ast.Name() as place):
             yield "index", {}, ast.Subscript(node.value, like("1 - a", place), node.ctx)
 

@@ -120,8 +120,9 @@ def _worked_out_again(body: list[ast.stmt]) -> Iterator[Change]:
     """Yield two values of which the second is worked out from the first as it is by then."""
     for place, statement in enumerate(body):
         for name, first, second in _one_by_one(statement):
-            for start in {0, _start_of_run(body, place)}:
-                again = _depending(body[start:place], name)
+            whole = _depending(body[:place], name)
+            run = _depending(body[_start_of_run(body, place) : place], name)
+            for again in [whole, run] if run != whole else [whole]:
                 once = ast.If(ast.Constant(True), [first, *again, second], [])
                 put = partial(body.__setitem__, place, once)
                 yield "updated", put, partial(body.__setitem__, place, statement)
