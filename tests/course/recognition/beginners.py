@@ -1,7 +1,7 @@
 """Wrong answers that a beginner of 16 to 20 hands in, written before the slips were looked at.
 
-When they were first tried, after what ELEVENTH had taught, 100 of 110 had a hint, and two of these a
-false one; 104 have one now, and none is false.
+When they were first tried, after what ELEVENTH had taught, 100 of 110 had a hint, and two of these
+a false one; 104 have one now, and none is false.
 """
 
 from __future__ import annotations
