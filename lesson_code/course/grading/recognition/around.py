@@ -109,10 +109,20 @@ def rarer_slips_around(
             for change, another in product(SIGNS, SIGNS):
                 signed = _with_argument(_with_argument(right, k, another), i, change)
                 yield model(task, "signs", signed, {"first": one, "second": other})
+
+
+def last_slips_around(
+    right: Function, task: str, parameters: Sequence[str]
+) -> Iterator[WrongModel]:
+    """Yield slips in arguments and answers that are made most seldom, such as numbers from 1."""
+    for i, k in combinations(range(len(parameters)), 2):
+        one, other = parameters[i], parameters[k]
+        if other in others_of(one, {*parameters}):
             for kind, change in ARGUMENTS:
                 alike = _with_argument(_with_argument(right, k, change), i, change)
                 yield model(task, kind, alike, {"name": f"each of {one} and {other}"})
     for place, name in enumerate(parameters):
+        yield model(task, "columns", _with_argument(right, place, _exchanged), {"name": name})
         if {*parts_of(name)} & MASSES:
             yield model(task, "fixed", _with_argument(right, place, _endless), {"name": name})
     for kind, change in RARER_ANSWERS:
@@ -122,6 +132,11 @@ def rarer_slips_around(
 def _endless(value: Any) -> Any:
     """Return an endless number, or as many as there are."""
     return 0 * value + math.inf
+
+
+def _exchanged(rows: Any) -> Any:
+    """Return rows with their first two values exchanged."""
+    return [[second, first, *rest] for first, second, *rest in rows]
 
 
 def _sums(values: Any) -> Any:
@@ -151,7 +166,6 @@ FOR_NONE = (-1, False, (), 0.0, math.inf)
 RARER_ARGUMENTS: tuple[tuple[str, Change], ...] = (
     ("as_one", lambda x: 0 * x + 1),
     ("complement", lambda x: 1 - x),
-    ("columns", lambda rows: [[b, a, *rest] for a, b, *rest in rows]),
 )
 """What may be done to one argument before it is used, more seldom."""
 
