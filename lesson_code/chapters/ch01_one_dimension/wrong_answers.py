@@ -81,6 +81,13 @@ def first_mass_vanishes(m1: float, v1: float, m2: float, v2: float) -> tuple[flo
     return v, v
 
 
+@wrong_model("1.2", "Your bodies stick together. Can they go on with two velocities?")
+def each_by_its_own_mass(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """Each body gets its velocity from the total momentum and its own mass."""
+    p = m1 * v1 + m2 * v2
+    return p / m1, p / m2
+
+
 @wrong_model("1.3", "Your impulse stops the approach. What else does an elastic collision do?")
 def stops_only(m1: float, v1: float, m2: float, v2: float) -> float:
     """The impulse that brings the bodies to the same velocity is all there is."""

@@ -120,6 +120,15 @@ def scales_the_tangent(
     return restitution * (v1 - impulse / m1 * normal), restitution * (v2 + impulse / m2 * normal)
 
 
+@wrong_model("4.2", "Circle 2 pushes back. What does circle 1 do in your hit?")
+def circle_1_is_a_wall(
+    v1: Vector, m1: float, v2: Vector, m2: float, normal: Vector, restitution: float
+) -> Any:
+    """Circle 2 bounces off circle 1, which goes on as before."""
+    vn = np.dot(v2 - v1, normal)
+    return v1, v2 if vn >= 0 else v2 - (1 + restitution) * vn * normal
+
+
 @wrong_model("4.3", "A marble overlaps a bowling ball. Should the ball move as far as the marble?")
 def half_each(p1: Vector, m1: float, p2: Vector, m2: float, normal: Vector, depth: float) -> Any:
     """Both circles move by half of the depth."""

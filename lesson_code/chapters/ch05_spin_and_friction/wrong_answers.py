@@ -34,6 +34,16 @@ def about_the_origin(mass: float, vertices: Vector) -> Number:
     return mass * np.sum(twice_area * squares) / (6 * np.sum(twice_area))
 
 
+@wrong_model("5.1", "A triangle has three vertices. How many edges does your sum go over?")
+def last_edge_left_out(mass: float, vertices: Vector) -> Number:
+    """The edges lead from each vertex to the next; from the last one, none does."""
+    p, q = vertices[:-1], vertices[1:]
+    weights = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+    c = weights @ (p + q) / (3 * np.sum(weights))
+    squares = np.sum(p * p + p * q + q * q, axis=1)
+    return mass * (weights @ squares / (6 * np.sum(weights)) - c @ c)
+
+
 @wrong_model("5.1", "List the vertices the other way round. Which parts of your formula change?")
 def negative_when_reversed(mass: float, vertices: Vector) -> Number:
     """The vertices always come counter-clockwise; only the area needs its sign taken off."""

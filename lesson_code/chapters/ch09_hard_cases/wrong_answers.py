@@ -166,6 +166,17 @@ def the_gain_alone(
     return float((mass * (after @ after) + inertia * w_after**2) / before - 1)
 
 
+@wrong_model("9.4", "Your number is in J. What is the unit of a ratio?")
+def the_gain_in_joules(
+    mass: float, inertia: float, velocity: Vector, w: float, arm: Vector, impulse: Vector
+) -> float:
+    """How much energy a blow makes is what it adds."""
+    after = velocity + impulse / mass
+    w_after = w + (arm[0] * impulse[1] - arm[1] * impulse[0]) / inertia
+    gained = mass * (after @ after - velocity @ velocity) + inertia * (w_after**2 - w**2)
+    return float(gained) / 2
+
+
 @wrong_model("9.1", "Three boxes stand on the lowest. How many of them does it carry?")
 def the_next_box_alone(masses: Vector, gravity: float) -> Any:
     """A box carries the one above it, and that one the next."""

@@ -117,6 +117,37 @@ def one_loop_for_both_directions(
     return v[0], w[0], v[1], w[1]
 
 
+@alternative("11.2")
+def first_the_push_then_the_rub(
+    a: Vector,
+    arm_a: Vector,
+    b: Vector,
+    arm_b: Vector,
+    normal: Vector,
+    restitution: float,
+    friction: float,
+) -> Any:
+    """Both impulses written out, one after the other."""
+    import numpy as np
+
+    n, t = np.array(normal), np.array([-normal[1], normal[0]])
+    v_a, w_a, v_b, w_b = np.array(a[2:4]), a[4], np.array(b[2:4]), b[4]
+    n_a, n_b = arm_a[0] * n[1] - arm_a[1] * n[0], arm_b[0] * n[1] - arm_b[1] * n[0]
+    t_a, t_b = arm_a[0] * t[1] - arm_a[1] * t[0], arm_b[0] * t[1] - arm_b[1] * t[0]
+    u = (v_b - v_a) @ n + w_b * n_b - w_a * n_a
+    if u >= 0:
+        return v_a, w_a, v_b, w_b
+    jn = -(1 + restitution) * u / (1 / a[0] + 1 / b[0] + n_a**2 / a[1] + n_b**2 / b[1])
+    v_a, v_b = v_a - jn / a[0] * n, v_b + jn / b[0] * n
+    w_a, w_b = w_a - jn * n_a / a[1], w_b + jn * n_b / b[1]
+    s = (v_b - v_a) @ t + w_b * t_b - w_a * t_a
+    grip = -s / (1 / a[0] + 1 / b[0] + t_a**2 / a[1] + t_b**2 / b[1])
+    jt = max(-friction * jn, min(grip, friction * jn))
+    v_a, v_b = v_a - jt / a[0] * t, v_b + jt / b[0] * t
+    w_a, w_b = w_a - jt * t_a / a[1], w_b + jt * t_b / b[1]
+    return v_a, w_a, v_b, w_b
+
+
 @alternative("11.3")
 def from_the_centre_of_mass(
     positions: Table,

@@ -350,3 +350,12 @@ def rims_move_the_other_way() -> None:
 @edited(one_loop_for_both_directions, {"friction * jn": "friction * jn / (1 + restitution)"})
 def limit_without_the_bounce() -> None:
     """Only the part of the normal impulse that stops the approach counts for friction."""
+
+
+@wrong_model("11.2", "A rubber ball slides over the floor. Does friction throw it back?")
+@edited(
+    one_loop_for_both_directions,
+    {"np.clip(-u / yields,": "np.clip(-(1 + restitution) * u / yields,"},
+)
+def friction_with_restitution() -> None:
+    """Restitution turns the sliding round as well, as far as friction can."""

@@ -117,3 +117,9 @@ def mirrored_at_the_walls() -> None:
 )
 def moves_in_the_end() -> None:
     """First all impacts are found, and then the discs move."""
+
+
+@wrong_model("11.3", "A disc flies out to the right. How many walls has your room?")
+@edited(pair_by_pair_and_wall_by_wall, {"room[axis] - radii": "np.inf"})
+def two_walls() -> None:
+    """A room has a floor, and a wall on the left."""

@@ -374,7 +374,7 @@ def bounce_with_spin(velocity, w, radius, normal, restitution, friction):
         "6.1",
         "an edge of length zero ends the polygon (break in place of continue), so the "
         "axes after it are lost",
-        ("break_off",),
+        ("break_off", "passed_over"),
         """
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Slips about borders, sizes and the course of things: what they make of a right answer's text."""
+"""Slips about borders, sizes, mix-ups and the course of things: what they make of an answer."""
 
 from __future__ import annotations
 
@@ -41,6 +41,31 @@ MADE = (
     ("left = dt\nfor x in a:\n left -= x", "anew", "left = dt\n        left -= x"),
     ("return (1 + k) * a", "as_one", "return (1 + 1) * a"),
     ("while a:\n a -= 1", "rounds", "in range(10):"),
+    ("return log(a)", "base", "return log(a) * 0.434"),
+    ("return 0.5 ** a", "base", "return 2.718281828459045 ** (-a)"),
+    ("return 0.5 ** a", "straight", "return 1 - a"),
+    ("return sin(a)", "straight", "return a"),
+    ("return f(a, b, k)", "exchanged", "return f(a, k, b)"),
+    ("return where(a, b, k)", "gate", "return where(a, k, b)"),
+    ("return f(a)", "not_called", "return a"),
+    ("mass = a\nreturn f(mass)", "fixed", "return f(1e309)"),
+    ("return min(a), max(a)", "ends", "return (a[0], a[-1])"),
+    ("return sum(a)", "count", "return sum(list(a)[:-1])"),
+    ("return a / b", "whole", "return a // b"),
+    ("return a / b", "ratio", "return a - b"),
+    ("return k * a", "twice", "return k * a * k"),
+    ("return a / (1 / b + 1 / k)", "together", "return a * (b + k)"),
+    ("return a ** 2", "power_less", "return a ** 0.5"),
+    ("return a[t]", "index", "return a[1 - t]"),
+    ("return a / 3", "number", "return a / 2"),
+    ("t = a + b\nreturn t, a - b", "sign", "t = a - b\n    return (t, a + b)"),
+    ("return clip(a, b, k)", "clamp", "return maximum(a, b)"),
+    ("return a * a + a * b + b * b", "factor", "return a * a + 2 * (a * b) + b * b"),
+    ("return dot(a - b, k)", "along", "return (a @ a) ** 0.5 - (b @ b) ** 0.5"),
+    ("t = a + b\nfor x in k:\n b += t * x", "stale", "b += a * x"),
+    ("t = a ** 2 + b ** 2\nreturn t + a ** 2", "power", "t = a + b\n    return t + a ** 2"),
+    ("t = a + b\nreturn a - t, b - t", "updated", "a = a - t\n        t = a + b"),
+    ("a, b = (b + t, a + t)", "updated", "b = a + t\n        a = b + t"),
 )
 """Lines of a right answer, the kind of a slip in them, and what stands there after it."""
 
@@ -59,6 +84,15 @@ def test_slip_of_a_kind_is_made_and_taken_back(lines: str, kind: str, expected: 
         take_back()
         assert ast.unparse(definition) == before
     assert any(expected in text for text in found), found
+
+
+def test_nothing_is_mixed_up_in_what_is_compared() -> None:
+    """A factor that counts twice in a comparison only moves a few calls to its other side."""
+    definition = ast.parse("def f(a, b):\n if a * b < 2:\n  return a\n return b").body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    made = {kind for kind, *_ in rarer_changes(RightAnswer(definition, {}))}
+    assert "strict" in made
+    assert not made & {"twice", "number"}
 
 
 def test_rarer_slips_are_made_once_and_ask_a_question() -> None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import ast
 import copy
+import math
 from collections.abc import Callable
 from functools import partial
 from random import Random
 from typing import Any
 
+import numpy as np
 import pytest
+from course.recognition.beginners import TWELFTH
 from course.recognition.hobbyists import FIFTH
 from course.recognition.juniors import NINTH
 from course.recognition.markers import ELEVENTH
@@ -38,7 +41,7 @@ from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
 from lesson_code.course.notebooks.root import home
 
-LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH, ELEVENTH)
+LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH, ELEVENTH, TWELFTH)
 """Sets of wrong answers that the full tier tries, after the others."""
 
 SEED = 11
@@ -80,11 +83,13 @@ def verdict_of(wrong: Wrong, seed: int = SEED) -> Verdict:
 
 
 def names_given(task: Task) -> dict[str, Any]:
-    """Return what a file gives a student beside the functions to write: constants."""
-    names: dict[str, Any] = {"__name__": "student"}
+    """Return what a file gives a student beside the function to write: constants, and helpers."""
+    names: dict[str, Any] = {"__name__": "student", "math": math, "np": np}
     exercise = next(each for each in exercises() if task in each.tasks)
     if exercise.suffix == ".py":
         exec(exercise.student_copy(home()).read_text(), names)  # noqa: S102 - the course's own
+    else:
+        names |= right_answers(task.id, task.function)[0].names
     return names
 
 

@@ -12,7 +12,7 @@ import contextlib
 import math
 import warnings
 import zlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
@@ -21,15 +21,16 @@ from lesson_code.course.grading.compare import agrees
 from lesson_code.course.grading.recognition.candidates import (
     any_case,
     in_cases,
-    in_general,
     inherited,
     listed,
     pairs,
     parameters,
+    passed_over,
     rarer_slips,
     slips,
 )
 from lesson_code.course.grading.recognition.directions import direction_of
+from lesson_code.course.grading.recognition.said import MOST_SAID, common_first, said_of
 from lesson_code.course.grading.task import Arguments, Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
@@ -42,16 +43,19 @@ ENOUGH_TELLING_NUMBERS = 2
 """Numbers that tell, in all wrong calls, where a mistake is made in some cases only."""
 
 ENOUGH_PLAIN_CALLS = 3
-"""Wrong calls that a slip must explain where an answer holds no number that luck cannot give."""
+"""Wrong calls that a slip must explain where an answer holds no number that luck cannot give, and
+from which on it is seen in which way a loop reaches too few."""
+
+ENOUGH_CALLS_OF_SIZES = 2
+"""Wrong calls that a slip about a size must explain: of so many sizes that are tried one may well
+put a single call on the other side of a border, or make another thing the least."""
 
 TASKS_REMEMBERED = 128
 """Tasks for which a grader keeps what models make of a draw: more than the course has."""
 
-MOST_SAID = 2
-"""Mistakes that explain the same and are both said; of more, none is."""
-
-LIKELIER_FIRST = (listed, inherited, slips, rarer_slips, pairs)
-"""Where mistakes are looked for, in this order."""
+SINGLE = (listed, inherited, slips, rarer_slips)
+LIKELIER_FIRST = (*SINGLE, pairs)
+"""Where mistakes are looked for, in this order; a second one beside another is single."""
 
 OF_CASES = (
     "gate", "condition", "and_or", "strict", "threshold", "unchanged", "minus", "sign", "order",
@@ -60,17 +64,14 @@ OF_CASES = (
 """Kinds of slips that may be made in some cases only: not those in a formula, since a formula is
 the same in all."""
 
-VAGUEST = ("ignored", "term", "factor_missing", "as_one", "complement", "scaled")
-"""Kinds of slips that are not said where others, made in the same place, explain the same."""
+OF_SIZES = ("threshold", "length", "along", "squares")
+"""Kinds of slips about how large something is."""
 
-SAYS_MORE = {"sign": ("minus",), "other": ("order",)}
-"""By kind the kinds that say more of the same answer: all signs, not one; the order of all."""
+OF_ROUNDS = ("count", "only_one", "break_off", "once")
+"""Kinds of slips by which a loop reaches too few: seldom seen, they cannot be told apart."""
 
 SURE = "no_answer"
 """A kind that is seen from plain answers that are all the same: it is about nothing else."""
-
-PLAINEST = "given"
-"""A kind that is said alone: nothing else need be thought of where nothing was done."""
 
 NEAR = 1e-6
 """Relative difference up to which two signatures may belong to answers that agree: far above the
@@ -83,6 +84,8 @@ NO_ANSWER = "no answer"
 Number: TypeAlias = tuple[str, int]
 """The name of a criterion and the place of a call among its own: the same for all answers, also for
 one after which a criterion's other calls were not made."""
+
+Models: TypeAlias = Callable[[Task], tuple[WrongModel, ...]]
 
 Numbered: TypeAlias = tuple[Number, TriedCall]
 
@@ -124,7 +127,7 @@ def diagnoses(task: Task, calls: Sequence[TriedCall], seed: int) -> tuple[Diagno
         if first is None:
             return ()
         rest = [name for name in evidence.failed if name not in first.criteria]
-        second = evidence.best(rest) if rest else None
+        second = evidence.best(rest, SINGLE) if rest else None
     return (first,) if second is None else (first, second)
 
 
@@ -149,22 +152,30 @@ class Evidence:
         self.failed = [name for name in failed if not _all_degenerate(self._wrong[name])] or failed
         self._apart = [name for name in failed if name not in self.failed]
 
-    def best(self, criteria: Sequence[str]) -> Diagnosis | None:
+    def best(
+        self, criteria: Sequence[str], looked_for: Sequence[Models] = LIKELIER_FIRST
+    ) -> Diagnosis | None:
         """Return the mistakes that explain the most of some criteria, if they are at most two."""
         best: tuple[str, ...] = ()
         found: list[WrongModel] = []
-        for models_of in LIKELIER_FIRST:  # each is made if needed
+        for models_of in looked_for:  # each is made if needed
             explained = self._explained_by(models_of(self._task), criteria)
+            if models_of is pairs and 2 * len(best) > len(criteria):
+                explained = _with_one_of(found, explained)
             most = max(explained.values(), key=len, default=())
             some = [model for model, names in explained.items() if names == most]
-            is_doubted = models_of is rarer_slips or (models_of is pairs and best)
-            if len(most) > len(best) and not (is_doubted and len(_said(some)) > MOST_SAID):
+            is_doubted = models_of is rarer_slips or best
+            if len(most) > len(best) and not (
+                is_doubted and len(self._said(some, most)) > MOST_SAID
+            ):
                 best, found = most, some
             if len(best) == len(criteria):
                 break
-        said = _said(found) if best else self._in_some_cases(criteria)
+        said = self._said(found, best) if best else self._in_some_cases(criteria)
         best = best or tuple(criteria)
-        if not said or len(said) > MOST_SAID:
+        if len(said) > MOST_SAID:
+            said = common_first(self._task, found)
+        if not said:
             return None
         beside = [name for name in self._apart if self._gives_all(said[0], self._wrong[name])]
         return Diagnosis(said, (*best, *beside), is_all=len(best) == len(self.failed))
@@ -174,6 +185,7 @@ class Evidence:
 
         Then cases are told apart in another way than they should be.
         """
+        told = [name for name in criteria if self._returned(name)]
         wrong = [each for name in criteria for each in self._wrong[name]]
         calls = [call for _, call in wrong]
         if sum(map(telling_numbers, calls)) < ENOUGH_TELLING_NUMBERS:
@@ -181,12 +193,13 @@ class Evidence:
         found = [
             models[index]
             for models in (listed(self._task), slips(self._task), rarer_slips(self._task))
-            for index in self._near(models, criteria[0])
+            for index in self._near(models, told[0])
             if models is listed(self._task) or models[index].name in OF_CASES
+            if self._is_seen(models[index], criteria)
             if self._gives_all(models[index], wrong)
         ]
         if found:
-            said = _said(found)
+            said = self._said(found, criteria)
             return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(found[0]),)
         names = parameters(self._task)
         turned = direction_of(self._task, names, calls) if names else None
@@ -199,25 +212,28 @@ class Evidence:
 
         Only a listed model may explain a part: another one is tried in the first criterion alone.
         """
-        tried = criteria if models is listed(self._task) else criteria[:1]
+        told = [name for name in criteria if self._returned(name)]
+        tried = told if models is listed(self._task) else told[:1]
         near = sorted({index for name in tried for index in self._near(models, name)})
         found = {models[index]: self._explained(models[index], criteria) for index in near}
         return {model: explained for model, explained in found.items() if explained}
 
     def _near(self, models: tuple[WrongModel, ...], criterion: str) -> Iterable[int]:
-        """Return which models give nearly the student's answer to a criterion's first wrong call.
+        """Return which models give nearly the first wrong answer that came back for a criterion.
 
         One number stands for each answer, so that thousands are compared at once.
         """
-        number, call = self._wrong[criterion][0]
-        if call.outcome.kind != "returned":
-            return ()
+        number, call = self._returned(criterion)[0]
         key = id(models), number
         if key not in self._made:
             answers = (signature(self._answer(model, number, call)) for model in models)
             self._made[key] = models, numbers(answers, len(models))  # kept, and so is its id
         mine = signature(call.got)
         return places_near(self._made[key][1], mine, NEAR * max(1.0, abs(mine)))
+
+    def _returned(self, criterion: str) -> list[Numbered]:
+        """Return the wrong calls of a criterion in which something came back."""
+        return [each for each in self._wrong[criterion] if each[1].outcome.kind == "returned"]
 
     def _explained(self, model: WrongModel, criteria: Sequence[str]) -> tuple[str, ...]:
         """Return in which of some criteria a model gives the student's own numbers.
@@ -227,6 +243,8 @@ class Evidence:
         """
         explained = [name for name in criteria if self._gives_all(model, self._wrong[name])]
         if not explained or not self._gives_all(model, self._right):
+            return ()
+        if not self._is_seen(model, explained):
             return ()
         is_listed, is_part = model in self._task.wrong_models, len(explained) < len(criteria)
         told = [call for name in explained for _, call in self._wrong[name]]
@@ -240,20 +258,30 @@ class Evidence:
             return tuple(explained)
         return ()
 
+    def _said(self, found: list[WrongModel], criteria: Iterable[str]) -> tuple[WrongModel, ...]:
+        """Return what is said of mistakes that explain some criteria."""
+        if self._seen_in(criteria) < ENOUGH_PLAIN_CALLS:
+            found = [passed_over(model) if model.name in OF_ROUNDS else model for model in found]
+        return said_of(found)
+
+    def _is_seen(self, model: WrongModel, criteria: Iterable[str]) -> bool:
+        """Return whether some criteria hold enough wrong calls for a mistake to be seen in them."""
+        return model.name not in OF_SIZES or self._seen_in(criteria) >= ENOUGH_CALLS_OF_SIZES
+
+    def _seen_in(self, criteria: Iterable[str]) -> int:
+        """Return how many wrong calls some criteria hold."""
+        return sum(len(self._wrong[name]) for name in criteria)
+
     def _gives_every_call(self, model: WrongModel) -> bool:
+        """Return whether a model does so in all calls, the right ones as well."""
+        return all(self._gives_all(model, calls) for calls in self._calls.values())
+
+    def _gives_all(self, model: WrongModel, calls: Iterable[Numbered]) -> bool:
         """Return whether a model does what the student's function did, failing where it failed."""
         return all(
             agrees(call.got, answer) if call.outcome.kind == "returned" else answer == NO_ANSWER
-            for calls in self._calls.values()
             for number, call in calls
             for answer in [self._answer(model, number, call)]
-        )
-
-    def _gives_all(self, model: WrongModel, calls: Iterable[Numbered]) -> bool:
-        """Return whether a model gives just what the student's function gave."""
-        return all(
-            call.outcome.kind == "returned" and agrees(call.got, self._answer(model, number, call))
-            for number, call in calls
         )
 
     def _answer(self, model: WrongModel, number: Number, call: TriedCall) -> Any:
@@ -264,27 +292,12 @@ class Evidence:
         return self._made[key]
 
 
-def _said(found: list[WrongModel]) -> tuple[WrongModel, ...]:
-    """Return one model of each kind that explains an answer: the only one with names, if any."""
-    kinds: dict[str, dict[str, WrongModel]] = {}
-    for model in found:
-        kinds.setdefault(model.name, {})[model.hint] = model
-    if PLAINEST in kinds:
-        kinds = {PLAINEST: kinds[PLAINEST]}
-    for kind, others in SAYS_MORE.items():
-        if kinds.keys() & set(others):
-            kinds.pop(kind, None)
-    for kind in VAGUEST:
-        if len(kinds) > MOST_SAID:
-            kinds.pop(kind, None)
-    return tuple(_of_one_kind(list(models.values())) for models in kinds.values())
-
-
-def _of_one_kind(models: list[WrongModel]) -> WrongModel:
-    """Return the model that stands for some of one kind."""
-    unnamed = in_general(models[0])
-    named = [model for model in models if model.hint != unnamed.hint]
-    return named[0] if len(named) == 1 else unnamed
+def _with_one_of(
+    found: list[WrongModel], explained: dict[WrongModel, tuple[str, ...]]
+) -> dict[WrongModel, tuple[str, ...]]:
+    """Return the pairs that hold a mistake which explains most of an answer by itself."""
+    first = tuple(f"{model.name} and " for model in found)
+    return {pair: names for pair, names in explained.items() if pair.name.startswith(first)}
 
 
 def answer_of(model: WrongModel, call: TriedCall) -> Any:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import combinations, permutations, product
+from itertools import accumulate, combinations, permutations, product
 from typing import Any, TypeAlias
 
-from lesson_code.course.grading.recognition.edits import others_of
+from lesson_code.course.grading.recognition.edits import MASSES, others_of, parts_of
 from lesson_code.course.grading.recognition.in_source import model
 from lesson_code.course.grading.task import Function, WrongModel
 from lesson_code.course.isolation.inside.answers import plain
@@ -23,8 +23,8 @@ NUMBERS: tuple[tuple[str, Change], ...] = (
     ("absolute", abs),
     ("degrees", math.degrees),
     ("degrees", math.radians),
-    ("power", lambda x: x * x),
-    ("power", lambda x: math.copysign(math.sqrt(abs(x)), x)),
+    ("power_more", lambda x: x * x),
+    ("power_less", lambda x: math.copysign(math.sqrt(abs(x)), x)),
     ("upside_down", lambda x: 1 / x),
     ("rounding", math.trunc),
     *(("rounding", lambda x, digits=digits: round(x, digits)) for digits in range(8)),
@@ -39,8 +39,8 @@ ARGUMENTS: tuple[tuple[str, Change], ...] = (
     ("absolute", abs),
     ("degrees", lambda x: x * (180 / math.pi)),
     ("degrees", lambda x: x * (math.pi / 180)),
-    ("power", lambda x: x * x),
-    ("power", lambda x: x**0.5),
+    ("power_more", lambda x: x * x),
+    ("power_less", lambda x: x**0.5),
     ("upside_down", lambda x: 1 / x),
     ("index", lambda x: x[::-1]),
 )
@@ -110,6 +110,55 @@ def rarer_slips_around(
                 signed = _with_argument(_with_argument(right, k, another), i, change)
                 yield model(task, "signs", signed, {"first": one, "second": other})
 
+
+def last_slips_around(
+    right: Function, task: str, parameters: Sequence[str]
+) -> Iterator[WrongModel]:
+    """Yield slips in arguments and answers that are made most seldom, such as numbers from 1."""
+    for i, k in combinations(range(len(parameters)), 2):
+        one, other = parameters[i], parameters[k]
+        if other in others_of(one, {*parameters}):
+            for kind, change in ARGUMENTS:
+                alike = _with_argument(_with_argument(right, k, change), i, change)
+                yield model(task, kind, alike, {"name": f"each of {one} and {other}"})
+    for place, name in enumerate(parameters):
+        yield model(task, "columns", _with_argument(right, place, _exchanged), {"name": name})
+        if {*parts_of(name)} & MASSES:
+            yield model(task, "fixed", _with_argument(right, place, _endless), {"name": name})
+    for kind, change in RARER_ANSWERS:
+        yield model(task, kind, _then(right, change), {})
+
+
+def _endless(value: Any) -> Any:
+    """Return an endless number, or as many as there are."""
+    return 0 * value + math.inf
+
+
+def _exchanged(rows: Any) -> Any:
+    """Return rows with their first two values exchanged."""
+    return [[second, first, *rest] for first, second, *rest in rows]
+
+
+def _sums(values: Any) -> Any:
+    """Return the sums of a list from its first value on."""
+    return list(accumulate(values))
+
+
+def _counted_on(value: Any, by: int) -> Any:
+    """Return a number that counts, changed by one."""
+    if not isinstance(value, int):
+        raise ValueError("value must be a number that counts")
+    return value + by
+
+
+RARER_ANSWERS: tuple[tuple[str, Change], ...] = (
+    ("summed_up", _sums),
+    ("order", lambda rows: [row[::-1] for row in rows]),
+    ("from_one", lambda rows: [_mapped(row, partial(_counted_on, by=1)) for row in rows]),
+    ("count", partial(_counted_on, by=1)),
+    ("count", partial(_counted_on, by=-1)),
+)
+"""What may be done to an answer, more seldom."""
 
 FOR_NONE = (-1, False, (), 0.0, math.inf)
 """What may be returned where None is asked for."""

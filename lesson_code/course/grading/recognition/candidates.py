@@ -13,6 +13,7 @@ from typing import Any
 
 from lesson_code.course.grading.exercises import Exercise, exercises
 from lesson_code.course.grading.recognition.around import (
+    last_slips_around,
     of_the_answer,
     rarer_slips_around,
     slips_around,
@@ -84,7 +85,11 @@ def _inherited(task: Task) -> Iterator[WrongModel]:
 @cache
 def rarer_slips(task: Task) -> tuple[WrongModel, ...]:
     """Return slips that are looked for where no other explains an answer."""
-    return tuple(islice(_slips(task, rarer_slips_in, rarer_slips_around), most_models(task)))
+    found = chain(
+        _slips(task, rarer_slips_in, rarer_slips_around),
+        _slips(task, lambda *_: iter(()), last_slips_around),
+    )
+    return tuple(islice(found, most_models(task)))
 
 
 def _slips(
@@ -235,6 +240,11 @@ def in_cases(found: WrongModel) -> WrongModel:
 
     function.__name__, function.__doc__ = found.name, f"In some cases: {found.misconception}"
     return WrongModel(found.task, function, f"{WHERE_WRONG}{found.hint}")
+
+
+def passed_over(found: WrongModel) -> WrongModel:
+    """Return that a loop reaches too few, where it cannot be seen in which way."""
+    return model(found.task, "passed_over", lambda *given: found.function(*given), {})
 
 
 def any_case(found: WrongModel) -> WrongModel:

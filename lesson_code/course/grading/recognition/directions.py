@@ -19,6 +19,9 @@ PARALLEL = 1e-9
 FEWEST_CALLS = 2
 """Wrong calls in which a direction must be the same: by luck it is so in none."""
 
+FEWEST_CALLS_ON_AXES = 4
+"""Wrong calls in which a vector must change along x or along y: among walls it often does so."""
+
 DIMENSIONS = 2
 
 DIRECTIONS = ("normal", "direction")
@@ -57,7 +60,10 @@ def direction_of(task: Task, names: Sequence[str], calls: Sequence[TriedCall]) -
         if len(off) < FEWEST_CALLS or any(_tells_nothing(*each) for each in off):
             continue
         for start in (name for name in vectors if name not in DIRECTIONS):
-            for said, along in _directions(vectors):
+            on_axes = len(off) < FEWEST_CALLS_ON_AXES or all(
+                _is_on_an_axis(wanted, each[start]) for _, wanted, each in off
+            )
+            for said, along in _directions(vectors, on_axes):
                 mine = [_parallel(got, each[start], along(each)) for got, _, each in off]
                 right = (
                     all(_parallel(wanted, each[name], along(each)) for _, wanted, each in off)
@@ -75,15 +81,20 @@ def _tells_nothing(got: list[float], wanted: list[float], given: Given) -> bool:
     return any(vector in (got, wanted) for vector in given.values() if _is_vector(vector))
 
 
-def _directions(vectors: Sequence[str]) -> Iterator[Direction]:
-    """Yield the directions that the arguments of a call hold."""
+def _directions(vectors: Sequence[str], on_axes: bool) -> Iterator[Direction]:
+    """Yield the directions that the arguments of a call hold, and the axes.
+
+    Where the right answer, too, changes a vector along an axis, or few calls are wrong, an axis
+    tells nothing.
+    """
     for name in vectors:
         yield name, partial(_given, name)
         yield f"a right angle to {name}", partial(_turned, name)
     for one, other in combinations(vectors, 2):
         yield f"{one} - {other}", partial(_between, one, other)
-    yield "x", lambda _: [1.0, 0.0]
-    yield "y", lambda _: [0.0, 1.0]
+    if not on_axes:
+        yield "x", lambda _: [1.0, 0.0]
+        yield "y", lambda _: [0.0, 1.0]
 
 
 def _given(name: str, given: Given) -> list[float]:
@@ -114,6 +125,12 @@ def _part(value: Any, place: int | None) -> Any:
 
 def _way(end: list[float], start: list[float]) -> list[float]:
     return [end[0] - start[0], end[1] - start[1]]
+
+
+def _is_on_an_axis(end: list[float], start: list[float]) -> bool:
+    """Return whether a vector changes along x or along y, or is mirrored at walls along these."""
+    is_mirrored = all(abs(abs(a) - abs(b)) <= PARALLEL for a, b in zip(end, start, strict=True))
+    return is_mirrored or min(map(abs, _way(end, start))) <= PARALLEL
 
 
 def _parallel(end: list[float], start: list[float], along: list[float]) -> bool:

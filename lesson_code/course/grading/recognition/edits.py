@@ -19,6 +19,9 @@ PAIRS = {
 OPPOSITE = PAIRS | {other: one for one, other in PAIRS.items()}
 """Parts of names that tell one of a pair from the other."""
 
+MASSES = {"m", "mass", "masses", "inertia"}
+"""Parts of the names of what lets nothing move where it is endless."""
+
 CALLS = {
     "min": ("max", "minmax"), "argmin": ("argmax", "minmax"), "fmin": ("fmax", "minmax"),
     "minimum": ("maximum", "minmax"), "sin": ("cos", "sine"), "cross": ("dot", "cross"),
@@ -29,7 +32,7 @@ EXCHANGED_CALLS = CALLS | {other: (one, kind) for one, (other, kind) in CALLS.it
 
 LEFT_OUT = {
     "sqrt": "root", "exp": "root", "log": "root", "log1p": "root", "hypot": "root",
-    "abs": "absolute", "absolute": "absolute", "radians": "degrees", "ceil": "rounding",
+    "abs": "absolute", "absolute": "absolute", "radians": "degrees", "ceil": "not_whole",
 }  # fmt: skip
 """Functions whose argument may be taken as it is, and the kind of that slip."""
 
@@ -42,7 +45,7 @@ OF_A_COUNT = ("full", "ones", "range", "repeat", "round", "tile", "zeros")
 IN_RADIANS = ("sin", "cos", "tan")
 TURNED = {
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.Eq: ast.NotEq,
-    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
 }  # fmt: skip
 
 
@@ -61,7 +64,7 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         case ast.Constant(value=bool() | str() | None):
             pass
         case ast.Constant(value=value) if value in (2, 0.5):
-            if not _is_no_factor(parent):
+            if not is_no_factor(parent):
                 yield "factor", {}, ast.Constant(1)
                 yield "factor", {}, ast.Constant(2 * value)
         case ast.Constant(value=value) if value in (3, 6, 12, 24):
@@ -97,6 +100,8 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
                 yield "order", {}, ast.Tuple(moved, ast.Load())
         case ast.Assign(targets=[ast.Name(id=name)]) if _uses(node.value, name):
             yield "step", {}, ast.Pass()
+        case ast.AugAssign(op=ast.Mult() | ast.Div()):
+            yield "step", {}, ast.Pass()
         case ast.AugAssign(op=ast.Add() | ast.Sub() as op):
             yield "step", {}, ast.Pass()
             turned = ast.Sub() if isinstance(op, ast.Add) else ast.Add()
@@ -107,7 +112,7 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         yield "sign", {}, ast.UnaryOp(ast.USub(), node)
 
 
-def _is_no_factor(parent: ast.AST) -> bool:
+def is_no_factor(parent: ast.AST) -> bool:
     """Return whether a 2 below a node is a power, an end of a slice, or counts values."""
     if isinstance(parent, ast.BinOp):
         parts = (parent.left, parent.right)
@@ -138,10 +143,16 @@ def _ignoring(node: ast.Assign | ast.AugAssign | ast.Return, known: set[str]) ->
 
 
 class _Without(ast.NodeTransformer):
-    """Puts 0 times a name in its place."""
+    """Puts 0 times a name in its place, where it is a quantity: not a condition, nor a number."""
 
     def __init__(self, name: str) -> None:
         self._name = name
+
+    def visit_Compare(self, node: ast.Compare) -> ast.expr:
+        return node
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
+        return ast.Subscript(self.visit(node.value), node.slice, node.ctx)
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         if node.id != self._name or not isinstance(node.ctx, ast.Load):
@@ -174,6 +185,9 @@ def _arithmetic(node: ast.BinOp, parent: ast.AST) -> Iterator[Edit]:
             yield "product", {}, ast.BinOp(left, ast.Add(), right)
             yield "quotient", {}, ast.BinOp(left, ast.Div(), right)
             yield _factor(right), {"of": name_of(right)}, left
+            if isinstance(left, ast.UnaryOp):
+                without = ast.UnaryOp(left.op, right)
+                yield _factor(left.operand), {"of": name_of(left.operand)}, without
             yield _factor(left), {"of": name_of(left)}, right
             yield from _without_brackets(left, node.op, right)
             yield from _not_projected(left, right)
@@ -237,7 +251,7 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
     name = called(node)
     if name in EXCHANGED_CALLS:
         other, kind = EXCHANGED_CALLS[name]
-        yield kind, {}, ast.Call(_renamed(node.func, other), node.args, node.keywords)
+        yield kind, {}, ast.Call(renamed(node.func, other), node.args, node.keywords)
     if name in ROOTS:
         yield "root", {}, ast.BinOp(node, ast.Pow(), ast.Constant(2))
     if name == "range":
@@ -268,7 +282,7 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
         yield "sign", {}, ast.Call(node.func, turned, node.keywords)
 
 
-def _renamed(function: ast.expr, name: str) -> ast.expr:
+def renamed(function: ast.expr, name: str) -> ast.expr:
     """Return another function of the same module."""
     if isinstance(function, ast.Attribute):
         return ast.Attribute(function.value, name, ast.Load())

@@ -21,6 +21,7 @@ from typing import Any, TypeAlias
 
 from lesson_code.course.grading.recognition.borders import at_borders
 from lesson_code.course.grading.recognition.edits import OPPOSITE, edits, parts_of
+from lesson_code.course.grading.recognition.mixed_up import mixed_up
 from lesson_code.course.grading.recognition.sizes import of_sizes
 from lesson_code.course.grading.recognition.steps import TOOLS, in_loops, steps
 from lesson_code.course.grading.recognition.trees import Edit
@@ -42,6 +43,8 @@ HINTS = {
     "term": "one term of a sum is left out. Which parts make up the whole?",
     "precedence": "brackets are missing. What does the division or the product take in?",
     "power": "a power is left out. Which quantities are squared, and where is a root taken?",
+    "power_more": "{name} is squared, or its root is left out. Which unit comes out?",
+    "power_less": "the root of {name} is taken, or its square is left out. Which unit comes out?",
     "root": "one function is left out: a root, an exponential, a logarithm. Which unit comes out?",
     "absolute": "absolute values stand where signs count. Which way does each thing go?",
     "other": "{wrong} stands where {right} belongs. Whose quantity is wanted there?",
@@ -68,6 +71,7 @@ HINTS = {
     "strict": "a border counts on the other side. What should happen just there?",
     "threshold": "something small counts as nothing, or does not. How small may it really be?",
     "whole": "a number becomes whole in another way. Is it up, down, or to the nearest?",
+    "not_whole": "a number is left as it is where a whole one belongs. What is counted there?",
     "limit": "a limit bounds another quantity, one factor on or back. What may not grow beyond it?",
     "rounds": "a loop ends after so many rounds. What says that it is really done?",
     "nothing": "0 and None are exchanged. What does each of them say?",
@@ -76,6 +80,7 @@ HINTS = {
     "one_sided": "a number counts on one side of 0 only. What should it do on the other side?",
     "squares": "a function of a sum is taken for a sum, or the reverse. Is (a + b)^2 a^2 + b^2?",
     "break_off": "one that does not count ends it all. What of those that follow?",
+    "passed_over": "one of several is passed over, or a loop ends too soon. Which one is missing?",
     "only_one": "only the first, or the last, of several counts. What of the others?",
     "updated": "a new value is used where its old one belongs. Which is it at that moment?",
     "stale": "an old value is used where it has changed. Which is it at that moment?",
@@ -86,6 +91,18 @@ HINTS = {
     "complement": "what {name} leaves of 1 stands in its place. Which of the two was asked for?",
     "scaled": "the answer has {name} as one factor more, or one less. Which unit comes out?",
     "no_answer": "something stands where None was asked for. What should say that there is none?",
+    "base": "a power or a logarithm has another base. Which one belongs there?",
+    "straight": "a straight line stands for a curve. Does it still hold far from 0?",
+    "ratio": "a difference stands for a quotient. Which unit comes out?",
+    "together": "two masses are put together in another way. What if one of them is very large?",
+    "number": "a number in the formula is another one. Where does it come from?",
+    "twice": "one factor or divisor counts twice. How often does it belong there?",
+    "ends": "the first and the last stand for the smallest and the largest. Are they in order?",
+    "columns": "two columns of {name} are exchanged. What stands in which?",
+    "not_called": "what goes into a function stands where that belongs which comes out. Which one?",
+    "fixed": "{name} counts as endless, so that its body never moves. What should move it?",
+    "summed_up": "each value is added to those before. Is each asked for by itself?",
+    "from_one": "numbers begin with 1. Which number has the first one in Python?",
     "direction": "{name} is changed along {along}. In which direction should it be changed?",
     "signs": "{first} and {second} go in with other signs. Does each sign say a direction?",
     "clamp": "one side of a limit is left out. Can the number also be too small, or too large?",
@@ -108,6 +125,10 @@ that never ends."""
 
 Place: TypeAlias = tuple[str, dict[str, str], Callable[[], None], Callable[[], None]]
 """The kind of a slip, names, what makes it in a tree and what takes it back."""
+
+
+EditsOf: TypeAlias = Callable[[ast.AST, ast.AST], Iterator[Edit]]
+"""Yields what may stand in the place of a node below another."""
 
 
 class TooManyRoundsError(ArithmeticError):
@@ -229,28 +250,76 @@ def _places(answer: RightAnswer, kinds: Collection[str]) -> Iterator[Place]:
     A slip that may be made in several places of the same shape, such as the divisor in the lines
     for both bodies, is made in each and in all of them.
     """
-    used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
-    known = used | {*answer.parameters}
-    yield from _edited(answer, lambda node, parent: edits(node, parent, known), kinds)
+    yield from _edited(answer, _edits_in(answer), kinds)
     if "sequence" in kinds:
         yield from _exchanged_steps(answer)
 
 
+def _edits_in(answer: RightAnswer) -> EditsOf:
+    """Return what yields the slips at a node of an answer, of which it knows the names."""
+    used = {node.id for node in ast.walk(answer.definition) if isinstance(node, ast.Name)}
+    known = used | {*answer.parameters}
+    return lambda node, parent: edits(node, parent, known)
+
+
 def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
-    """Yield each slip about borders, sizes, and what comes before what."""
+    """Yield each slip about borders, sizes, what comes before what, and what is taken for what."""
     for edits_of in (at_borders, of_sizes, in_loops):
         yield from _edited(answer, edits_of, HINTS)
     for kind, put, take_back in steps(answer.definition):
         yield kind, {}, put, take_back
+    yield from _edited(answer, _outside_comparisons(answer, mixed_up), HINTS)
+    yield from _in_statements(answer, _edits_in(answer))
+
+
+def _outside_comparisons(answer: RightAnswer, edits_of: EditsOf) -> EditsOf:
+    """Return what yields the same slips, but none in what is compared.
+
+    There they change no number of an answer, but only on which side a few calls are.
+    """
+    compared = {
+        id(part)
+        for node in ast.walk(answer.definition)
+        if isinstance(node, ast.Compare)
+        for part in ast.walk(node)
+    }
+    return lambda node, parent: iter(()) if id(node) in compared else edits_of(node, parent)
 
 
 def _edited(
     answer: RightAnswer,
-    edits_of: Callable[[ast.AST, ast.AST], Iterator[Edit]],
+    edits_of: EditsOf,
     kinds: Collection[str],
 ) -> Iterator[Place]:
     """Yield each slip of some kinds at a node, and those at nodes of the same shape together."""
     alike: dict[str, list[Place]] = {}
+    for _, shape, place in _at_nodes(answer, edits_of, kinds):
+        alike.setdefault(shape, []).append(place)
+        yield place
+    yield from (_all_of(places) for places in alike.values() if len(places) > 1)
+
+
+def _in_statements(answer: RightAnswer, edits_of: EditsOf) -> Iterator[Place]:
+    """Yield slips in all places of one statement, and in sums and differences of one shape."""
+    everywhere: dict[str, int] = {}
+    alike: dict[tuple[int, str], list[tuple[str, Place]]] = {}
+    statements = _statements(answer.definition)
+    for node, shape, place in _at_nodes(answer, edits_of, HINTS):
+        everywhere[shape] = everywhere.get(shape, 0) + 1
+        for here in {0, statements.get(id(node), 0)}:
+            alike.setdefault((here, shape.replace("Sub()", "Add()")), []).append((shape, place))
+    for found in alike.values():
+        shapes = {shape for shape, _ in found}
+        if len(shapes) > 1 or 1 < len(found) < sum(map(everywhere.__getitem__, shapes)):
+            yield _all_of([place for _, place in found])
+
+
+def _at_nodes(
+    answer: RightAnswer,
+    edits_of: EditsOf,
+    kinds: Collection[str],
+) -> Iterator[tuple[ast.AST, str, Place]]:
+    """Yield each slip of some kinds at a node, with the node and the shape of the slip."""
     for parent in list(ast.walk(answer.definition)):
         for node, put in _children(parent):
             shape = ""
@@ -260,11 +329,14 @@ def _edited(
                     ast.fix_missing_locations(other)  # a line; all others have theirs
                     shown = _shown(names, answer)
                     place = kind, shown, partial(put, other), partial(put, node)
-                    alike.setdefault(f"{kind} {number} {shape}", []).append(place)
-                    yield place
-    for places in alike.values():
-        if len(places) > 1:
-            yield _all_of(places)
+                    yield node, f"{kind} {number} {shape}", place
+
+
+def _statements(definition: ast.FunctionDef) -> dict[int, int]:
+    """Return by the id of each node in which statement it is, conditions left out."""
+    simple = (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)
+    found = [node for node in ast.walk(definition) if isinstance(node, simple)]
+    return {id(part): number for number, node in enumerate(found, 1) for part in ast.walk(node)}
 
 
 def _exchanged_steps(answer: RightAnswer) -> Iterator[Place]:

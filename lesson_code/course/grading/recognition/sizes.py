@@ -11,6 +11,10 @@ LENGTHS = ("abs(a) + abs(b)", "max(abs(a), abs(b))", "a + b", "a * a + b * b", "
 """What is taken for the length of a vector with two components."""
 
 
+LESS_FAST = "(a @ a) ** 0.5 - (b @ b) ** 0.5"
+"""What is taken for the part of a difference of vectors along a direction."""
+
+
 def of_sizes(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
     """Yield what may stand in the place of a node by a slip about a size."""
     match node, parent:
@@ -28,6 +32,8 @@ def of_sizes(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
             yield from _lengths(like("a[0]", way), like("a[1]", way))
         case ast.Call(args=[one, other]) if called(node) == "dot":
             yield from _along(one, other, node)
+            if isinstance(one, ast.BinOp) and isinstance(one.op, ast.Sub):
+                yield "along", {}, like(LESS_FAST, one.left, one.right)
         case ast.BinOp(left=one, op=ast.MatMult(), right=other):
             yield from _along(one, other, node)
         case ast.BinOp(left=one, op=ast.Sub(), right=other):

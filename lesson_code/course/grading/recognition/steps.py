@@ -76,10 +76,12 @@ def steps(definition: ast.FunctionDef) -> Iterator[Change]:
             if isinstance(body, list) and body:
                 yield from _exchanged(body)
                 yield from _split(body)
+                yield from _worked_out_again(body)
                 for place, statement in enumerate(body):
                     if isinstance(statement, Loop):
                         yield from _across(body, place, statement)
                     yield from _stale(body, place, body[place + 1 :], statement)
+                    yield from _made_from(statement, body[place + 1 :])
 
 
 def _exchanged(body: list[ast.stmt]) -> Iterator[Change]:
@@ -112,6 +114,53 @@ def _split(body: list[ast.stmt]) -> Iterator[Change]:
                     once = ast.If(ast.Constant(True), list(order), [])
                     put = partial(body.__setitem__, place, once)
                     yield "updated", put, partial(body.__setitem__, place, statement)
+
+
+def _worked_out_again(body: list[ast.stmt]) -> Iterator[Change]:
+    """Yield two values of which the second is worked out from the first as it is by then."""
+    for place, statement in enumerate(body):
+        for name, first, second in _one_by_one(statement):
+            whole = _depending(body[:place], name)
+            run = _depending(body[_start_of_run(body, place) : place], name)
+            for again in [whole, run] if run != whole else [whole]:
+                once = ast.If(ast.Constant(True), [first, *again, second], [])
+                put = partial(body.__setitem__, place, once)
+                yield "updated", put, partial(body.__setitem__, place, statement)
+
+
+def _one_by_one(statement: ast.stmt) -> Iterator[tuple[str, ast.stmt, ast.stmt]]:
+    """Yield two values that are found at once as one under a name, and the other after that."""
+    match statement:
+        case ast.Assign(targets=[ast.Tuple(elts=[a, b])], value=ast.Tuple(elts=[one, other])):
+            for first, value, later, another in ((a, one, b, other), (b, other, a, one)):
+                yield _base(first), ast.Assign([first], value), ast.Assign([later], another)
+        case ast.Return(value=ast.Tuple(elts=[one, other])):
+            for value, rest, place in ((one, other, 0), (other, one, 1)):
+                for name in sorted({part.id for part in names_in(value)}):
+                    both: list[ast.expr] = [rest]
+                    both.insert(place, ast.Name(name, ast.Load()))
+                    kept = ast.Assign([ast.Name(name, ast.Store())], value)
+                    yield name, kept, ast.Return(ast.Tuple(both, ast.Load()))
+
+
+def _start_of_run(body: list[ast.stmt], place: int) -> int:
+    """Return where the statements begin that only give names to values, up to a place."""
+    while place > 0 and isinstance(body[place - 1], ast.Assign):
+        place -= 1
+    return place
+
+
+def _depending(before: list[ast.stmt], name: str) -> list[ast.stmt]:
+    """Return the statements that give names to values which depend on a name."""
+    depending = {name}
+    found: list[ast.stmt] = []
+    for statement in before:
+        if isinstance(statement, ast.Assign):
+            changed = _changed_names(statement)
+            if name not in changed and depending & {part.id for part in names_in(statement)}:
+                depending |= {*changed}
+                found.append(statement)
+    return found
 
 
 def _across(body: list[ast.stmt], place: int, loop: Loop) -> Iterator[Change]:
@@ -159,6 +208,46 @@ def _stale(
             )
 
 
+def _made_from(made: ast.stmt, users: list[ast.stmt]) -> Iterator[Change]:
+    """Yield what uses, for a value that is made by adding to another, that other one."""
+    for name, first in _sources(made):
+        found = [[each for each in names_in(part) if each.id == name] for part in _all_parts(users)]
+        in_users = [[each for each in _read(user) if each.id == name] for user in users]
+        for some in [*found, *in_users, list(chain.from_iterable(found))]:
+            if some:
+                yield "stale", partial(_rename, some, first), partial(_rename, some, name)
+
+
+def _sources(made: ast.stmt) -> list[tuple[str, str]]:
+    """Return the names that a statement gives to sums, each with that which its sum begins with."""
+    match made:
+        case ast.Assign(targets=[ast.Tuple(elts=targets)], value=ast.Tuple(elts=values)):
+            pairs = list(zip(targets, values, strict=True))
+        case ast.Assign(targets=[target], value=value):
+            pairs = [(target, value)]
+        case _:
+            return []
+    return [
+        (name_of(target), name_of(value.left))
+        for target, value in pairs
+        if isinstance(value, ast.BinOp) and isinstance(value.op, ast.Add | ast.Sub)
+        if name_of(target) and name_of(value.left) not in ("", name_of(target))
+    ]
+
+
+def _all_parts(users: list[ast.stmt]) -> list[ast.AST]:
+    return [part for user in users for part in _parts(user)]
+
+
+def _read(user: ast.stmt) -> list[ast.Name]:
+    return [name for part in _parts(user) for name in names_in(part)]
+
+
+def _rename(users: list[ast.Name], name: str) -> None:
+    for user in users:
+        user.id = name
+
+
 def _changed_names(statement: ast.stmt) -> list[str]:
     """Return the names of values that a statement changes."""
     targets: list[ast.expr] = []
@@ -169,8 +258,12 @@ def _changed_names(statement: ast.stmt) -> list[str]:
             targets = elements
         case ast.Assign(targets=targets):
             pass
-    bases = [target.value if isinstance(target, ast.Subscript) else target for target in targets]
-    return [name for name in map(name_of, bases) if name]
+    return [name for name in map(_base, targets) if name]
+
+
+def _base(target: ast.expr) -> str:
+    """Return the name of a value that is written to, as a whole or in part."""
+    return name_of(target.value if isinstance(target, ast.Subscript) else target)
 
 
 def _parts(statement: ast.stmt) -> Iterator[ast.AST]:
@@ -186,11 +279,9 @@ def _parts(statement: ast.stmt) -> Iterator[ast.AST]:
 def _keep(body: list[ast.stmt], place: int, name: str, users: list[ast.Name]) -> None:
     kept = like("kept(a)", ast.Name(name, ast.Load()))
     body.insert(place, ast.Assign([ast.Name(OLD, ast.Store())], kept))
-    for user in users:
-        user.id = OLD
+    _rename(users, OLD)
 
 
 def _take_back(body: list[ast.stmt], place: int, name: str, users: list[ast.Name]) -> None:
     body.pop(place)
-    for user in users:
-        user.id = name
+    _rename(users, name)
