@@ -73,7 +73,7 @@ LOOKS_OF_AN_IMPACT = 4
 """Looks that one counts for at whose start something has hit: two such in a step, but more where
 a corner that turns is looked at again and again, and passes by."""
 
-MOST_IMPACTS, IMPACTS_A_BODY = 64, 4
+MOST_IMPACTS, IMPACTS_A_BODY = 64, 8
 """Impacts of fast bodies in one step, and for each body that can be pushed where that is more. A
 ball of 1e6 m/s between two walls would make thousands; of a heap of planks that is poured into a
 bin each has some at once, in the worst step.
@@ -160,6 +160,11 @@ boxes on one another, each 1 cm off the line: at 0.2 they sink so far that they 
 1 m after 20 s, at 0.35 the springs are stiffer than one sweep can follow, and the stack shakes.
 Box2D v3 allows up to the same share, and 30 Hz at the most. Of n sweeps in a sub-step each follows
 springs as stiff, so that they may be n times as stiff together: with 3 or 4 a stack of 30 stands.
+"""
+
+MOST_SUNK = 0.1
+"""Of the lesser width: a soft contact that would give way by more to its load is made stiffer. The
+lowest of 120 capsules 4 mm thick would be pressed through a floor that is a line.
 """
 
 SOFT_DAMPING = 10.0

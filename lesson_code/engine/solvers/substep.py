@@ -49,6 +49,7 @@ import math
 
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
+    MOST_SUNK,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -82,10 +83,15 @@ from lesson_code.formulas.arithmetic import clamp, cross
 
 
 def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Compute what stays the same during the sub-steps, and let impacts and deep overlaps pass."""
+    """Compute what stays the same during the sub-steps, and let impacts and deep overlaps pass.
+
+    Springs get no stiffer in a step that is shorter than the one before, such as the last one of a
+    run may be: what rests on them would be thrown up.
+    """
     contact_solver.prepare(world, effects)
     sweeps = world.state.iterations
-    world.state.omega = 2 * math.pi * SOFT_FREQUENCY * math.sqrt(sweeps) / world.state.dt
+    longest = max(world.state.dt, world.state.dt_before)
+    world.state.omega = 2 * math.pi * SOFT_FREQUENCY * math.sqrt(sweeps) / longest
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
@@ -146,7 +152,8 @@ def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         c.normal_total, c.tangent_total = c.normal_impulse, c.tangent_impulse
         c.normal_impulse, c.tangent_impulse = 0.0, 0.0
-    recall(world, effects)
+    if has_load(world):
+        recall(world, effects)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         c.normal_total -= c.normal_impulse
@@ -169,10 +176,18 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
     """Return the overlap that is left to the spring, m: what its load sinks by, and the slop."""
-    state, sinking = world.state, 0.0
-    if has_load(world):
-        sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
-    return sinking + SLOP * min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
+    state, width = world.state, min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
+    if not has_load(world):
+        return SLOP * width
+    sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
+    return min(sinking, MOST_SUNK * width) + SLOP * width
+
+
+def spring_frequency(world: World, c: ContactRow) -> float:
+    """Return omega of a contact's spring, rad/s: stiffer where its load would sink too deep."""
+    a, b = world.bodies[c.a], world.bodies[c.b]
+    stiffness = c.normal_impulse / (world.state.dt * MOST_SUNK * min(a.min_width, b.min_width))
+    return max(world.state.omega, math.sqrt(stiffness / c.normal_mass))
 
 
 def has_load(world: World) -> bool:
@@ -185,11 +200,16 @@ def has_load(world: World) -> bool:
 
 
 def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Give each contact the impulse of the last sub-step; set its spring by the overlap it has."""
+    """Give each contact the impulse of the last sub-step; set its spring by the overlap it has.
+
+    Without a load no force lasts: what has been given was a blow, or a push.
+    """
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         c.normal_total += c.normal_impulse
         c.tangent_total += c.tangent_impulse
+        if not has_load(world):
+            c.normal_impulse = c.tangent_impulse = 0.0
     give_again(world, effects)
     world.state.dt_before = world.state.dt
     for k in range(world.state.contact_count):
@@ -198,7 +218,7 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 def soften(world: World, c: ContactRow) -> None:
     """Set the spring of a contact by its overlap; with a gap, or nothing to carry, it is rigid."""
-    h, omega = world.state.dt, world.state.omega
+    h, omega = world.state.dt, spring_frequency(world, c)
     gap = c.gap_origin + way_apart(c, world.bodies[c.a], world.bodies[c.b])
     c.target_vn = min(c.slack_vn, -max(gap, 0.0) / h)
     if gap > 0.0 or not has_load(world):

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tiers import share
 
 from lesson_code import Body, Circle, Material, MixingRule, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.core.constants import BAUMGARTE_FACTOR, SLOP, SOFT_DAMPING, SOFT_FREQUENCY
@@ -14,6 +15,9 @@ from lesson_code.engine.core.rows import BodyRow, ContactRow
 from lesson_code.engine.core.tables import world_of
 from lesson_code.engine.solvers.substep import soften, way_apart
 from lesson_code.engine.stepper import EngineStepper
+from lesson_code.evidence.hard_cases.collisions import any_surface
+from lesson_code.evidence.hard_cases.heaps import poured
+from lesson_code.evidence.hard_cases.parameters import Draw, seeded
 from lesson_code.evidence.scenes import rigid_bodies as scenes
 from lesson_code.reference.rigid_body_closed_forms import slide_down
 
@@ -360,3 +364,30 @@ def test_contacts_of_a_stack_carry_what_is_above_them() -> None:
     )
     expected = 2.0 * G / 60 * np.arange(6, 0, -1)
     assert carried[1:] == pytest.approx(expected, rel=1e-9)
+
+
+# Heaps
+
+
+@pytest.mark.parametrize("seed", range(share(12)))
+def test_record_has_every_impulse_of_a_heap(seed: int) -> None:
+    """What gravity gives and the walls take is the change of momentum: nobody waits, either."""
+    draw = Draw(seeded("record", seed))
+    scene, *_ = poured(draw, any_surface(draw))
+    run = soft(scene, 1.5)
+    hits, masses = run.contacts, np.array([body.mass or 0.0 for body in scene.bodies])
+    along = hits.normal_impulse[:, None] * hits.normal
+    across = hits.tangent_impulse[:, None] * np.column_stack(
+        (-hits.normal[:, 1], hits.normal[:, 0])
+    )
+    by_walls = -(along + across)[hits.body_b >= np.count_nonzero(masses)].sum(axis=0)
+    weight = masses.sum() * np.array(scene.gravity) * run.times[-1]
+    gained = masses @ (run.velocities[-1] - run.velocities[0])
+    np.testing.assert_allclose(gained, weight + by_walls, rtol=0, atol=1e-12 * abs(weight).max())
+
+
+def test_last_step_of_a_run_may_be_short_and_throws_nobody_up() -> None:
+    """Springs that follow its length would be far too stiff for the depth at which they lie."""
+    for part in (0.5, 0.1, 1e-3, 1e-6):
+        run = soft(tower([1.0, 5.0, 1.0]), 5.0 + part / 60, sample="end")
+        assert np.abs(run.velocities[-1]).max() <= SETTLED
