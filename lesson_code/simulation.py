@@ -49,7 +49,8 @@ def simulate(
         s, >= 0.
     solver : str
         "sequential": sequential impulses, the solver of chapters 04 to 06.
-        "substep": soft contacts in sub-steps; for high stacks and heavy bodies on light ones.
+        "substep": soft contacts in sub-steps; for heaps and crowds of many bodies. Rough impacts
+        gain no energy: what Newton's restitution would gain is taken from the bounce.
         "naive": the first attempt, faults included.
         "direct": the contacts of bodies that touch are solved together, exactly; for great mass
         ratios, tall stacks and even loads. A step ends where bodies come to touch, and no energy
@@ -60,8 +61,7 @@ def simulate(
         "pymunk": the same scene, stepped by pymunk.
         "box2d": the same scene, stepped by Box2D v3, where that is installed; without impulses.
         "auto": the one that suits the scene: "exact" for discs that fly freely, "direct" for few
-        bodies, "substep" for heavy bodies on light ones, "sequential" for others. ``run.plan``
-        says which, and why.
+        bodies, "substep" for others. ``run.plan`` says which, and why.
     dt : float
         The time step, s, > 0. All steps have this length, but for the last, which ends the run.
     iterations : int, optional

@@ -334,7 +334,11 @@ print("pymunk, 10 sweeps:", *(f"{x:.3f}" for x in v), f"m/s, energy {(v * v).sum
 # - **Right, or fast?** Our default solves all contacts at once for up to 40 bodies, of which no
 #   more than 24 fall; for up to 64 where nothing presses them together, neither gravity nor a wall
 #   that moves; and for up to 100 that all stand from the start. The price: a step may take far
-#   longer than one of sweeps. More bodies get the sweeps, and break the laws that sweeps break.
+#   longer than one of sweeps. Where there are more bodies, springs in short sub-steps hold them
+#   (chapter 08): the springs give way a little, and the angular momentum is kept less exactly.
+# - **Newton's restitution, or energy?** Many rough bodies that hit at once may gain energy by
+#   Newton's rule, by sweeps more than all had before. With sub-steps bodies that touch one another
+#   get as much of their bounce as their energy is enough for. The price: they may part slower.
 #
 # ## 7 Quiz
 
@@ -448,7 +452,7 @@ fig, ax = style.figure(width=7, height=6)
 case_plots.shares_held(ax, measured)
 show(
     fig,
-    "A row for each of fourteen themes of hard cases, with a mark for each engine over the share "
+    "A row for each of fifteen themes of hard cases, with a mark for each engine over the share "
     f"of the draws in which it held the bound. Ours stands at 100 per cent in every row{but}. The "
     "others are spread from 5 to 100.",
 )
@@ -470,7 +474,7 @@ show(
 
 # %% [markdown]
 # Which scenes are these? The table names one family of each theme, the one that all engines
-# together hold least: the draws held, and the worst figure. Its last two lines count these fourteen
+# together hold least: the draws held, and the worst figure. Its last two lines count these fifteen
 # families only. `workbook measure hard-cases` measures all of them on your machine and prints the
 # whole table; `--only load-on-box` takes one family.
 
@@ -555,7 +559,7 @@ check("exact: change of L", run.angular_momentum - run.angular_momentum[0], 0, t
 # the closed form; both cradles. The tests draw every family of the table again.
 #
 # **Limits.** The direct solver's time grows faster than the number of contacts that hang together:
-# for a heap of thousands, sweeps are the better choice. Where a case is chaotic, paths are compared
+# for a heap of thousands, sub-steps are the better choice. Where a case is chaotic, paths are compared
 # only as long as they can be computed. And real boxes are not rigid.
 #
 # **Do now:** the exercise [09 Hard cases](../exercises/09_hard_cases.ipynb): five tasks, twenty
