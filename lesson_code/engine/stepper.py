@@ -94,6 +94,9 @@ BODY_SECONDS, CONTACT_SECONDS, VISIT_SECONDS = 3e-6, 8e-6, 2e-6
 """s, of plain Python: for a body in a step, for a contact in it, and for each visit to that; on
 the machine whose speed :mod:`lesson_code.engine.compiled.choice` compares with."""
 
+SOFT_VISITS = 8
+"""Visits that a soft contact takes as much time for as it does in a sub-step with one sweep."""
+
 CONTACTS_OF_A_DISC, CONTACTS_OF_A_POLYGON = 1.5, 3.0
 """In a pile, about; without gravity there are few."""
 
@@ -104,14 +107,14 @@ def why_never(scene: Scene, solver: Solver) -> str:
     return solver.never_compiled or callbacks
 
 
-def plain_seconds(scene: Scene, steps: float, iterations: int) -> float:
+def plain_seconds(scene: Scene, steps: float, visits: int) -> float:
     """Return about how long plain Python takes for a run, s; see :mod:`compiled.choice`."""
     contacts = 0.0
     if any(scene.gravity):
         polygons = int(scene.columns.has_corners.sum())
         discs = len(scene.bodies) - polygons
         contacts = CONTACTS_OF_A_DISC * discs + CONTACTS_OF_A_POLYGON * polygons
-    in_contact = CONTACT_SECONDS + iterations * VISIT_SECONDS
+    in_contact = CONTACT_SECONDS + visits * VISIT_SECONDS
     return steps * (len(scene.bodies) * BODY_SECONDS + contacts * in_contact)
 
 
@@ -437,7 +440,8 @@ class EngineStepper(Stepper):
         steps = self._steps_planned - self._steps_made
         steps = 0.0 if math.isinf(steps) else self._steps_a_step * steps
         state, scene = self.world.state, self._question.scene
-        seconds = plain_seconds(scene, steps, state.iterations)
+        soft = SOFT_VISITS * state.substeps if self._solver.shares_contacts else 1
+        seconds = plain_seconds(scene, steps, soft * state.iterations)
         entry = self._code.begin(self.program, seconds, self._now(), self.program_for_any)
         self._change_to(entry)
 

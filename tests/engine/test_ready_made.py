@@ -240,7 +240,7 @@ def copied(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
 def test_file_that_is_missing_old_broken_or_too_many_is_named(copied: Path) -> None:
     """Each in a line."""
-    exact, substep, sequential, _ = map(ready_made.file_of, common_programs.common_programs())
+    exact, substep, _, sequential, _ = map(ready_made.file_of, common_programs.common_programs())
     exact.unlink()
     first, _, content = substep.read_bytes().partition(b"\n")
     told = json.loads(first) | {"program": "another"}

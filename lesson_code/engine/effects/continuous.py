@@ -9,7 +9,7 @@ the speeds.
 With a skin contacts are seen before the bodies touch, and a body is fast as soon as it moves by
 more than the skin. Of the direct solver ``next_contact`` says how far its step goes.
 
-After many impacts within one step those fast bodies that would hit something wait for the next
+After many impacts within one step those fast bodies that may hit something wait for the next
 step. They lose time then, but pass through nothing; the run warns of it.
 """
 
@@ -111,7 +111,7 @@ def choose_part(world: World, pipeline: Pipeline) -> bool:
             state.impacts += 1
             if state.impacts > most_impacts(state):
                 state.dt = state.left
-                let_those_wait_that_hit(world, pipeline.effects)
+                let_those_wait_that_may_hit(world, pipeline.effects)
     state.time = (state.steps_done + 1) * state.whole - (state.left - state.dt)
     return True
 
@@ -279,45 +279,17 @@ def time_into(world: World, a: BodyRow, b: BodyRow, is_now: bool, effects: Effec
     return (max(depth, deeper) if is_now else depth) / way_between(a, b, 1.0, effects)
 
 
-def let_those_wait_that_hit(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Let a fast body stay where it is for what is left of the step if it would hit another one.
+def let_those_wait_that_may_hit(world: World, effects: Effects = EVERY_EFFECT) -> None:
+    """Let a fast body stay where it is for what is left of the step if its way crosses another's.
 
-    So does what would hit one that stays. The others go on.
+    The others go on.
     """
     world.state.late_steps += 1
-    found = True
-    while found:
-        found = False
-        for k in range(world.state.pair_count):
-            a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
-            if (goes_fast(a) or goes_fast(b)) and would_hit(world, a, b, effects):
-                stay(a)
-                stay(b)
-                found = True
-    for body in world.bodies:
-        if body.waits:
-            body.vx, body.vy, body.w = body.start_vx, body.start_vy, body.start_w
-
-
-def goes_fast(body: BodyRow) -> bool:
-    """Return whether a body that can be pushed is fast, and does not wait."""
-    return body.is_fast and body.inv_m > 0.0 and not body.waits
-
-
-def would_hit(world: World, a: BodyRow, b: BodyRow, effects: Effects) -> bool:
-    """Return whether two bodies would hit each other in what is left of the step, unseen."""
-    left = world.state.left
-    if not is_far(world, way_between(a, b, left, effects)):
-        return False
-    return pair_impact_time(world, a, b, left, effects) < left
-
-
-def stay(body: BodyRow) -> None:
-    """Let a fast body stay where it is; its velocity is kept for later."""
-    if goes_fast(body):
-        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
-        body.vx = body.vy = body.w = 0.0
-        body.waits = True
+    for k in range(world.state.pair_count):
+        a, b = world.bodies[world.pairs[k].a], world.bodies[world.pairs[k].b]
+        if is_far(world, way_between(a, b, world.state.left, effects)):
+            a.waits = a.waits or (a.is_fast and a.inv_m > 0.0)
+            b.waits = b.waits or (b.is_fast and b.inv_m > 0.0)
 
 
 def let_fast_wait(world: World) -> None:
