@@ -559,8 +559,8 @@ check("exact: change of L", run.angular_momentum - run.angular_momentum[0], 0, t
 # the closed form; both cradles. The tests draw every family of the table again.
 #
 # **Limits.** The direct solver's time grows faster than the number of contacts that hang together:
-# for a heap of thousands, sub-steps are the better choice. Where a case is chaotic, paths are compared
-# only as long as they can be computed. And real boxes are not rigid.
+# for a heap of thousands, sub-steps are the better choice. Where a case is chaotic, paths are
+# compared only as long as they can be computed. And real boxes are not rigid.
 #
 # **Do now:** the exercise [09 Hard cases](../exercises/09_hard_cases.ipynb): five tasks, twenty
 # points. `workbook watch` checks it whenever you save. In `workbook play cradle` you choose between
