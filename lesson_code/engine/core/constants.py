@@ -227,8 +227,8 @@ neither gravity nor a mover; in a program that is played it suits others up to 1
 In a program it has half a frame of 1/60 s. A pile of 12 falling discs takes 3 ms a step in the
 median and 11 ms in the worst twentieth, one of 40 takes 57 ms there; 60 discs and a polygon that
 drift take 2 ms and 6 ms. A crowd that flies fast takes longer, 60 boxes at 7 m/s, 2 m from one
-another, 1 to 2 s for each second. Sweeps take a twentieth of it; but then rods may gain as much
-energy in one step as all of them began with, and boxes lie in one another by half of their width.
+another, 1 to 2 s for each second. Sub-steps take a twentieth of it; but then angular momentum
+drifts by 1e-4 of what all have, and boxes lie in one another by half of their width.
 """
 
 TOUCHING = 1e-6

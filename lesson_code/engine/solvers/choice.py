@@ -7,8 +7,8 @@
 4. Few bodies, or some more that stand from the start or that nothing presses together: the direct
    solver. All contacts are solved at once, and at any step energy and momentum keep their laws.
    Sweeps take less time, and break them.
-5. Many bodies: the solver with sub-steps. Sweeps take half to all of its time; in a heap they let
-   bodies pass through one another, and rough impacts gain energy by them.
+5. Many bodies: the solver with sub-steps. Sweeps take a third to all of its time; in a heap they
+   let bodies pass through one another, and rough impacts gain energy by them.
 """
 
 from __future__ import annotations

@@ -177,8 +177,6 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
 def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
     """Return the overlap that is left to the spring, m: what its load sinks by, and the slop."""
     state, width = world.state, min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
-    if not has_load(world):
-        return SLOP * width
     sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
     return min(sinking, MOST_SUNK * width) + SLOP * width
 
@@ -208,22 +206,31 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         c.normal_total += c.normal_impulse
         c.tangent_total += c.tangent_impulse
-        if not has_load(world):
-            c.normal_impulse = c.tangent_impulse = 0.0
-    give_again(world, effects)
+    if has_load(world):
+        give_again(world, effects)
+    else:
+        forget(world)
     world.state.dt_before = world.state.dt
     for k in range(world.state.contact_count):
         soften(world, world.contacts[k])
 
 
+def forget(world: World) -> None:
+    """Begin a sub-step without impulses."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        c.normal_impulse = c.tangent_impulse = 0.0
+
+
 def soften(world: World, c: ContactRow) -> None:
     """Set the spring of a contact by its overlap; with a gap, or nothing to carry, it is rigid."""
-    h, omega = world.state.dt, spring_frequency(world, c)
+    h = world.state.dt
     gap = c.gap_origin + way_apart(c, world.bodies[c.a], world.bodies[c.b])
     c.target_vn = min(c.slack_vn, -max(gap, 0.0) / h)
     if gap > 0.0 or not has_load(world):
         c.soft_vn, c.softness, c.soft_mass = c.target_vn, 0.0, c.normal_mass
     else:
+        omega = spring_frequency(world, c)
         damping = 2 * SOFT_DAMPING + omega * h
         overlap = min(-gap, soft_depth(world, c, c.normal_impulse))
         c.soft_vn = omega * overlap / damping  # beta overlap / h

@@ -9,7 +9,7 @@ import numpy as np
 from lesson_code.engine.core.constants import MOST_DRIFTING
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.measures import ROUNDING, gain, largest
+from lesson_code.evidence.hard_cases.measures import ROUNDING, gain, largest, rise
 from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.trial import OURS, Trial, family
 from lesson_code.evidence.scenes import corner_impacts, spinning_discs
@@ -188,9 +188,7 @@ def crowd(draw: Draw, trial: Trial) -> float:
     """6 to 64 spinning discs, boxes or rods with any e and mu rush to one place: change or gain."""
     scene = rush(draw, round(draw.log_uniform("count", 6, MOST_DRIFTING)))
     run = trial.run(scene, 3.0, sample=None)
-    energies = run.kinetic_energy
-    rise = largest(energies - np.minimum.accumulate(energies)) / float(energies[0])
-    return max(change_of_momentum(run), change_of_angular_momentum(run), rise)
+    return max(change_of_momentum(run), change_of_angular_momentum(run), rise(run.kinetic_energy))
 
 
 def rush(draw: Draw, count: int) -> Scene:

@@ -13,7 +13,7 @@ from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
 from lesson_code.evidence.hard_cases.collisions import any_surface, change_of_momentum, rush
 from lesson_code.evidence.hard_cases.loads import STANDS, tower
-from lesson_code.evidence.hard_cases.measures import ROUNDING, free, gain, largest, start_gap
+from lesson_code.evidence.hard_cases.measures import ROUNDING, free, gain, largest, rise, start_gap
 from lesson_code.evidence.hard_cases.parameters import Draw
 from lesson_code.evidence.hard_cases.stacks import NOT_LEANING, SIDEWAYS
 from lesson_code.evidence.hard_cases.trial import Trial, family
@@ -124,9 +124,7 @@ def large_crowd(draw: Draw, trial: Trial) -> float:
     """65 to 200 discs, boxes or rods with any e and mu rush to one place: change or gain."""
     scene = rush(draw, round(draw.log_uniform("count", MOST_DRIFTING + 1, 200)))
     run = trial.run(scene, 3.0, sample=None)
-    energies = run.kinetic_energy
-    rise = largest(energies - np.minimum.accumulate(energies)) / float(energies[0])
-    return max(change_of_momentum(run), rise)
+    return max(change_of_momentum(run), rise(run.kinetic_energy))
 
 
 @family(

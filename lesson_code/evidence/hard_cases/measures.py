@@ -109,6 +109,11 @@ def gain(energies: Any) -> float:
     return max(float(np.max(energies)) / float(energies[0]) - 1.0, 0.0)
 
 
+def rise(energies: Any) -> float:
+    """Return how far energies rise above the least before, in parts of the first; 0: they fall."""
+    return largest(energies - np.minimum.accumulate(energies)) / float(energies[0])
+
+
 def energy_above(run: Run, height: float = 0.0) -> Any:
     """Return the mechanical energy in each state, 0 for bodies at rest at a height, shape (F,)."""
     weight = -run.scene.gravity[1] * sum(body.mass or 0.0 for body in run.scene.bodies)
