@@ -165,7 +165,6 @@ class ContactRow:
     # Of the solver with sub-steps; there the impulses above are those of one sub-step
     gap_origin: float = 0.0  # m, the gap less the part that follows the bodies' places and angles
     soft_mass: float = 0.0  # kg, effective mass along the normal of a contact that gives way
-    lift_vn: float = 0.0  # m/s, of the bounce to reach: what gravity takes from it at once
     slack_vn: float = 0.0  # m/s, <= 0, normal velocity that impacts have left to the next step
     softness: float = 0.0  # 1/kg, >= 0: speed by which it gives way for 1 N s that it carries
     soft_vn: float = 0.0  # m/s, relative normal velocity to reach at least, but for giving way

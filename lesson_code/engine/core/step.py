@@ -37,6 +37,7 @@ from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import State, World
 from lesson_code.engine.core.skin import take_skins_off
 from lesson_code.engine.effects.continuous import choose_part
+from lesson_code.engine.effects.flags import Effects
 from lesson_code.engine.effects.impulse_record import (
     has_capacity_for_record,
     record_impulses,
@@ -349,11 +350,26 @@ def sub_step(world: World, pipeline: Pipeline) -> None:
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if effects.gravity or effects.damping:
         accelerate(world, effects)
+    for body in world.bodies:
+        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
     if effects.collisions:
         solver.warm_start(world, effects)
         for _ in range(state.iterations):
             solver.solve(world, effects)
+    if effects.gravity:
+        let_fly(world, effects)
     move(world, effects)
     if effects.collisions:
         for _ in range(state.iterations):
             solver.correct(world, effects)
+
+
+def let_fly(world: World, effects: Effects) -> None:
+    """Let each body that no contact has pushed follow its parabola: at its mean velocity."""
+    state = world.state
+    for body in world.bodies:
+        is_pushed = body.vx != body.start_vx or body.vy != body.start_vy or body.w != body.start_w
+        waits = body.waits or (effects.sleeping and body.is_asleep)
+        if body.inv_m > 0.0 and not is_pushed and not waits:
+            body.pseudo_vx -= state.gravity_x * state.dt / 2
+            body.pseudo_vy -= state.gravity_y * state.dt / 2

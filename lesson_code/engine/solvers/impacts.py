@@ -108,7 +108,7 @@ def has_bounced(world: World) -> bool:
 def note_gains(world: World) -> bool:
     """Note what each island has gained, in its first body; return whether one has gained.
 
-    A little more than rounding is none. What gravity takes at once is none, either.
+    A little more than rounding is none.
     """
     find_islands(world)
     for body in world.bodies:
@@ -116,8 +116,7 @@ def note_gains(world: World) -> bool:
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         rounding = ROUNDING_OF_WORK * c.normal_impulse * abs(c.target_vn)
-        first = first_body(world, c)
-        first.gained += work_on(world, c) - c.lift_vn * c.normal_impulse / 2 - rounding
+        first_body(world, c).gained += work_on(world, c) - rounding
     found = False
     for body in world.bodies:
         found = found or body.gained > 0.0
@@ -163,9 +162,7 @@ def note_losses(world: World) -> None:
     """Note what each island loses without a bounce, and how far from that it is with one, J."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
-        first = first_body(world, c)
-        first.lost -= work_on(world, c)
-        first.between -= c.lift_vn * (c.normal_total - c.normal_impulse) / 2
+        first_body(world, c).lost -= work_on(world, c)
     for i in range(len(world.bodies)):
         body = world.bodies[i]
         if body.inv_m > 0.0 and not body.is_asleep:

@@ -77,7 +77,7 @@ from lesson_code.engine.solvers.sequential import (
     longer_than_before,
     recall,
 )
-from lesson_code.formulas.arithmetic import clamp, cross
+from lesson_code.formulas.arithmetic import cross
 
 # Once a step
 
@@ -96,10 +96,6 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
         c.gap_origin = -c.penetration - way_apart(c, a, b)
-        c.lift_vn = 0.0
-        if c.target_vn > 0.0:
-            c.lift_vn = -clamp(gain_from_gravity(world, c, a, b), -c.target_vn, c.target_vn)
-            c.target_vn += c.lift_vn
         c.slack_vn = min(c.target_vn, 0.0)
         if c.penetration < 0.0:
             close_gap(c, a, b, world.state.dt)
@@ -116,7 +112,7 @@ def close_gap(c: ContactRow, a: BodyRow, b: BodyRow, h: float) -> None:
     """
     closing = c.penetration / h
     if c.target_vn <= 0.0 or normal_velocity(c, a, b) > closing:
-        c.target_vn, c.lift_vn = closing, 0.0
+        c.target_vn = closing
 
 
 def way_apart(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
@@ -128,19 +124,6 @@ def way_apart(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
     n = normal_of(c)
     turning: float = cross((c.bx, c.by), n) * b.angle - cross((c.ax, c.ay), n) * a.angle
     return (b.x - a.x) * c.nx + (b.y - a.y) * c.ny + turning
-
-
-def gain_from_gravity(world: World, c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return the normal velocity that gravity gives in a sub-step, m/s; it pulls alike at two.
-
-    Impacts come before gravity acts. What it adds at once is left out of the bounce, so that a
-    ball that bounces for ever keeps its height.
-    """
-    state = world.state
-    gain = (state.gravity_x * c.nx + state.gravity_y * c.ny) * state.dt
-    if a.inv_m > 0.0 and b.inv_m > 0.0:
-        return 0.0
-    return gain if b.inv_m > 0.0 else -gain
 
 
 def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
