@@ -113,18 +113,21 @@ def _has_all(solver: str, wishes: Mapping[str, bool]) -> bool:
 def flies_freely(question: Question) -> bool:
     """Return whether the exact solver suits a scene: discs that meet two at a time, and part.
 
-    With gravity a single disc over a single obstacle: several may come to rest in a pile, and one
-    between two obstacles in a wedge. Bodies that touch at the start are struck together; those
-    that never bounce stay together. Walls that move may come together, and what is between them
-    bounces more and more often.
+    With gravity, discs that lose no energy, or a single one over a single obstacle: others may come
+    to rest in a pile or in a wedge. Bodies that touch at the start are struck together; those that
+    never bounce stay together. Walls that move may come together, and what is between them bounces
+    more and more often.
     """
     scene = question.scene
     free = int(scene.columns.is_free.sum())
     if why_not(scene) or free == 0 or scene.columns.has_mover:
         return False
-    if any(scene.gravity) and (free > 1 or len(scene.bodies) > 2):
-        return False
-    if not any(scene.gravity) and question.facts.least_restitution <= 0.0:
+    facts = question.facts
+    if any(scene.gravity):
+        comes_to_rest = facts.least_restitution < 1.0 or facts.most_friction > 0.0
+        if comes_to_rest and (free > 1 or len(scene.bodies) > 2):
+            return False
+    elif facts.least_restitution <= 0.0:
         return False
     return is_apart(scene)
 
