@@ -11,6 +11,7 @@ import numpy as np
 from lesson_code.engine.core.constants import MOST_DRIFTING, MOST_FALLING
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
+from lesson_code.evidence.hard_cases.bounces import ELASTIC, KEEPS
 from lesson_code.evidence.hard_cases.collisions import any_surface, change_of_momentum, rush
 from lesson_code.evidence.hard_cases.loads import STANDS, tower
 from lesson_code.evidence.hard_cases.measures import ROUNDING, free, gain, largest, rise, start_gap
@@ -25,6 +26,8 @@ THEME = "Heaps"
 MOST = 120
 """Bodies of a heap: pymunk takes some seconds for as many."""
 
+KINDS = ("disc", "box", "plank", "capsule", "mixed")
+
 CELL = 2.4
 """Of the largest radius: from one body to the next at the start."""
 
@@ -38,16 +41,18 @@ class Heap(NamedTuple):
     fall: float  # s, from the top to the floor
 
 
-def poured(draw: Draw, surface: Material, ratio: float = 100.0) -> Heap:
+def poured(
+    draw: Draw, surface: Material, ratio: float = 100.0, kinds: tuple[str, ...] = KINDS
+) -> Heap:
     """Draw bodies of one kind or of all, at rest in rows above the floor of a bin, of any size."""
     count = round(draw.log_uniform("count", MOST_FALLING + 1, MOST))
-    kind = draw.choice("kind", ("disc", "box", "plank", "capsule", "mixed"))
+    kind = draw.choice("kind", kinds)
     size, masses = draw.log_uniform("size", 0.03, 3.0), draw.log_uniform("ratio", 1.0, ratio)
     rng = np.random.default_rng(draw.integer("places", 0, 10**9))
     columns, cell = math.ceil(0.8 * math.sqrt(count)), CELL * size
     bodies = []
     for n in range(count):
-        what = str(rng.choice(("disc", "box", "plank", "capsule"))) if kind == "mixed" else kind
+        what = str(rng.choice(KINDS[:-1])) if kind == "mixed" else kind
         bodies.append(
             Body(
                 shape_of(what, size * rng.uniform(0.5, 1)),
@@ -110,6 +115,37 @@ def heap_that_lies(draw: Draw, trial: Trial) -> float:
     heap = poured(draw, surface, ratio=10.0)
     run = trial.run(heap.scene, heap.fall + 100 * math.sqrt(heap.size / GRAVITY))
     return outside(heap, run) or float(run.max_penetration[-1]) / heap.size
+
+
+@family(
+    THEME,
+    why="They never come to rest, and collide some thousand times.",
+    law=KEEPS,
+    unit="",
+    bound=ROUNDING,
+    reason="rounding of some thousand bounces",
+)
+def elastic_discs_that_fall(draw: Draw, trial: Trial) -> float:
+    """25 to 120 elastic, smooth discs fall into a bin, 5 s: change of energy."""
+    return change_of_energy(trial.run(poured(draw, ELASTIC, kinds=("disc",)).scene, 5.0))
+
+
+@family(
+    THEME,
+    why="Steps see an impact once the bodies overlap, and those beside it press them on.",
+    law="What is elastic and smooth keeps its energy, but for a thousandth.",
+    unit="",
+    bound=1e-3,
+    reason="an approach that gravity made within a step is stopped, and does not bounce",
+)
+def elastic_shapes_that_fall(draw: Draw, trial: Trial) -> float:
+    """25 to 120 elastic, smooth bodies of other kinds fall into a bin, 5 s: change of energy."""
+    return change_of_energy(trial.run(poured(draw, ELASTIC, kinds=KINDS[1:]).scene, 5.0))
+
+
+def change_of_energy(run: Run) -> float:
+    """Return the largest change of the mechanical energy, in parts of it."""
+    return largest(run.energy / run.energy[0] - 1)
 
 
 @family(
