@@ -20,7 +20,8 @@ this step, so that a ball that bounces for ever keeps its height.
 
 With sub-steps contacts come first, and the motion follows, because the contacts have to follow
 it. All jumps of velocity lie in their preparation. So the look ahead for fast bodies comes after
-it: it then knows the velocities with which they will move.
+it: it then knows the velocities with which they will move. What no contact pushes moves at the
+mean of its velocities before and after gravity has acted, along its parabola.
 """
 
 from __future__ import annotations
@@ -350,7 +351,7 @@ def sub_step(world: World, pipeline: Pipeline) -> None:
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if effects.gravity or effects.damping:
         accelerate(world, effects)
-    for body in world.bodies:
+    for body in world.bodies:  # to see below which of them are pushed
         body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
     if effects.collisions:
         solver.warm_start(world, effects)

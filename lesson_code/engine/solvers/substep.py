@@ -30,6 +30,9 @@ Where the points have parted within the step, they may come together again as fa
 wide, and no faster: no contact pulls, and none is missed. The same holds for a contact that bodies
 with skins have before they touch; if they bounce, it is in the sub-step in which they would meet.
 
+What no contact has pushed in a sub-step follows its parabola: gravity makes it faster by g h, and
+it moves at the mean velocity. So the energy of what flies and bounces with e = 1 is kept.
+
 Where nothing presses bodies together, neither gravity nor a mover, there is nothing to carry. Their
 contacts are rigid then, and an overlap is undone by pushes alone: a spring would give it a speed.
 
