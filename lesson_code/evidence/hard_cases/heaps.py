@@ -125,7 +125,7 @@ def heap_that_lies(draw: Draw, trial: Trial) -> float:
     bound=ROUNDING,
     reason="rounding of some thousand bounces",
 )
-def elastic_discs_that_fall(draw: Draw, trial: Trial) -> float:
+def elastic_discs_falling(draw: Draw, trial: Trial) -> float:
     """25 to 120 elastic, smooth discs fall into a bin, 5 s: change of energy."""
     return change_of_energy(trial.run(poured(draw, ELASTIC, kinds=("disc",)).scene, 5.0))
 
@@ -138,7 +138,7 @@ def elastic_discs_that_fall(draw: Draw, trial: Trial) -> float:
     bound=1e-3,
     reason="an approach that gravity made within a step is stopped, and does not bounce",
 )
-def elastic_shapes_that_fall(draw: Draw, trial: Trial) -> float:
+def elastic_shapes_falling(draw: Draw, trial: Trial) -> float:
     """25 to 120 elastic, smooth bodies of other kinds fall into a bin, 5 s: change of energy."""
     return change_of_energy(trial.run(poured(draw, ELASTIC, kinds=KINDS[1:]).scene, 5.0))
 
