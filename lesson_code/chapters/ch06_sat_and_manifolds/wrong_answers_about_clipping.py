@@ -74,7 +74,9 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
     at_start, at_end = start @ normal - offset, end @ normal - offset
     if at_start > 0 and at_end > 0:
         return None
-    cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
+    if at_start <= 0 and at_end <= 0:
+        return start, end
+    cut = start + at_start / (at_start - at_end) * (end - start)
     return (end, cut) if at_start > 0 else (start, cut)
 
 
