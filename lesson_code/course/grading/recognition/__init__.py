@@ -52,10 +52,6 @@ ENOUGH_PLAIN_CALLS = 3
 """Wrong calls that a slip must explain where an answer holds no number that luck cannot give, and
 from which on it is seen in which way a loop reaches too few."""
 
-ENOUGH_CALLS_OF_SIZES = 3
-"""Wrong calls that a slip about a size must explain: of so many sizes that are tried one may well
-put a single call on the other side of a border, or make another thing the least."""
-
 TASKS_REMEMBERED = 128
 """Tasks for which a grader keeps what models make of a draw: more than the course has."""
 
@@ -73,8 +69,10 @@ the same in all."""
 OF_ORDER = ("order",)
 """Kinds of slips after which an answer holds the right numbers."""
 
-OF_SIZES = ("threshold", "length", "along", "squares")
-"""Kinds of slips about how large something is."""
+OF_SIZES = {"threshold": 2, "length": 3, "along": 2, "squares": 2}
+"""Kinds of slips about how large something is, and how many wrong calls they must explain: of so
+many sizes that are tried one may well put a single call on the other side of a border, or make
+another thing the least."""
 
 OF_ROUNDS = ("count", "only_one", "break_off", "once")
 """Kinds of slips by which a loop reaches too few: seldom seen, they cannot be told apart."""
@@ -287,7 +285,7 @@ class Evidence:
 
     def _is_seen(self, model: WrongModel, criteria: Iterable[str]) -> bool:
         """Return whether some criteria hold enough wrong calls for a mistake to be seen in them."""
-        return model.name not in OF_SIZES or self._seen_in(criteria) >= ENOUGH_CALLS_OF_SIZES
+        return self._seen_in(criteria) >= OF_SIZES.get(model.name, 0)
 
     def _seen_in(self, criteria: Iterable[str]) -> int:
         """Return how many wrong calls some criteria hold."""
