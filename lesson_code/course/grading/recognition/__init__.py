@@ -170,8 +170,8 @@ class Evidence:
         best: tuple[str, ...] = ()
         found: list[WrongModel] = []
         for models_of in looked_for:  # each is made if needed
-            if models_of is pairs and not self._telling_calls(criteria):
-                break  # whole numbers, which two mistakes together may give by luck
+            if models_of is pairs and not self._holds_enough(criteria):
+                break
             explained = self._explained_by(models_of(self._task), criteria)
             if models_of is pairs and 2 * len(best) > len(criteria):
                 explained = _with_one_of(found, explained)
@@ -295,6 +295,11 @@ class Evidence:
         """Return how many wrong calls of some criteria hold a number that luck cannot give."""
         wrong = [call for name in criteria for _, call in self._wrong[name]]
         return sum(map(holds_a_telling_number, wrong))
+
+    def _holds_enough(self, criteria: Iterable[str]) -> bool:
+        """Return whether answers hold more than a whole number, which two mistakes give by luck."""
+        wrong = [call for name in criteria for _, call in self._wrong[name]]
+        return any(isinstance(call.got, list) or telling_numbers(call) for call in wrong)
 
     def _gives_every_call(self, model: WrongModel) -> bool:
         """Return whether a model does so in all calls, the right ones as well."""
