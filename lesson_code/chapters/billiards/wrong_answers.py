@@ -316,3 +316,18 @@ def passes_the_bumper(position: Vector, velocity: Vector, dt: float) -> Any:
         hits += [name] if np.dot(velocity, normal) < 0 else []
         position, velocity = resolve(position, velocity, normal, depth)
     return position, velocity, hits
+
+
+@wrong_model("B.4", "Which way does a ball move after it was resolved: still into the cushion?")
+def asks_afterwards(position: Vector, velocity: Vector, dt: float) -> Any:
+    """A contact is resolved, and then one sees whether it was a hit."""
+    position, hits = position + velocity * dt, []
+    contact = bumper_contact(position)
+    found = [("bumper", *contact)] if contact is not None else []
+    for name, normal, depth in found:
+        position, velocity = resolve(position, velocity, normal, depth)
+        hits += [name] if np.dot(velocity, normal) < 0 else []
+    for name, normal, depth in wall_contacts(position):
+        position, velocity = resolve(position, velocity, normal, depth)
+        hits += [name] if np.dot(velocity, normal) < 0 else []
+    return position, velocity, hits

@@ -289,3 +289,10 @@ def places_in_order_of_size(
 @edited(by_recursion, {"if name != k": "if name != -1"})
 def bricks_do_not_break() -> None:
     """Bricks that were met stay where they are."""
+
+
+@wrong_model("K.2", "The ball meets the brick after more than HORIZON. What was asked for then?")
+def beyond_the_horizon(position: Vector, velocity: Vector, radius: float, box: Vector) -> Any:
+    """A ball that flies towards a brick meets it, however long it takes."""
+    hit = brick_impact(position, 100 * velocity, radius, box)
+    return None if hit is None else (100 * hit[0], hit[1])

@@ -174,6 +174,12 @@ def squares_again_each_time(height: float, restitution: float, count: int) -> li
     return heights
 
 
+@wrong_model("2.3", "e^2 after one bounce, e^4 after two. Which power of e have you after three?")
+def power_doubles_each_time(height: float, restitution: float, count: int) -> list[float]:
+    """Each bounce squares the factor between the drop and the height."""
+    return [height * restitution ** (2**n) for n in range(1, int(count) + 1)]
+
+
 @wrong_model("2.2", "A fly meets a train. Does the train come back with e times its speed?")
 def each_as_from_a_wall(
     m1: float, v1: float, m2: float, v2: float, restitution: float

@@ -35,6 +35,13 @@ def b_is_always_on_the_right(interval_a: Vector, interval_b: Vector) -> Any:
     return depth if depth > 0 else None
 
 
+@wrong_model("6.3", "Put B to the left of A, so that they overlap. Where does it leave A soonest?")
+def leaves_on_the_right(interval_a: Vector, interval_b: Vector) -> Any:
+    """Where the two overlap, B leaves A at its upper end."""
+    way = interval_a[1] - interval_b[0]
+    return way if min(way, interval_b[1] - interval_a[0]) > 0 else None
+
+
 @wrong_model("6.3", "B can leave on either side. Which of the two ways do you return?")
 def longer_way_out(interval_a: Vector, interval_b: Vector) -> Any:
     """Of the two ways out, the longer one is sure to be enough."""

@@ -6,7 +6,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from lesson_code.course.grading.task import wrong_model
+from lesson_code.chapters.ch06_sat_and_manifolds.right_answers import from_angles
+from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
 
@@ -101,3 +102,9 @@ def by_the_longest_edge(vertices: Vector) -> Any:
     edges = np.roll(vertices, -1, axis=0) - vertices
     longest = max(np.hypot(*edge) for edge in edges)
     return [np.array([y, -x]) / longest for x, y in edges if x or y]
+
+
+@wrong_model("6.1", "A level edge: do both of its coordinates change? Is it an edge?")
+@edited(from_angles, {"(x1, y1) != (x2, y2)": "x1 != x2 and y1 != y2"})
+def no_level_and_no_upright_edges() -> None:
+    """An edge is empty where one of its coordinates does not change."""

@@ -74,7 +74,9 @@ def cut_always_last(start: Vector, end: Vector, normal: Vector, offset: float) -
     at_start, at_end = start @ normal - offset, end @ normal - offset
     if at_start > 0 and at_end > 0:
         return None
-    cut = start + at_start / (at_start - at_end) * (end - start) if at_start * at_end < 0 else end
+    if at_start <= 0 and at_end <= 0:
+        return start, end
+    cut = start + at_start / (at_start - at_end) * (end - start)
     return (end, cut) if at_start > 0 else (start, cut)
 
 
@@ -149,3 +151,26 @@ def the_cut_alone(start: Vector, end: Vector, normal: Vector, offset: float) -> 
         return None if s > 0 else (start, end)
     cut = start + s / (s - e) * (end - start)
     return cut, cut
+
+
+@wrong_model("6.5", "The segment comes in from outside. Which of your two ends did you look at?")
+def only_the_end_is_cut(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """A segment begins inside, so only its end may have to be cut."""
+    at_start, at_end = start @ normal - offset, end @ normal - offset
+    if at_start > 0 and at_end > 0:
+        return None
+    if at_end <= 0:
+        return start, end
+    return start, start + at_start / (at_start - at_end) * (end - start)
+
+
+@wrong_model("6.5", "One end lies just on the line. Is its dot product above the offset?")
+def the_line_is_outside(start: Vector, end: Vector, normal: Vector, offset: float) -> Any:
+    """What lies on the line is outside."""
+    at_start, at_end = start @ normal - offset, end @ normal - offset
+    if at_start >= 0 and at_end >= 0:
+        return None
+    if at_start <= 0 and at_end <= 0:
+        return start, end
+    crossing = start + at_start / (at_start - at_end) * (end - start)
+    return (crossing, end) if at_start > 0 else (start, crossing)

@@ -166,20 +166,23 @@ def hundreds(_stream: Random) -> Iterator[Arguments]:
 def any_ratio(stream: Random) -> Iterator[Arguments]:
     """Draw mass ratios for which the count is not made of digits of pi, and one large one.
 
-    The outer block is the heavier one in three cases, and the lighter one in the next.
+    The outer block is the heavier one in three cases, and the lighter one in the next. The first
+    count is odd: then the last collision is one of the blocks, after which no wall is hit.
     """
-    for most in (10, 10, 10, 0.25):
+    yield (_ratio(stream, 10, off_pi=True, odd=True),)
+    for most in (10, 10, 0.25):
         yield (_ratio(stream, most, off_pi=True),)
     yield (_ratio(stream, most=900, off_pi=False),)
 
 
-def _ratio(stream: Random, most: float, off_pi: bool) -> float:
+def _ratio(stream: Random, most: float, off_pi: bool, odd: bool = False) -> float:
     """Return a mass ratio that is clearly between two counts."""
 
     def is_clear(ratio: float) -> bool:
         turns = math.pi / math.atan(1 / math.sqrt(ratio))
-        by_digits = int(math.pi * math.sqrt(ratio))
-        return 0.1 < turns % 1 < 0.9 and not (off_pi and by_digits == block_collisions(ratio))
+        by_digits, count = int(math.pi * math.sqrt(ratio)), block_collisions(ratio)
+        is_wanted = not (off_pi and by_digits == count) and (count % 2 == 1 or not odd)
+        return 0.1 < turns % 1 < 0.9 and is_wanted
 
     return draws.until(is_clear, lambda: round(stream.uniform(most / 5, most), 2))
 

@@ -175,3 +175,18 @@ def the_heavy_block_at_the_wall_too() -> None:
 )
 def over_when_the_light_one_is_slower() -> None:
     """When the light block is slower than the heavy one, all is over, whichever way they move."""
+
+
+@wrong_model(
+    "7.5", "The last strike leaves the light block moving away from the wall. Does it hit it?"
+)
+@edited(
+    from_hit_to_hit,
+    {
+        "        if light < 0:\n            light, count = -light, count + 1": (
+            "        light, count = abs(light), count + 1"
+        )
+    },
+)
+def the_wall_after_every_strike() -> None:
+    """After each strike the light block hits the wall."""

@@ -54,3 +54,12 @@ def as_high_as_wide() -> None:
 @edited(from_wall_to_wall, {"-restitution * v": "-v"})
 def elastic_walls() -> None:
     """A bounce turns the velocity round, and costs none of it."""
+
+
+@wrong_model("7.2", "Nothing pulls a ball that already moves down. Does it ever arrive?")
+def no_gravity_no_landing(height: float, velocity: float, gravity: float) -> Time:
+    """What nothing pulls down does not come down."""
+    if gravity == 0:
+        return None
+    speed = np.sqrt(velocity**2 + 2 * gravity * height)
+    return 2 * height / (speed - velocity) if velocity < 0 else (velocity + speed) / gravity

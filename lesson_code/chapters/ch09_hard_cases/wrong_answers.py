@@ -362,3 +362,11 @@ def inertia_about_the_point_hit() -> None:
 )
 def only_the_part_towards_the_centre_moves() -> None:
     """The part of a blow along the arm moves the body, and the part across it turns it."""
+
+
+@wrong_model("9.3", "The tip jams. Which impulse would do, or is there none?")
+def a_jam_pushes_back(
+    vn: float, vt: float, knn: float, knt: float, friction: float
+) -> float | None:
+    """An impulse is positive, so the divisor counts without its sign."""
+    return -vn / abs(knn - friction * math.copysign(1, vt) * knt) if vn < 0 else 0.0

@@ -170,3 +170,17 @@ def any_two_strike(masses: Vector, velocities: Vector) -> Any:
         centre = (masses[i] * v[i] + masses[k] * v[k]) / (masses[i] + masses[k])
         v[i], v[k] = 2 * centre - v[i], 2 * centre - v[k]
     return v
+
+
+@wrong_model("9.5", "A ball is hit from both sides. Which strike comes first in the task?")
+def all_that_approach_at_once(masses: Vector, velocities: Vector) -> Any:
+    """All pairs that approach strike at the same time."""
+    v = np.array(velocities, dtype=float)
+    for _ in range(2000):
+        approach = np.maximum(v[:-1] - v[1:], 0)
+        if approach.max() <= 1e-9:
+            break
+        impulses = 2 * approach / (1 / masses[:-1] + 1 / masses[1:])
+        v -= np.append(impulses, 0) / masses
+        v += np.append(0, impulses) / masses
+    return v

@@ -188,3 +188,15 @@ def no_friction_without_weight() -> None:
 )
 def corners_against_corners() -> None:
     """A body is turned where both bodies of a pair have corners."""
+
+
+@wrong_model("10.2", "A smooth disc spins from the start. What would a scene without turning show?")
+@edited(asks_effect_by_effect, {"w.any() or ": ""})
+def spin_forgotten() -> None:
+    """Rotation is for what a push can begin to turn."""
+
+
+@wrong_model("10.2", "A ball falls on the floor. Is that a pair in which something happens?")
+@edited(asks_effect_by_effect, {" if m[a] + m[b] > 0]": " if m[a] > 0 and m[b] > 0]"})
+def floors_meet_nobody() -> None:
+    """Only bodies that can be pushed make a pair."""

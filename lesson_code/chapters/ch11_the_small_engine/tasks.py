@@ -360,8 +360,12 @@ def _chain(stream: Random, links: int, step: int = 1) -> Pairs:
 
 
 def _with_one_among(chain: Pairs, pairs: Pairs) -> Pairs:
-    """Return pairs of which one at least is of two bodies of a chain that do not touch there."""
-    return tuple(dict.fromkeys([(chain[0][0], chain[1][1]), *pairs]))
+    """Return pairs of which one at least is of two bodies of a chain that do not touch there.
+
+    In another one the last body of the chain, which there is always the second, is the first.
+    """
+    last = chain[-1][1]
+    return tuple(dict.fromkeys([(chain[0][0], chain[1][1]), (last, last + 5), *pairs]))
 
 
 def _shuffled(stream: Random, rows: Sequence[Row]) -> tuple[Row, ...]:

@@ -257,3 +257,16 @@ def up_or_down() -> None:
 @edited(all_samples_at_once, {"frequency * t": "frequency * t * rate"})
 def a_tone_per_sample() -> None:
     """The samples are numbered in seconds for the tone."""
+
+
+@wrong_model("11.4", "`row in table` asks NumPy for any equal number. Which rows does that find?")
+def any_number_of_a_row(before: Table, now: Table) -> Any:
+    """For a table that is not empty, `in` asks whether it holds the row."""
+    begun = [tuple(pair) for pair in now if len(before) == 0 or pair not in before]
+    return begun, [tuple(pair) for pair in before if len(now) == 0 or pair not in now]
+
+
+@wrong_model("11.6", "There are rate samples in a second. How long do count of them last?")
+@edited(all_samples_at_once, {"np.arange(count) / rate": "np.linspace(0, 1, int(count))"})
+def lasts_one_second() -> None:
+    """The samples divide one second."""

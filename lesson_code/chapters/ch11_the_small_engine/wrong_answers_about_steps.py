@@ -123,3 +123,15 @@ def moves_in_the_end() -> None:
 @edited(pair_by_pair_and_wall_by_wall, {"room[axis] - radii": "np.inf"})
 def two_walls() -> None:
     """A room has a floor, and a wall on the left."""
+
+
+@wrong_model("11.3", "Two discs overlap and part already. Do they still have to be moved apart?")
+@edited(
+    pair_by_pair_and_wall_by_wall,
+    {
+        "depth / k / masses[i]": "depth * (vn < 0) / k / masses[i]",
+        "depth / k / masses[j]": "depth * (vn < 0) / k / masses[j]",
+    },
+)
+def apart_only_if_they_approach() -> None:
+    """Discs that part come out of each other by themselves."""

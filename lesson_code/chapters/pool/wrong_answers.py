@@ -337,3 +337,12 @@ def by_the_mean_count(
 def always_elastic(positions: Vector, velocities: Vector, radius: float, restitution: float) -> Any:
     """Billiard balls lose nothing when they collide."""
     return _shared(velocities, _touching(positions, radius), 1.0, ROUNDS, _larger)
+
+
+@wrong_model("P.3", "Two equal balls meet head on, with e = 1. Which velocities have they then?")
+def the_whole_change_for_each(
+    positions: Vector, velocities: Vector, radius: float, restitution: float
+) -> Any:
+    """Each ball of a pair changes by (1 + e) times the approach."""
+    touching = _touching(positions, radius)
+    return _shared(velocities, touching, restitution, ROUNDS, lambda a, b: (max(a, b) / 2,) * 2)

@@ -897,7 +897,7 @@ def step_discs(positions, velocities, masses, radii, restitution, gravity, room,
     Wrong(
         "11.4",
         "Tests `pair in table` of an array, which is true as soon as one number matches.",
-        ("one_number_in_the_column",),
+        ("one_number_in_the_column", "any_number_of_a_row"),
         """
 import numpy as np
 

@@ -90,6 +90,90 @@ def mtv(vertices_a, vertices_b):
     return best
 """,
     ),
+    Wrong(
+        "7.4",
+        "the smallest gap now: two calls are wrong besides, one of them without a number",
+        ("the_nearest_pair",),
+        """
+import math
+
+import numpy as np
+
+
+def meet(p, v, R):
+    a, b, c = v @ v, p @ v, p @ p - R * R
+    if b >= 0:
+        return None
+    if c <= 0:
+        return 0.0
+    if b * b < a * c:
+        return None
+    return c / (-b + math.sqrt(b * b - a * c))
+
+
+
+def next_event(positions, velocities, radii):
+    n = len(radii)
+    pairs = [(i, j) for i in range(n) for j in range(i + 1, n)]
+    gap = lambda ij: np.hypot(*(positions[ij[1]] - positions[ij[0]])) - radii[ij[0]] - radii[ij[1]]
+    i, j = min(pairs, key=gap)
+    t = meet(positions[j] - positions[i], velocities[j] - velocities[i], radii[i] + radii[j])
+    if t is None:
+        return None
+    return t, i, j
+""",
+    ),
+    Wrong(
+        "7.5",
+        "a wall after each strike: whole numbers, and two mistakes would give them, too",
+        ("the_wall_after_every_strike",),
+        """
+def pi_collisions(mass_ratio):
+    inner = 0.0
+    outer = -1.0
+    collisions = 0
+    while outer < inner:
+        V = (inner + mass_ratio * outer) / (mass_ratio + 1)
+        inner = 2 * V - inner
+        outer = 2 * V - outer
+        collisions += 1
+        inner = abs(inner)
+        collisions += 1
+    return collisions
+""",
+    ),
+    Wrong(
+        "P.3",
+        "radii not counted: one side of a border, in no length",
+        ("as_one",),
+        """
+import numpy as np
+
+
+def share_impact(positions, velocities, radius, restitution):
+    v = velocities.copy()
+    for _ in range(ROUNDS):
+        hits = []
+        for i in range(len(v)):
+            for j in range(i + 1, len(v)):
+                way = positions[j] - positions[i]
+                size = np.hypot(*way)
+                if size <= TOUCHING:
+                    speed = (v[i] - v[j]) @ way / size
+                    if speed > 0:
+                        hits.append((i, j, way / size, speed))
+        load = np.zeros(len(v))
+        for i, j, _n, _s in hits:
+            load[[i, j]] += 1
+        delta = np.zeros(v.shape)
+        for i, j, n, s in hits:
+            J = (1 + restitution) * s / 2 / max(load[i], load[j]) * n
+            delta[i] -= J
+            delta[j] += J
+        v = v + delta
+    return v
+""",
+    ),
 )
 """Two were said to leave a power out, and the others to hold a slip that they do not hold."""
 

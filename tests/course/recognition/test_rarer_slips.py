@@ -36,7 +36,7 @@ MADE = (
     ("if f(a):\n b = 1", "gate", "if True:"),
     ("a, b = (b, a)\nreturn b", "updated", "a = b\n        b = a"),
     ("b = f(a)\na += 1\nreturn b", "sequence", "a += 1\n    b = f(a)"),
-    ("a = a + 1\nreturn a * b", "stale", "return old_value * b"),
+    ("a = a + 1\nreturn a * b", "stale", "return old_value_a * b"),
     ("for x in b:\n c = f(a)\n a += c", "stale", "c = f(a)\n    for x in b"),
     ("left = dt\nfor x in a:\n left -= x", "anew", "left = dt\n        left -= x"),
     ("return (1 + k) * a", "as_one", "return (1 + 1) * a"),

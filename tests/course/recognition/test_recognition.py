@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from course.recognition.apprentices import THIRTEENTH
 from course.recognition.beginners import TWELFTH
 from course.recognition.hobbyists import FIFTH
 from course.recognition.juniors import NINTH
@@ -41,7 +42,7 @@ from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.grading.verdict import Verdict, drawn, judge
 from lesson_code.course.notebooks.root import home
 
-LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH, ELEVENTH, TWELFTH)
+LATER = (FIFTH, SIXTH, SEVENTH, EIGHTH, NINTH, TENTH, ELEVENTH, TWELFTH, THIRTEENTH)
 """Sets of wrong answers that the full tier tries, after the others."""
 
 SEED = 11

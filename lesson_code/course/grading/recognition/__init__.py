@@ -9,9 +9,7 @@ for a reason of its own. Where more than two kinds of mistakes explain the same,
 from __future__ import annotations
 
 import contextlib
-import math
 import warnings
-import zlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -31,7 +29,15 @@ from lesson_code.course.grading.recognition.candidates import (
 )
 from lesson_code.course.grading.recognition.directions import direction_of
 from lesson_code.course.grading.recognition.said import MOST_SAID, common_first, said_of
-from lesson_code.course.grading.task import Arguments, Task, WrongModel
+from lesson_code.course.grading.recognition.sampled import samples_of
+from lesson_code.course.grading.recognition.telling import (
+    holds_a_telling_number,
+    is_degenerate,
+    signature,
+    telling_numbers,
+    worked_out_numbers,
+)
+from lesson_code.course.grading.task import Task, WrongModel
 from lesson_code.course.grading.tried import TriedCall
 from lesson_code.course.isolation.inside.answers import arguments_from, plain
 from lesson_code.course.isolation.inside.vectors import numbers, places_near, unwarned
@@ -45,10 +51,6 @@ ENOUGH_TELLING_NUMBERS = 2
 ENOUGH_PLAIN_CALLS = 3
 """Wrong calls that a slip must explain where an answer holds no number that luck cannot give, and
 from which on it is seen in which way a loop reaches too few."""
-
-ENOUGH_CALLS_OF_SIZES = 2
-"""Wrong calls that a slip about a size must explain: of so many sizes that are tried one may well
-put a single call on the other side of a border, or make another thing the least."""
 
 TASKS_REMEMBERED = 128
 """Tasks for which a grader keeps what models make of a draw: more than the course has."""
@@ -64,8 +66,13 @@ OF_CASES = (
 """Kinds of slips that may be made in some cases only: not those in a formula, since a formula is
 the same in all."""
 
-OF_SIZES = ("threshold", "length", "along", "squares")
-"""Kinds of slips about how large something is."""
+OF_ORDER = ("order",)
+"""Kinds of slips after which an answer holds the right numbers."""
+
+OF_SIZES = {"threshold": 2, "length": 3, "along": 2, "squares": 2}
+"""Kinds of slips about how large something is, and how many wrong calls they must explain: of so
+many sizes that are tried one may well put a single call on the other side of a border, or make
+another thing the least."""
 
 OF_ROUNDS = ("count", "only_one", "break_off", "once")
 """Kinds of slips by which a loop reaches too few: seldom seen, they cannot be told apart."""
@@ -127,7 +134,7 @@ def diagnoses(task: Task, calls: Sequence[TriedCall], seed: int) -> tuple[Diagno
         if first is None:
             return ()
         rest = [name for name in evidence.failed if name not in first.criteria]
-        second = evidence.best(rest, SINGLE) if rest else None
+        second = evidence.best(rest, evidence.single(rest)) if rest else None
     return (first,) if second is None else (first, second)
 
 
@@ -152,6 +159,10 @@ class Evidence:
         self.failed = [name for name in failed if not _all_degenerate(self._wrong[name])] or failed
         self._apart = [name for name in failed if name not in self.failed]
 
+    def single(self, criteria: Sequence[str]) -> Sequence[Models]:
+        """Return where a mistake in the rest of an answer is looked for: few calls tell no slip."""
+        return SINGLE if self._telling_calls(criteria) >= ENOUGH_TELLING_CALLS else (listed,)
+
     def best(
         self, criteria: Sequence[str], looked_for: Sequence[Models] = LIKELIER_FIRST
     ) -> Diagnosis | None:
@@ -159,6 +170,8 @@ class Evidence:
         best: tuple[str, ...] = ()
         found: list[WrongModel] = []
         for models_of in looked_for:  # each is made if needed
+            if models_of is pairs and not self._holds_enough(criteria):
+                break
             explained = self._explained_by(models_of(self._task), criteria)
             if models_of is pairs and 2 * len(best) > len(criteria):
                 explained = _with_one_of(found, explained)
@@ -188,13 +201,16 @@ class Evidence:
         told = [name for name in criteria if self._returned(name)]
         wrong = [each for name in criteria for each in self._wrong[name]]
         calls = [call for _, call in wrong]
+        kinds: Sequence[str] = OF_CASES
         if sum(map(telling_numbers, calls)) < ENOUGH_TELLING_NUMBERS:
-            return ()
+            kinds = OF_ORDER  # what was worked out is right then, and may stand elsewhere
+            if sum(map(worked_out_numbers, calls)) < ENOUGH_TELLING_NUMBERS:
+                return ()
         found = [
             models[index]
             for models in (listed(self._task), slips(self._task), rarer_slips(self._task))
             for index in self._near(models, told[0])
-            if models is listed(self._task) or models[index].name in OF_CASES
+            if models[index].name in kinds or (kinds is OF_CASES and models is listed(self._task))
             if self._is_seen(models[index], criteria)
             if self._gives_all(models[index], wrong)
         ]
@@ -202,8 +218,11 @@ class Evidence:
             said = self._said(found, criteria)
             return tuple(map(in_cases, said)) if len(said) <= MOST_SAID else (any_case(found[0]),)
         names = parameters(self._task)
-        turned = direction_of(self._task, names, calls) if names else None
-        return () if turned is None else (turned,)
+        for seen_in in (direction_of, samples_of) if names and kinds is OF_CASES else ():
+            seen = seen_in(self._task, names, calls)
+            if seen is not None:
+                return (seen,)
+        return ()
 
     def _explained_by(
         self, models: tuple[WrongModel, ...], criteria: Sequence[str]
@@ -248,7 +267,7 @@ class Evidence:
             return ()
         is_listed, is_part = model in self._task.wrong_models, len(explained) < len(criteria)
         told = [call for name in explained for _, call in self._wrong[name]]
-        telling = sum(map(holds_a_telling_number, told))
+        telling = self._telling_calls(explained)
         if is_part and not (
             is_listed and telling >= ENOUGH_TELLING_CALLS and 2 * len(explained) >= len(criteria)
         ):
@@ -266,11 +285,21 @@ class Evidence:
 
     def _is_seen(self, model: WrongModel, criteria: Iterable[str]) -> bool:
         """Return whether some criteria hold enough wrong calls for a mistake to be seen in them."""
-        return model.name not in OF_SIZES or self._seen_in(criteria) >= ENOUGH_CALLS_OF_SIZES
+        return self._seen_in(criteria) >= OF_SIZES.get(model.name, 0)
 
     def _seen_in(self, criteria: Iterable[str]) -> int:
         """Return how many wrong calls some criteria hold."""
         return sum(len(self._wrong[name]) for name in criteria)
+
+    def _telling_calls(self, criteria: Iterable[str]) -> int:
+        """Return how many wrong calls of some criteria hold a number that luck cannot give."""
+        wrong = [call for name in criteria for _, call in self._wrong[name]]
+        return sum(map(holds_a_telling_number, wrong))
+
+    def _holds_enough(self, criteria: Iterable[str]) -> bool:
+        """Return whether answers hold more than a whole number, which two mistakes give by luck."""
+        wrong = [call for name in criteria for _, call in self._wrong[name]]
+        return any(isinstance(call.got, list) or telling_numbers(call) for call in wrong)
 
     def _gives_every_call(self, model: WrongModel) -> bool:
         """Return whether a model does so in all calls, the right ones as well."""
@@ -317,25 +346,6 @@ def _made_with(_task: Task, _seed: int) -> dict[tuple[Any, Number], Any]:
     return {}
 
 
-def signature(value: Any) -> float:
-    """Return a number that is nearly the same for answers that agree.
-
-    >>> abs(signature([1.0, None]) - signature([1.0 + 1e-12, None])) < 1e-11
-    True
-    """
-    parts = _flat(value)
-    return float(sum(part * math.cos(place) for place, part in enumerate(parts)))
-
-
-def _flat(value: Any) -> list[float]:
-    """Return numbers for all parts of a plain value."""
-    if isinstance(value, list):
-        return [number for item in value for number in _flat(item)]
-    if isinstance(value, int | float):
-        return [float(value)]
-    return [zlib.crc32(repr(value).encode()) / 2**32]
-
-
 def _telling(calls: list[Numbered]) -> list[Numbered]:
     """Return the wrong calls of a criterion: those that are not degenerate, if there are any."""
     wrong = [(number, call) for number, call in calls if not call.is_right]
@@ -351,49 +361,3 @@ def _varies(calls: list[TriedCall]) -> bool:
 def _all_degenerate(calls: list[Numbered]) -> bool:
     """Return whether all calls have a special case in them."""
     return all(is_degenerate(call.arguments) for _, call in calls)
-
-
-def is_degenerate(arguments: Arguments) -> bool:
-    """Return whether a call has a special case in it: 0, infinity, two equal vectors.
-
-    >>> is_degenerate((1.0, (0.0, 0.0))), is_degenerate((math.inf,)), is_degenerate((1.0, 2.0))
-    (True, True, False)
-    """
-    values = plain(list(arguments))
-    vectors = [value for value in values if isinstance(value, list)]
-    single = leaves([value for value in values if not isinstance(value, list)])
-    return (
-        any(number == 0 or math.isinf(number) for number in single)
-        or any(not any(leaves(vector)) for vector in vectors)
-        or any(a == b for i, a in enumerate(vectors) for b in vectors[:i])
-    )
-
-
-def holds_a_telling_number(call: TriedCall) -> bool:
-    """Return whether a wrong answer holds a number that is neither given, expected nor whole."""
-    return telling_numbers(call) > 0
-
-
-def telling_numbers(call: TriedCall) -> int:
-    """Return how many numbers of a wrong answer are neither given, expected nor whole.
-
-    Where None was expected or came, a condition was wrong, and the numbers tell nothing of it.
-    """
-    if call.got is None or call.wanted is None:
-        return 0
-    known = set(leaves([plain(list(call.arguments)), call.wanted]))
-    return sum(
-        isinstance(number, float) and not number.is_integer() and number not in known
-        for number in leaves(call.got)
-    )
-
-
-def leaves(value: Any) -> list[Any]:
-    """Return all numbers of a plain value.
-
-    >>> leaves([1.0, [2.0, None, "left"]])
-    [1.0, 2.0]
-    """
-    if isinstance(value, list):
-        return [number for item in value for number in leaves(item)]
-    return [value] if isinstance(value, int | float) and not isinstance(value, bool) else []

@@ -101,6 +101,11 @@ def rarer_slips_around(
             yield model(task, kind, _with_argument(right, place, change), {"name": name})
         for power in (1, -1):
             yield model(task, "scaled", _scaled(right, place, power), {"name": name})
+        for first in (0, 1):
+            yield model(task, "updated", _with_component(right, place, first), {})
+    if parameters:
+        shorter = lambda *given: right(*given[: len(parameters) - 1])  # noqa: E731
+        yield model(task, "default", shorter, {"name": parameters[-1]})
     for most in LARGE:
         yield model(task, "infinite", _with_finite(right, most), {})
     for i, k in combinations(range(len(parameters)), 2):
@@ -312,6 +317,21 @@ def _with_argument(right: Function, place: int, change: Change) -> Function:
     return lambda *given: right(*given[:place], change(given[place]), *given[place + 1 :])
 
 
+def _with_component(right: Function, place: int, first: int) -> Function:
+    """Return a function that finds one component of a vector from the other one's new value."""
+
+    def answer(*given: Any) -> Any:
+        value, before = plain(right(*given)), plain(vector(given[place]))
+        if shape_of(value) != (2,) or shape_of(before) != (2,):
+            raise ValueError("value and given must be vectors")
+        before[first] = value[first]
+        later = plain(right(*given[:place], vector(before), *given[place + 1 :]))
+        later[first] = value[first]
+        return later
+
+    return answer
+
+
 def _with_finite(right: Function, most: float) -> Function:
     """Return a function that takes a large number for infinity."""
 
@@ -337,6 +357,8 @@ def _with_argument_returned(right: Function, count: int, part: int, place: int) 
 
     def answer(*given: Any) -> Any:
         value = plain(right(*given))
+        if value is None:
+            return None
         if len(value) != count or shape_of(value[part]) != shape_of(given[place]):
             raise ValueError(f"value must have {count} parts like the argument, got {value}")
         return [*value[:part], given[place], *value[part + 1 :]]

@@ -18,9 +18,8 @@ from lesson_code.course.grading.recognition.around import (
     rarer_slips_around,
     slips_around,
 )
+from lesson_code.course.grading.recognition.hints import HINTS, SAYS
 from lesson_code.course.grading.recognition.in_source import (
-    HINTS,
-    SAYS,
     RightAnswer,
     model,
     of_function,

@@ -92,7 +92,10 @@ def edits(node: ast.AST, parent: ast.AST, known: set[str]) -> Iterator[Edit]:
         case ast.While():
             stops = ast.If(ast.UnaryOp(ast.Not(), node.test), [ast.Break()], [])
             once = ast.Tuple([ast.Constant(0)], ast.Load())
-            yield "once", {}, ast.For(ast.Name("_", ast.Store()), once, [stops, *node.body], [])
+            round_ = ast.For(ast.Name("_", ast.Store()), once, [stops, *node.body], [])
+            yield "once", {}, round_
+            for end in [part for part in ast.walk(node) if isinstance(part, ast.Return)][:1]:
+                yield "once", {}, ast.If(ast.Constant(True), [round_, end], [])
         case ast.Tuple(ctx=ast.Load(), elts=elements) if isinstance(parent, ast.Return):
             for i, k in combinations(range(len(elements)), 2):
                 moved = list(elements)
@@ -275,6 +278,15 @@ def _calls(node: ast.Call) -> Iterator[Edit]:
         kind = "cross" if name == "cross" else "exchanged"
         names = {"first": name_of(one), "second": name_of(two)}
         yield kind, names, ast.Call(node.func, [two, one], node.keywords)
+    for place, given in enumerate(node.keywords):
+        if (
+            given.arg == "axis"
+            and isinstance(given.value, ast.Constant)
+            and given.value.value in (0, 1)
+        ):
+            other_axis = ast.keyword("axis", ast.Constant(1 - given.value.value))
+            keywords = [*node.keywords[:place], other_axis, *node.keywords[place + 1 :]]
+            yield "axis", {}, ast.Call(node.func, node.args, keywords)
     for index, argument in enumerate(node.args):
         if isinstance(argument, ast.Starred | ast.Constant | ast.GeneratorExp):
             continue

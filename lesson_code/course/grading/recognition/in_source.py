@@ -21,102 +21,13 @@ from typing import Any, TypeAlias
 
 from lesson_code.course.grading.recognition.borders import at_borders
 from lesson_code.course.grading.recognition.edits import OPPOSITE, edits, parts_of
+from lesson_code.course.grading.recognition.hints import HINTS, SAYS, UNNAMED
 from lesson_code.course.grading.recognition.mixed_up import mixed_up
-from lesson_code.course.grading.recognition.sizes import of_sizes
+from lesson_code.course.grading.recognition.sizes import of_signs, of_sizes
 from lesson_code.course.grading.recognition.steps import TOOLS, in_loops, steps
 from lesson_code.course.grading.recognition.trees import Edit
 from lesson_code.course.grading.task import Function, WrongModel
 from lesson_code.course.isolation.inside.vectors import unwarned
-
-HINTS = {
-    "sign": "a sign is turned round. What is added there, what taken away, and which way is plus?",
-    "minus": "everything has the opposite sign. Which way is plus, and who acts on whom?",
-    "factor": "a factor of 2 is missing or is one too many. Where does each 2 or 1/2 come from?",
-    "factor_missing": "one factor{of} is left out. Do the units on both sides still fit?",
-    "divisor": "a division{by} is left out. Do the units on both sides still fit?",
-    "quotient": "a product and a quotient are exchanged. Do the units on both sides still fit?",
-    "product": "a sum and a product are exchanged. Do the units on both sides still fit?",
-    "one_plus": "1 + something is taken for twice that. What comes of it at 0?",
-    "projection": "a whole vector stands where its part along a direction counts. Which one is it?",
-    "share": "both get one half, whatever the masses. Which of the two should get more?",
-    "upside_down": "a quotient is upside down. What should happen as its parts grow?",
-    "term": "one term of a sum is left out. Which parts make up the whole?",
-    "precedence": "brackets are missing. What does the division or the product take in?",
-    "power": "a power is left out. Which quantities are squared, and where is a root taken?",
-    "power_more": "{name} is squared, or its root is left out. Which unit comes out?",
-    "power_less": "the root of {name} is taken, or its square is left out. Which unit comes out?",
-    "root": "one function is left out: a root, an exponential, a logarithm. Which unit comes out?",
-    "absolute": "absolute values stand where signs count. Which way does each thing go?",
-    "other": "{wrong} stands where {right} belongs. Whose quantity is wanted there?",
-    "exchanged": "{first} and {second} are exchanged. Which belongs where?",
-    "ignored": "{name} does not count. What should change with it?",
-    "alike": "{first} and {second} count as equal. What should change where they differ?",
-    "unchanged": "{name} comes back as it came in. What should have become of it?",
-    "given": "{name} as they came in. What should have become of them?",
-    "index": "a component is taken for another. Which of x and y belongs there?",
-    "order": "what is returned stands in another order. What was asked for first?",
-    "gate": "a condition is turned round or not asked. When should something happen at all?",
-    "minmax": "a largest and a smallest are exchanged. Which of the two is wanted?",
-    "sine": "a sine and a cosine are exchanged. What should come at angle 0?",
-    "cross": "a cross product is a dot product, or its order is turned. What does each measure?",
-    "condition": "one of several conditions is left out. When does each of them decide?",
-    "once": "a loop runs only once. When has it done all that it should?",
-    "sequence": "two steps stand in the other order. Which one needs what the other has changed?",
-    "parts": "the part along the normal {normal}, that across it {along}. What should each do?",
-    "and_or": "an `and` and an `or` are exchanged. Must all hold, or is one enough?",
-    "count": "a count is off by one. What is the first, and what the last?",
-    "step": "one step is left out. Is each name brought up to date where it should be?",
-    "degrees": "an angle is in degrees where radians belong, or the other way round. Which is it?",
-    "rounding": "the answer is rounded. Can you return the number as it was worked out?",
-    "strict": "a border counts on the other side. What should happen just there?",
-    "threshold": "something small counts as nothing, or does not. How small may it really be?",
-    "whole": "a number becomes whole in another way. Is it up, down, or to the nearest?",
-    "not_whole": "a number is left as it is where a whole one belongs. What is counted there?",
-    "limit": "a limit bounds another quantity, one factor on or back. What may not grow beyond it?",
-    "rounds": "a loop ends after so many rounds. What says that it is really done?",
-    "nothing": "0 and None are exchanged. What does each of them say?",
-    "length": "something else stands for the length of a vector. What would Pythagoras say?",
-    "along": "a length, or one component, stands for the part along a direction. Which is it?",
-    "one_sided": "a number counts on one side of 0 only. What should it do on the other side?",
-    "squares": "a function of a sum is taken for a sum, or the reverse. Is (a + b)^2 a^2 + b^2?",
-    "break_off": "one that does not count ends it all. What of those that follow?",
-    "passed_over": "one of several is passed over, or a loop ends too soon. Which one is missing?",
-    "only_one": "only the first, or the last, of several counts. What of the others?",
-    "updated": "a new value is used where its old one belongs. Which is it at that moment?",
-    "stale": "an old value is used where it has changed. Which is it at that moment?",
-    "anew": "each round begins again with the first value. What should it go on with?",
-    "infinite": "a large number stands for infinity. What is 1 over each of them?",
-    "case": "one case is taken for another. What tells them apart?",
-    "as_one": "{name} counts as 1. What should change with it?",
-    "complement": "what {name} leaves of 1 stands in its place. Which of the two was asked for?",
-    "scaled": "the answer has {name} as one factor more, or one less. Which unit comes out?",
-    "no_answer": "something stands where None was asked for. What should say that there is none?",
-    "base": "a power or a logarithm has another base. Which one belongs there?",
-    "straight": "a straight line stands for a curve. Does it still hold far from 0?",
-    "ratio": "a difference stands for a quotient. Which unit comes out?",
-    "together": "two masses are put together in another way. What if one of them is very large?",
-    "number": "a number in the formula is another one. Where does it come from?",
-    "twice": "one factor or divisor counts twice. How often does it belong there?",
-    "ends": "the first and the last stand for the smallest and the largest. Are they in order?",
-    "columns": "two columns of {name} are exchanged. What stands in which?",
-    "not_called": "what goes into a function stands where that belongs which comes out. Which one?",
-    "fixed": "{name} counts as endless, so that its body never moves. What should move it?",
-    "summed_up": "each value is added to those before. Is each asked for by itself?",
-    "from_one": "numbers begin with 1. Which number has the first one in Python?",
-    "direction": "{name} is changed along {along}. In which direction should it be changed?",
-    "signs": "{first} and {second} go in with other signs. Does each sign say a direction?",
-    "clamp": "one side of a limit is left out. Can the number also be too small, or too large?",
-}
-"""By kind what a slip does, and a question. Before it stands SAYS."""
-
-UNNAMED = {
-    "of": "", "by": "", "wrong": "one quantity", "right": "another", "first": "one quantity",
-    "second": "another", "name": "one quantity", "normal": "becomes another",
-    "along": "as well",
-}  # fmt: skip
-"""What stands in a hint for names that a reader does not know."""
-
-SAYS = "Your numbers are just those of a right answer in which "
 
 MOST_ROUNDS = 200
 """Rounds of loops in one call of a slip, where a right answer makes few: a slip may make a loop
@@ -269,7 +180,8 @@ def rarer_changes(answer: RightAnswer) -> Iterator[Place]:
     for kind, put, take_back in steps(answer.definition):
         yield kind, {}, put, take_back
     yield from _edited(answer, _outside_comparisons(answer, mixed_up), HINTS)
-    yield from _in_statements(answer, _edits_in(answer))
+    for alike in (_edits_in(answer), of_signs):
+        yield from _in_statements(answer, alike)
 
 
 def _outside_comparisons(answer: RightAnswer, edits_of: EditsOf) -> EditsOf:

@@ -14,10 +14,12 @@ VAGUEST = ("ignored", "term", "factor_missing", "as_one", "complement", "scaled"
 
 SAYS_MORE = {
     "sign": ("minus",), "other": ("order",), "index": ("other",), "ignored": ("fixed",),
+    "complement": ("as_one",),
     "power_less": ("power",), "power_more": ("root",),
 }  # fmt: skip
 """By kind the kinds that say more of the same answer: all signs, not one; the order of all; whose
-quantity it is, not its place; that a body never moves; what is left out, not what is too much."""
+quantity it is, not its place; that a body never moves; that something counts as 1; what is left
+out, not what is too much."""
 
 PLAINEST = "given"
 """A kind that is said alone: nothing else need be thought of where nothing was done."""

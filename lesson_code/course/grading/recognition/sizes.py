@@ -62,6 +62,12 @@ def of_sizes(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
             yield "squares", {}, ast.BinOp(roots[0], op, roots[1])
 
 
+def of_signs(node: ast.AST, parent: ast.AST) -> Iterator[Edit]:
+    """Yield the size of a quantity in the place of the quantity."""
+    if isinstance(node, ast.Name) and isinstance(parent, ast.BinOp | ast.UnaryOp):
+        yield "absolute", {}, like("abs(a)", node)
+
+
 def _lengths(x: ast.expr, y: ast.expr) -> Iterator[Edit]:
     """Yield what is taken for the length of a vector."""
     for text in LENGTHS:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from copy import deepcopy
 from functools import partial
 from itertools import chain
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from lesson_code.course.grading.recognition.trees import Edit, like, name_of, names_in
 
@@ -15,7 +15,7 @@ Change: TypeAlias = tuple[str, Callable[[], None], Callable[[], None]]
 """The kind of a slip, what makes it in a tree, and what takes it back."""
 
 OLD = "old_value"
-"""The name of a value that is kept from before; no right answer uses it."""
+"""Begins the name of a value that is kept from before; no right answer uses it."""
 
 TOOLS = {"kept": deepcopy}
 """What slips call, beside what an answer knows."""
@@ -192,6 +192,7 @@ def _stale(
     body: list[ast.stmt], place: int, users: list[ast.stmt], changed: ast.stmt
 ) -> Iterator[Change]:
     """Yield what uses a value as it was before a place, though a statement has changed it."""
+    changes: list[Change] = []
     for name in _changed_names(changed):
         read = [
             found
@@ -201,11 +202,20 @@ def _stale(
             if found
         ]
         for some in [*read, [*chain.from_iterable(read)]] if len(read) > 1 else read:
-            yield (
-                "stale",
-                partial(_keep, body, place, name, some),
-                partial(_take_back, body, place, name, some),
-            )
+            keep = partial(_keep, body, place, name, some)
+            yield "stale", keep, partial(_take_back, body, place, name, some)
+        if read:
+            everywhere = [*chain.from_iterable(read)]
+            keep = partial(_keep, body, place, name, everywhere)
+            changes.append(("stale", keep, partial(_take_back, body, place, name, everywhere)))
+    if len(changes) > 1:
+        yield "stale", partial(_each, changes, 1), partial(_each, changes[::-1], 2)
+
+
+def _each(changes: list[Change], way: Literal[1, 2]) -> None:
+    """Make all of some slips, or take them back."""
+    for change in changes:
+        change[way]()
 
 
 def _made_from(made: ast.stmt, users: list[ast.stmt]) -> Iterator[Change]:
@@ -278,8 +288,8 @@ def _parts(statement: ast.stmt) -> Iterator[ast.AST]:
 
 def _keep(body: list[ast.stmt], place: int, name: str, users: list[ast.Name]) -> None:
     kept = like("kept(a)", ast.Name(name, ast.Load()))
-    body.insert(place, ast.Assign([ast.Name(OLD, ast.Store())], kept))
-    _rename(users, OLD)
+    body.insert(place, ast.Assign([ast.Name(f"{OLD}_{name}", ast.Store())], kept))
+    _rename(users, f"{OLD}_{name}")
 
 
 def _take_back(body: list[ast.stmt], place: int, name: str, users: list[ast.Name]) -> None:
