@@ -57,3 +57,9 @@ def accelerate(world: World, effects: Effects = EVERY_EFFECT) -> None:
         damp(world, effects)
     if effects.gravity:
         fall(world, effects)
+
+
+def note_velocities(world: World) -> None:
+    """Note the velocities that the bodies have now, to compare with those that contacts make."""
+    for body in world.bodies:
+        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w

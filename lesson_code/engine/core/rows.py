@@ -29,7 +29,7 @@ class BodyRow:
     pseudo_vy: float = 0.0
     pseudo_w: float = 0.0  # rad/s, likewise
 
-    start_vx: float = 0.0  # m/s, before the forces of this part of a step, or before its impacts
+    start_vx: float = 0.0  # m/s, noted before forces, impacts or springs change it
     start_vy: float = 0.0
     start_w: float = 0.0  # rad/s
     seen_x: float = 0.0  # m, where it was when its box was drawn (next_contact.py)

@@ -32,7 +32,7 @@ from lesson_code.engine.core.candidate_pairs import find_pairs
 from lesson_code.engine.core.constants import LOOKS_AT_A_PART
 from lesson_code.engine.core.frames import note_frame
 from lesson_code.engine.core.islands import find_islands, first_of_island
-from lesson_code.engine.core.motion import accelerate, move
+from lesson_code.engine.core.motion import accelerate, move, note_velocities
 from lesson_code.engine.core.narrow_phase import find_contacts
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import State, World
@@ -209,8 +209,8 @@ def begin_at_contacts(world: World, pipeline: Pipeline) -> bool:
         take_skins_off(world)
         solver.warm_start(world, effects)
         solver.prepare(world, effects)
+    note_velocities(world)
     for body in world.bodies:
-        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
         body.waits = False
     state.is_prepared = True
     return True
@@ -351,8 +351,8 @@ def sub_step(world: World, pipeline: Pipeline) -> None:
     state, solver, effects = world.state, pipeline.solver, pipeline.effects
     if effects.gravity or effects.damping:
         accelerate(world, effects)
-    for body in world.bodies:  # to see below which of them are pushed
-        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
+    if effects.gravity:
+        note_velocities(world)
     if effects.collisions:
         solver.warm_start(world, effects)
         for _ in range(state.iterations):

@@ -32,6 +32,7 @@ from lesson_code.engine.core.constants import (
 )
 from lesson_code.engine.core.contact_frame import missing_velocity, velocity_at
 from lesson_code.engine.core.islands import find_islands, first_of_island
+from lesson_code.engine.core.motion import note_velocities
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.effects.internal_edges import pushed_body
@@ -40,8 +41,7 @@ from lesson_code.engine.solvers import sequential as contact_solver
 
 def let_impacts_pass(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Let bodies that approach bounce or stop, and no island gain energy by that."""
-    for body in world.bodies:
-        body.start_vx, body.start_vy, body.start_w = body.vx, body.vy, body.w
+    note_velocities(world)
     solve_impacts(world, effects)
     if has_bounced(world) and note_gains(world):
         take_bounces_back(world)

@@ -11,7 +11,7 @@ import numpy as np
 from lesson_code.engine.core.constants import MOST_DRIFTING, MOST_FALLING
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Body, Material, Scene
-from lesson_code.evidence.hard_cases.bounces import ELASTIC, KEEPS
+from lesson_code.evidence.hard_cases.bounces import ELASTIC, KEEPS, energy_error
 from lesson_code.evidence.hard_cases.collisions import any_surface, change_of_momentum, rush
 from lesson_code.evidence.hard_cases.loads import STANDS, tower
 from lesson_code.evidence.hard_cases.measures import ROUNDING, free, gain, largest, rise, start_gap
@@ -127,7 +127,7 @@ def heap_that_lies(draw: Draw, trial: Trial) -> float:
 )
 def elastic_discs_falling(draw: Draw, trial: Trial) -> float:
     """25 to 120 elastic, smooth discs fall into a bin, 5 s: change of energy."""
-    return change_of_energy(trial.run(poured(draw, ELASTIC, kinds=("disc",)).scene, 5.0))
+    return energy_error(trial.run(poured(draw, ELASTIC, kinds=("disc",)).scene, 5.0))
 
 
 @family(
@@ -140,12 +140,7 @@ def elastic_discs_falling(draw: Draw, trial: Trial) -> float:
 )
 def elastic_shapes_falling(draw: Draw, trial: Trial) -> float:
     """25 to 120 elastic, smooth bodies of other kinds fall into a bin, 5 s: change of energy."""
-    return change_of_energy(trial.run(poured(draw, ELASTIC, kinds=KINDS[1:]).scene, 5.0))
-
-
-def change_of_energy(run: Run) -> float:
-    """Return the largest change of the mechanical energy, in parts of it."""
-    return largest(run.energy / run.energy[0] - 1)
+    return energy_error(trial.run(poured(draw, ELASTIC, kinds=KINDS[1:]).scene, 5.0))
 
 
 @family(
