@@ -199,7 +199,7 @@ class Evidence:
         Then cases are told apart in another way than they should be.
         """
         told = [name for name in criteria if self._returned(name)]
-        wrong = [each for name in criteria for each in self._wrong[name]]
+        wrong = self._wrong_calls(criteria)
         calls = [call for _, call in wrong]
         kinds: Sequence[str] = OF_CASES
         if sum(map(telling_numbers, calls)) < ENOUGH_TELLING_NUMBERS:
@@ -266,7 +266,7 @@ class Evidence:
         if not self._is_seen(model, explained):
             return ()
         is_listed, is_part = model in self._task.wrong_models, len(explained) < len(criteria)
-        told = [call for name in explained for _, call in self._wrong[name]]
+        told = [call for _, call in self._wrong_calls(explained)]
         telling = self._telling_calls(explained)
         if is_part and not (
             is_listed and telling >= ENOUGH_TELLING_CALLS and 2 * len(explained) >= len(criteria)
@@ -289,17 +289,22 @@ class Evidence:
 
     def _seen_in(self, criteria: Iterable[str]) -> int:
         """Return how many wrong calls some criteria hold."""
-        return sum(len(self._wrong[name]) for name in criteria)
+        return len(self._wrong_calls(criteria))
+
+    def _wrong_calls(self, criteria: Iterable[str]) -> list[Numbered]:
+        """Return the wrong calls of some criteria, one after the other."""
+        return [each for name in criteria for each in self._wrong[name]]
 
     def _telling_calls(self, criteria: Iterable[str]) -> int:
         """Return how many wrong calls of some criteria hold a number that luck cannot give."""
-        wrong = [call for name in criteria for _, call in self._wrong[name]]
-        return sum(map(holds_a_telling_number, wrong))
+        return sum(holds_a_telling_number(call) for _, call in self._wrong_calls(criteria))
 
     def _holds_enough(self, criteria: Iterable[str]) -> bool:
         """Return whether answers hold more than a whole number, which two mistakes give by luck."""
-        wrong = [call for name in criteria for _, call in self._wrong[name]]
-        return any(isinstance(call.got, list) or telling_numbers(call) for call in wrong)
+        return any(
+            isinstance(call.got, list) or telling_numbers(call)
+            for _, call in self._wrong_calls(criteria)
+        )
 
     def _gives_every_call(self, model: WrongModel) -> bool:
         """Return whether a model does so in all calls, the right ones as well."""
