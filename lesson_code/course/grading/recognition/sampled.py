@@ -63,6 +63,11 @@ def _span(name: str, names: Sequence[str], call: TriedCall) -> float:
 
 
 def _is_next_sample(got: float, wanted: float, span: float, steps: int) -> bool:
-    """Return whether a number is the next of so many in a span, after the right one."""
-    place, late = got * steps / span, (got - wanted) * steps / span
-    return abs(place - round(place)) <= WHOLE and 0 < late <= 1 + WHOLE
+    """Return whether a number is the next of so many in a span, after the right one.
+
+    How late it is comes first: the place of any other number may lie beyond all floats.
+    """
+    if not 0 < (got - wanted) * steps / span <= 1 + WHOLE:
+        return False
+    place = got * steps / span
+    return abs(place - round(place)) <= WHOLE
