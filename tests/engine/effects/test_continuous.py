@@ -110,8 +110,12 @@ def test_run_warns_where_bodies_had_to_wait(solver: str) -> None:
 
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("seed", range(share(6)))
-def test_planks_that_fall_beside_one_another_all_come_to_lie(seed: int, solver: str) -> None:
-    """A tip that rubs along the floor holds nobody up in the air."""
+def test_planks_that_fall_beside_one_another_come_to_lie_or_stand(seed: int, solver: str) -> None:
+    """A tip that rubs along the floor holds nobody up in the air, or askew.
+
+    In one scene of eight a plank comes to stand, by all solvers once the steps are small. It is
+    then no further from upright than where it would tip over.
+    """
     rng = np.random.default_rng(seed)
     thickness, rough = 10 ** rng.uniform(-1.7, -1), Material(0.0, rng.uniform(0.3, 1.0))
     planks = [
@@ -128,7 +132,10 @@ def test_planks_that_fall_beside_one_another_all_come_to_lie(seed: int, solver: 
     ]
     floor = Body(Segment((-500, 0), (500, 0)), material=rough)
     run = simulate(Scene([floor, *planks], gravity=(0, -9.81)), 4.0, solver=solver)
-    assert run.positions[-1, 1:, 1] == pytest.approx(thickness / 2, rel=0.1)
+    heights, angles = run.positions[-1, 1:, 1], run.angles[-1, 1:]
+    across, up = np.abs(np.cos(angles)), np.abs(np.sin(angles))
+    assert heights == pytest.approx((up + thickness * across) / 2, abs=0.05 * thickness)
+    assert np.all((up < 0.05 * thickness) | (across < math.sin(math.atan(thickness))))
     assert run.energy.max() < 1.02 * run.energy[0]
 
 
