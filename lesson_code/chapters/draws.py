@@ -174,8 +174,20 @@ def convex_polygon(
     """Return the vertices, m, of a convex polygon with no two edges alike, counter-clockwise.
 
     They lie on a tilted ellipse about `centre` that is `size` long and `width` times as wide,
-    at uneven angles, and begin anywhere on it.
+    at uneven angles, and begin anywhere on it. No edge is level or upright: what that costs an
+    answer must not depend on the seed.
     """
+    while True:
+        vertices = _any_convex_polygon(stream, count, centre, size, width)
+        edges = zip(vertices, (*vertices[1:], vertices[0]), strict=True)
+        if all(a[0] != b[0] and a[1] != b[1] for a, b in edges):
+            return vertices
+
+
+def _any_convex_polygon(
+    stream: Random, count: int, centre: Vector, size: float, width: float
+) -> tuple[Vector, ...]:
+    """Return the vertices of such a polygon with edges of any direction."""
     gaps = [stream.uniform(1.0, 2.2) for _ in range(count)]
     first, tilt = stream.uniform(0, 2 * math.pi), stream.uniform(0, math.pi)
     turns = [first + 2 * math.pi * sum(gaps[:place]) / sum(gaps) for place in range(count)]

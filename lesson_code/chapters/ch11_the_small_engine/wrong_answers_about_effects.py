@@ -262,6 +262,7 @@ def a_tone_per_sample() -> None:
 @wrong_model("11.4", "`row in table` asks NumPy for any equal number. Which rows does that find?")
 def any_number_of_a_row(before: Table, now: Table) -> Any:
     """For a table that is not empty, `in` asks whether it holds the row."""
+    before, now = np.asarray(before), np.asarray(now)
     begun = [tuple(pair) for pair in now if len(before) == 0 or pair not in before]
     return begun, [tuple(pair) for pair in before if len(now) == 0 or pair not in now]
 
