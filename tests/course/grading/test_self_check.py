@@ -6,16 +6,18 @@ import dataclasses
 import json
 import shutil
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tiers import share
 
-from lesson_code.course.grading import self_check
+from lesson_code.course.grading import self_check, verdict
 from lesson_code.course.grading.exercises import Exercise, exercise_by_name, exercises
+from lesson_code.course.grading.in_process import call_here
 from lesson_code.course.grading.self_check import faults
-from lesson_code.course.grading.task import Alternative, Task, WrongModel
+from lesson_code.course.grading.task import Alternative, KnownAnswer, Task, WrongModel
 
 EXERCISE = exercises()[0]
 TASK = EXERCISE.tasks[0]
@@ -37,6 +39,32 @@ def test_faults_none_in_this_workbook(root: Path, monkeypatch: pytest.MonkeyPatc
     for exercise in exercises():
         assert f"{exercise.name}: solution" in told
         assert all(f"{exercise.name}: task {task.title}" in told for task in exercise.tasks)
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # a wrong answer may divide by 0
+@pytest.mark.full
+@pytest.mark.parametrize("seed", range(5, 11))
+def test_known_answers_earn_the_same_with_any_seed(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What a mistake costs is no matter of luck: the self-check asks for five seeds, this for more.
+
+    What is said of the answers is left out: it takes most of the time.
+    """
+    monkeypatch.setattr(verdict, "diagnoses", lambda *_: ())
+
+    def points(task: Task, answer: KnownAnswer, seed: int) -> int:
+        call = partial(call_here, {task.function: answer.function})
+        return verdict.judge(task, call, seed).points
+
+    unlike = [
+        f"{task.id} {answer.name}"
+        for exercise in exercises()
+        for task in exercise.tasks
+        for answer in (*task.wrong_models, *task.alternatives)
+        if points(task, answer, seed) != points(task, answer, 0)
+    ]
+    assert unlike == []
 
 
 @pytest.fixture
