@@ -78,8 +78,9 @@ def pairs(stream: Random) -> Iterator[Arguments]:
 def chains(stream: Random) -> Iterator[Arguments]:
     """Draw three in a crooked row, each overlapping the next, the first one fast.
 
-    Then a fast one hits two others, of which the second comes towards it; and one is thrown back at
-    another by the next, when the turn of the two is over.
+    Then a fast one hits two others, of which the second comes towards it; one is thrown back at
+    another by the next, when the turn of the two is over; and one hits two, on the first of which
+    it lies centre on centre.
     """
     bend = stream.uniform(0.4, 0.8)
     places = ((0.0, 0.0), (1.5, 0.2), (1.5 + 1.5 * math.cos(bend), 0.2 + 1.5 * math.sin(bend)))
@@ -91,6 +92,9 @@ def chains(stream: Random) -> Iterator[Arguments]:
     yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
     places = ((0.0, 0.0), (-1.5, 0.3), (1.5, -0.2))
     v = ((0.0, 0.2), (0.5, 0.0), (-round(stream.uniform(3, 5), 2), 0.0))
+    yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
+    places = ((0.0, 0.0), (0.0, 0.0), (1.5, 0.3))
+    v = ((round(stream.uniform(3, 5), 2), 0.0), (-0.3, 0.2), (-0.5, 0.1))
     yield places, v, (2.0, 1.0, 3.0), (1.0, 1.0, 1.0), draws.restitution(stream)
 
 

@@ -46,8 +46,12 @@ def into_corners(stream: Random) -> Iterator[Arguments]:
 
 
 def at_corners(stream: Random) -> Iterator[Arguments]:
-    """Draw balls that meet corners, one that just does not, one that flies away, one too late."""
+    """Draw balls that meet corners, one that just does not, one that flies away, one too late.
+
+    One meets a corner that is not the nearest when it sets out.
+    """
     yield from into_corners(stream)
+    yield _over_the_top(stream)
     box = _box(stream)
     x, y = box[0] + box[2], box[1] + box[3]
     slip = 1.05 * RADIUS * math.sqrt(0.5)
@@ -62,6 +66,15 @@ def at_any_speed(stream: Random) -> Iterator[Arguments]:
         box = _box(stream)
         below = (box[0] + stream.uniform(0.2, 0.5), box[1] - stream.uniform(2.1, 4.9))
         yield below, (stream.uniform(-0.01, 0.01) * speed, speed), RADIUS, box
+
+
+def _over_the_top(stream: Random) -> Arguments:
+    """Return a ball above the left half of a brick that falls past its face at the right corner."""
+    x, y, wide, high = box = _box(stream)
+    angle, before = math.radians(stream.uniform(25, 35)), stream.uniform(0.3, 0.5)
+    touch = x + wide + RADIUS * math.sin(angle), y + high + RADIUS * math.cos(angle)
+    vx = (0.6 * wide + RADIUS) / before
+    return (touch[0] - vx * before, touch[1] + 1.5 * vx * before), (vx, -1.5 * vx), RADIUS, box
 
 
 def _box(stream: Random) -> tuple[float, ...]:

@@ -296,3 +296,16 @@ def beyond_the_horizon(position: Vector, velocity: Vector, radius: float, box: V
     """A ball that flies towards a brick meets it, however long it takes."""
     hit = brick_impact(position, 100 * velocity, radius, box)
     return None if hit is None else (100 * hit[0], hit[1])
+
+
+@wrong_model("K.2", "Which corner is nearest now? Is it that which the ball will meet?")
+def nearest_corner_only(position: Vector, velocity: Vector, radius: float, box: Vector) -> Any:
+    """A ball that meets no face can only meet the corner that is nearest when it sets out."""
+    x, y, wide, high = box
+    hit = brick_impact(position, velocity, radius, box)
+    if hit is None or 0.0 in hit[1]:
+        return hit
+    corners = [(a, b) for a in (x, x + wide) for b in (y, y + high)]
+    nearest = min(corners, key=lambda corner: math.dist(corner, position))
+    touch = np.asarray(position) + hit[0] * np.asarray(velocity) - radius * np.asarray(hit[1])
+    return hit if math.dist(touch, nearest) < 1e-6 else None

@@ -20,10 +20,13 @@ def equal_masses(stream: Random) -> Iterator[Arguments]:
 
 
 def target_at_rest(stream: Random) -> Iterator[Arguments]:
-    """Draw a body that hits one at rest."""
+    """Draw a body that hits one at rest, also one that is far lighter or heavier."""
     for _ in range(2):
         m1, m2 = draws.unequal_masses(stream)
         yield m1, draws.speed(stream), m2, 0.0
+    light, heavy = round(stream.uniform(0.5, 2.0), 2), round(stream.uniform(30, 60), 2)
+    yield light, draws.speed(stream), heavy, 0.0
+    yield heavy, draws.speed(stream), light, 0.0
 
 
 def moving_against(stream: Random) -> Iterator[Arguments]:

@@ -156,3 +156,14 @@ def the_heavier_is_a_wall(m1: float, v1: float, m2: float, v2: float) -> tuple[f
     if m1 == m2:
         return v2, v1
     return (v1, 2 * v1 - v2) if m1 > m2 else (2 * v2 - v1, v2)
+
+
+@wrong_model("1.1", "A body ten times as heavy is no wall: which momentum does it take up?")
+def ten_times_is_a_wall(m1: float, v1: float, m2: float, v2: float) -> tuple[float, float]:
+    """A body of ten times the mass stays as it is, as a wall does."""
+    if m2 >= 10 * m1:
+        return 2 * v2 - v1, v2
+    if m1 >= 10 * m2:
+        return v1, 2 * v1 - v2
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return 2 * v - v1, 2 * v - v2

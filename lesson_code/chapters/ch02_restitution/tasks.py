@@ -77,9 +77,10 @@ def one_bounce(stream: Random) -> Iterator[Arguments]:
 
 
 def several_bounces(stream: Random) -> Iterator[Arguments]:
-    """Draw drops of which some rebounds are asked."""
+    """Draw drops of which some rebounds are asked; the last ones of the third are tiny."""
     for count in (3, 5):
         yield _drop_height(stream), draws.restitution(stream), count
+    yield _drop_height(stream), round(stream.uniform(0.1, 0.2), 2), 4
 
 
 def elastic_drop(stream: Random) -> Iterator[Arguments]:

@@ -259,3 +259,20 @@ def one_fall_of_the_whole_way(height: float, restitution: float, gravity: float)
     """All ways up and down together take as long as one fall of that length."""
     way = height * (1 + restitution**2) / (1 - restitution**2)
     return float((2 * way / gravity) ** 0.5)
+
+
+@wrong_model("2.2", "In Python 0 counts as false. What does `if not restitution` do at e = 0?")
+def nothing_is_elastic(
+    m1: float, v1: float, m2: float, v2: float, restitution: float
+) -> tuple[float, float]:
+    """A restitution of 0 has not been given, and is 1."""
+    e = restitution or 1.0
+    v = (m1 * v1 + m2 * v2) / (m1 + m2)
+    return v - e * (v1 - v), v - e * (v2 - v)
+
+
+@wrong_model("2.3", "How many heights are asked for? May the last ones be too small to see?")
+def stops_below_a_centimetre(height: float, restitution: float, count: int) -> list[float]:
+    """A ball that comes less than a centimetre high bounces no more."""
+    heights = [height * restitution ** (2 * k) for k in range(1, count + 1)]
+    return [h for h in heights if h >= 0.01]

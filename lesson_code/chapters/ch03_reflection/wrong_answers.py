@@ -38,7 +38,10 @@ def flips_each_component(incident: Vector, normal: Vector) -> Vector:
     return incident * (1 - 2 * np.abs(normal))
 
 
-@wrong_model("3.1", "I . N is one number. How many numbers does your product I * N hold?")
+@wrong_model(
+    "3.1",
+    "I . N is one number. Is your I * N one? If you have a tangent, is it at right angles to N?",
+)
 def componentwise_product(incident: Vector, normal: Vector) -> Vector:
     """The dot product is the product of the components, each for itself."""
     return incident - 2 * incident * normal * normal

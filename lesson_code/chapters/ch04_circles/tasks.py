@@ -30,9 +30,11 @@ NEARLY = 2.0**-20
 
 
 def overlapping(stream: Random) -> Iterator[Arguments]:
-    """Draw circles of unequal radii that overlap, one centre obliquely beside the other."""
+    """Draw circles of unequal radii that overlap, a centre obliquely beside the other, or above."""
     for _ in range(3):
         yield _circles(stream, draws.oblique_normal(stream), stream.uniform(0.8, 0.9))
+    (x, y), (r1, r2) = _eighths(stream), draws.unequal_radii(stream)
+    yield (x, y), r1, (x, y + stream.uniform(0.8, 0.9) * (r1 + r2)), r2
 
 
 def near_each_other(stream: Random) -> Iterator[Arguments]:

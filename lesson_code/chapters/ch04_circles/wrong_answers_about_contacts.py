@@ -152,3 +152,13 @@ def too_near_for_a_direction() -> None:
 @edited(from_2_to_1_and_turned, {"(r2 + r1) * (r2 + r1)": "r1**2 + r2**2"})
 def radii_squared_apart() -> None:
     """The square of r1 + r2 is r1^2 + r2^2."""
+
+
+@wrong_model("4.1", "`==` compares each coordinate. Must one of them be equal, or both?")
+def one_equal_coordinate_is_enough(p1: Vector, r1: float, p2: Vector, r2: float) -> Any:
+    """Centres coincide if any of their coordinates do."""
+    distance = np.linalg.norm(p2 - p1)
+    if distance >= r1 + r2:
+        return None
+    normal = np.array([1.0, 0.0]) if (p1 == p2).any() else (p2 - p1) / distance
+    return normal, r1 + r2 - distance

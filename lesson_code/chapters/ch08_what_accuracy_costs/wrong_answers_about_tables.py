@@ -174,3 +174,12 @@ def counted_from_one() -> None:
 @edited(the_fastest_so_far, {"if time < least:": "if not best or time < least:"})
 def row_0_is_none() -> None:
     """`not best` asks whether there is no best row yet."""
+
+
+@wrong_model("8.4", "First the rows with that many sweeps, or first the best of all? Try both.")
+def best_of_all_work(table: Any, sweeps: int) -> Any:
+    """The best row of the whole table is the answer, if it has that many sweeps."""
+    best = table[np.argmin(table[:, 2])]
+    if best[0] * best[1] != sweeps or math.isinf(best[2]):
+        return None
+    return best[0], best[1]

@@ -187,3 +187,9 @@ def a_hundred_moments(
     places = position + velocity * t + gravity * t**2 / 2
     low, high = places.min(axis=0) - radius, places.max(axis=0) + radius
     return low[0], high[0], low[1], high[1]
+
+
+@wrong_model("10.3", "A heavy ball throws a light one at 2 v. How fast is what that one throws?")
+def twice_the_fastest(masses: Any, velocities: Any, dt: float) -> float:
+    """No body can get faster than twice the fastest one."""
+    return 2 * float(np.linalg.norm(velocities, axis=1).max()) * dt

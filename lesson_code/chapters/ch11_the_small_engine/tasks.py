@@ -329,11 +329,16 @@ Pairs: TypeAlias = tuple[tuple[int, int], ...]
 
 
 def pairs_that_begin(stream: Random) -> Iterator[Arguments]:
-    """Draw touches that go on, and some that begin, also of bodies that touched others before."""
+    """Draw touches that go on, and some that begin, also of bodies that touched others before.
+
+    At last of bodies whose numbers have two digits.
+    """
     for _ in range(2):
         go_on, begin = _chain(stream, 3), _chain(stream, 4, step=2)
         begin = _with_one_among(go_on, begin)
         yield _shuffled(stream, go_on), _shuffled(stream, (*go_on, *begin))
+    i, j = stream.randint(0, 3), stream.randint(5, 9)
+    yield ((i + 1, j),), ((i + 1, j), (i, j + 10))
 
 
 def pairs_that_part(stream: Random) -> Iterator[Arguments]:

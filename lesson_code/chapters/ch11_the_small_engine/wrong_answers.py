@@ -85,7 +85,7 @@ def touching_is_apart(boxes: Table) -> Any:
     ]
 
 
-@wrong_model("11.1", "A small box lies inside a long one, off its middle. What does your rule say?")
+@wrong_model("11.1", "A long box comes first, two short ones lie in it. Which are compared?")
 def neighbours_in_a_row(boxes: Table) -> Any:
     """Sorted by their left sides, only neighbours can overlap."""
     order = np.argsort(boxes[:, 0])

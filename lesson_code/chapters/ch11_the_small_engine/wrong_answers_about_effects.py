@@ -271,3 +271,16 @@ def any_number_of_a_row(before: Table, now: Table) -> Any:
 @edited(all_samples_at_once, {"np.arange(count) / rate": "np.linspace(0, 1, int(count))"})
 def lasts_one_second() -> None:
     """The samples divide one second."""
+
+
+@wrong_model("11.4", "10 i + j: may two different pairs have the same number?")
+def pairs_as_two_digits(before: Table, now: Table) -> Any:
+    """A pair is kept as one number, its bodies' numbers being the digits."""
+    old, new = ({10 * i + j: (i, j) for i, j in pairs} for pairs in (before, now))
+    return [new[k] for k in new if k not in old], [old[k] for k in old if k not in new]
+
+
+@wrong_model("11.6", "It fades by a half in each half-life. Does it wait for the end of one?")
+@edited(all_samples_at_once, {"0.5 ** (t / half_life)": "0.5 ** (t // half_life)"})
+def fades_in_jumps() -> None:
+    """The loudness falls by a half at the end of each half-life."""

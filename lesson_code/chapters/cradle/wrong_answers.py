@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from lesson_code.chapters.cradle.right_answers import in_the_frame_of_each_pair, swap_by_swap
-from lesson_code.chapters.cradle.rules import GRAVITY
+from lesson_code.chapters.cradle.rules import GRAVITY, collide_row
 from lesson_code.course.grading.task import edited, wrong_model
 
 Vector: TypeAlias = Any
@@ -274,3 +274,9 @@ def collides_before_the_swing(
 @edited(swap_by_swap, {"rates[[k, k + 1]] = rates[[k + 1, k]]": "rates[k : k + 2] *= -1"})
 def both_turn_round() -> None:
     """Balls that collide turn round, each as fast as it was."""
+
+
+@wrong_model("C.1", "Half the sum of two velocities is their common one. For which masses?")
+def equal_masses_throughout(masses: Vector, velocities: Vector, restitution: float) -> Any:
+    """The centre of mass moves with half the sum of the velocities."""
+    return collide_row([1.0] * len(masses), velocities, restitution)

@@ -60,7 +60,7 @@ HINTS = {
     "passed_over": "one of several is passed over, or a loop ends too soon. Which one is missing?",
     "only_one": "only the first, or the last, of several counts. What of the others?",
     "updated": "a new value is used where its old one belongs. Which is it at that moment?",
-    "stale": "an old value is used where it has changed. Which is it at that moment?",
+    "stale": "a value of another moment is used, an old one or one to come. Which belongs there?",
     "anew": "each round begins again with the first value. What should it go on with?",
     "infinite": "a large number stands for infinity. What is 1 over each of them?",
     "case": "one case is taken for another. What tells them apart?",
