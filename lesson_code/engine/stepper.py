@@ -59,6 +59,7 @@ from lesson_code.engine.effects.choice import (
 )
 from lesson_code.engine.effects.continuous import most_impacts
 from lesson_code.engine.effects.question import Question
+from lesson_code.engine.solvers.choice import passes_only_blows
 from lesson_code.engine.solvers import our_solvers
 
 state_of = attrgetter(*STATE_FIELDS)
@@ -235,6 +236,7 @@ class EngineStepper(Stepper):
         self.pipeline = stages._replace(splits_steps=splits_steps)
         self.world = arrays_of(scene, dt / self._steps_a_step, iterations, combine, skin)
         self.world.state.substeps = substeps // self._steps_a_step
+        self._note_blows()
         self._rows = self.world
         self._steps_planned = duration / dt
         self._steps_made = 0
@@ -327,9 +329,15 @@ class EngineStepper(Stepper):
             listener=self.pipeline.listener,
             splits_steps=self.pipeline.splits_steps,
         )
+        self._note_blows()
         self._choose_code()
         after = names_used(self.effects)
         self._changes.append(_change(state.time, gravity, after - before, before - after))
+
+    def _note_blows(self) -> None:
+        """Note whether contacts need no springs; of the solvers that have some it is asked."""
+        has_springs = self._solver.shares_contacts and self.pipeline.effects.restitution
+        self.world.state.only_blows = has_springs and passes_only_blows(self._question)
 
     def _advance(self, steps: int) -> None:
         """Make `steps` steps of dt with the stages as they are."""

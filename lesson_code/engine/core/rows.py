@@ -65,6 +65,7 @@ class BodyRow:
     quiet: float = 0.0  # s, for how long it has been still
     island: int = 0  # the first body of the island that it belongs to (islands.py)
     gained: float = 0.0  # J, of an island's first body: what its bounces have gained (impacts.py)
+    rounding: float = 0.0  # J, up to which a loss is none
     lost: float = 0.0  # J, what it loses without a bounce
     between: float = 0.0  # J, of the difference between the two motions
     mass: float = math.inf  # kg, and kg m^2, as a page gives them; its program inverts them and
@@ -294,6 +295,7 @@ class State:
     omega: float = 0.0  # rad/s, natural frequency of soft contacts
     free_count: int = 0  # bodies that can be pushed
     asleep_count: int = 0  # those of them that sleep
+    only_blows: bool = False  # whether contacts pass blows alone, and carry nothing (blows.py)
     has_moving_static: bool = False  # whether a body that nothing can push moves
     late_steps: int = 0  # so far, in which fast bodies had to wait after too many impacts
     softened: int = 0  # islands so far that had no exact answer (the direct solver alone counts)

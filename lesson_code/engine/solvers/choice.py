@@ -132,6 +132,15 @@ def flies_freely(question: Question) -> bool:
     return is_apart(scene)
 
 
+def passes_only_blows(question: Question) -> bool:
+    """Return whether no contact takes energy or carries: all is elastic, and nobody stands."""
+    facts, scene = question.facts, question.scene
+    takes_energy = facts.least_restitution < 1.0 or facts.most_friction > 0.0 or facts.damping > 0.0
+    if takes_energy or facts.may_change_impulses or facts.has_mover:
+        return False
+    return not any(scene.gravity) or falling(scene) == scene.columns.is_free.sum()
+
+
 def is_apart(scene: Scene) -> bool:
     """Return whether no two bodies touch, one of which is a disc that can be pushed."""
     if len(scene.bodies) < FEWEST_FOR_GRID:

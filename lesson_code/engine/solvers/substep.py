@@ -33,6 +33,9 @@ with skins have before they touch; if they bounce, it is in the sub-step in whic
 What no contact has pushed in a sub-step follows its parabola: gravity makes it faster by g h, and
 it moves at the mean velocity. So the energy of what flies and bounces with e = 1 is kept.
 
+Where nothing takes energy either, and nobody stands from the start, there are no springs and no
+relax pass: after each sub-step bodies pass blows (``blows``).
+
 Where nothing presses bodies together, neither gravity nor a mover, there is nothing to carry. Their
 contacts are rigid then, and an overlap is undone by pushes alone: a spring would give it a speed.
 
@@ -65,7 +68,7 @@ from lesson_code.engine.core.contact_frame import (
     normal_velocity,
     tangent_velocity,
 )
-from lesson_code.engine.core.contact_motion import normal_of
+from lesson_code.engine.core.contact_motion import gap_between, way_apart
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, World
 from lesson_code.engine.core.solver import Solver
@@ -73,6 +76,7 @@ from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
 from lesson_code.engine.solvers.block_solver import two_impulses
+from lesson_code.engine.solvers.blows import pass_blows
 from lesson_code.engine.solvers.impacts import let_impacts_pass
 from lesson_code.engine.solvers.sequential import (
     give_again,
@@ -80,7 +84,6 @@ from lesson_code.engine.solvers.sequential import (
     longer_than_before,
     recall,
 )
-from lesson_code.formulas.arithmetic import cross
 
 # Once a step
 
@@ -118,17 +121,6 @@ def close_gap(c: ContactRow, a: BodyRow, b: BodyRow, h: float) -> None:
         c.target_vn = closing
 
 
-def way_apart(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
-    """Return what the bodies' places and angles add to the gap, m.
-
-    n (x_b - x_a) + (r_b x n) angle_b - (r_a x n) angle_a: exact for a disc that rolls, and to
-    first order in the turning of a polygon. Only its change within the step matters.
-    """
-    n = normal_of(c)
-    turning: float = cross((c.bx, c.by), n) * b.angle - cross((c.ax, c.ay), n) * a.angle
-    return (b.x - a.x) * c.nx + (b.y - a.y) * c.ny + turning
-
-
 def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Put the impulses of impacts into the totals, and recall those of the last sub-step.
 
@@ -138,7 +130,7 @@ def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c = world.contacts[k]
         c.normal_total, c.tangent_total = c.normal_impulse, c.tangent_impulse
         c.normal_impulse, c.tangent_impulse = 0.0, 0.0
-    if has_load(world):
+    if has_load(world) and not world.state.only_blows:
         recall(world, effects)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -188,6 +180,8 @@ def warm_start(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
     Without a load no force lasts: what has been given was a blow, or a push.
     """
+    if world.state.only_blows:
+        return
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         c.normal_total += c.normal_impulse
@@ -211,7 +205,7 @@ def forget(world: World) -> None:
 def soften(world: World, c: ContactRow) -> None:
     """Set the spring of a contact by its overlap; with a gap, or nothing to carry, it is rigid."""
     h = world.state.dt
-    gap = c.gap_origin + way_apart(c, world.bodies[c.a], world.bodies[c.b])
+    gap = gap_between(c, world.bodies[c.a], world.bodies[c.b])
     c.target_vn = min(c.slack_vn, -max(gap, 0.0) / h)
     if gap > 0.0 or not has_load(world):
         c.soft_vn, c.softness, c.soft_mass = c.target_vn, 0.0, c.normal_mass
@@ -230,6 +224,8 @@ def solve(world: World, effects: Effects = EVERY_EFFECT) -> None:
     Friction holds here too, or the springs would move bodies sideways: with friction in the relax
     pass alone a box of mu = 0.578 on a slope of 30 degrees still creeps at 4 mm/s after 2 s.
     """
+    if world.state.only_blows:
+        return
     if effects.friction:
         contact_solver.sweep(world, effects, solve_soft_contact, solve_soft_manifold)
     else:
@@ -279,7 +275,10 @@ def missing_soft_velocity(c: ContactRow, a: BodyRow, b: BodyRow) -> float:
 
 def correct(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Make one sweep over all contacts as rigid ones: springs have moved the bodies, no more."""
-    contact_solver.solve(world, effects)
+    if world.state.only_blows:
+        pass_blows(world)
+    else:
+        contact_solver.solve(world, effects)
 
 
 # Once a step again
