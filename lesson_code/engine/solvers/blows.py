@@ -4,12 +4,11 @@ A spring gives way, and the relax pass takes back what it has pushed: both cost 
 for bodies that come to rest. Where e = 1, nothing rubs and nobody stands from the start, none ever
 does. There no contact carries. After each sub-step, when way and speed belong to one parabola,
 bodies that would meet in the next one bounce, pair by pair: each blow by itself keeps the energy
-and the momentum to rounding.
+and the momentum to rounding. Where gravity acts there are no pushes out of an overlap either: lifted
+out of a floor, a body would have more energy. It comes out as it bounces.
 """
 
 from __future__ import annotations
-
-import math
 
 from lesson_code.engine.core.contact_frame import apply_impulses, normal_velocity
 from lesson_code.engine.core.contact_motion import gap_between
@@ -18,12 +17,11 @@ from lesson_code.engine.solvers.block_solver import two_impulses
 
 
 def pass_blows(world: World) -> None:
-    """Let bodies that would meet within a sub-step bounce, after what a push has cost."""
+    """Let bodies that would meet within a sub-step bounce."""
     is_second = False
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
-        pay_for_push(world, c, a, b)
         if c.is_block:
             bounce_at_two(c, world.contacts[k + 1], a, b, world.state.dt)
         elif not is_second:
@@ -51,18 +49,3 @@ def bounce(c: ContactRow, a: BodyRow, b: BodyRow, j: float) -> None:
     """Give two bodies a blow, N s, and count it."""
     apply_impulses(c, a, b, j, 0.0)
     c.normal_total += j
-
-
-def pay_for_push(world: World, c: ContactRow, a: BodyRow, b: BodyRow) -> None:
-    """Take from the speed of a body what gravity has done while it was pushed out of a wall.
-
-    Two bodies that are pushed apart keep their centre of mass, and with it their potential energy.
-    A body that has too little speed is pushed all the same: a wall lets nobody stay.
-    """
-    if c.pseudo_impulse > 0.0 and (a.inv_m == 0.0 or b.inv_m == 0.0):
-        along = world.state.gravity_x * c.nx + world.state.gravity_y * c.ny
-        work = c.pseudo_impulse * world.state.dt * (along if a.inv_m == 0.0 else -along)
-        vn = normal_velocity(c, a, b)
-        speed = math.sqrt(max(vn * vn + 2 * work / c.normal_mass, 0.0))
-        bounce(c, a, b, c.normal_mass * ((speed if vn >= 0.0 else -speed) - vn))
-    c.pseudo_impulse = 0.0

@@ -107,7 +107,8 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
             close_gap(c, a, b, world.state.dt)
     let_impacts_pass(world, effects)
     begin_totals(world, effects)
-    push_deep(world, effects)
+    if not (world.state.only_blows and has_load(world)):
+        push_deep(world, effects)
 
 
 def close_gap(c: ContactRow, a: BodyRow, b: BodyRow, h: float) -> None:

@@ -191,9 +191,9 @@ def crowd(draw: Draw, trial: Trial) -> float:
     return max(change_of_momentum(run), change_of_angular_momentum(run), rise(run.kinetic_energy))
 
 
-def rush(draw: Draw, count: int) -> Scene:
+def rush(draw: Draw, count: int, surface: Material | None = None) -> Scene:
     """Return bodies on a grid that fly to its middle, where they would all be after 2 s."""
-    kind, surface = draw.choice("kind", ("discs", "boxes", "rods")), any_surface(draw)
+    kind, surface = draw.choice("kind", ("discs", "boxes", "rods")), surface or any_surface(draw)
     disc, box, rod = Circle(0.5), Polygon.box(1, 1), Polygon.box(1.8, 0.1)
     shapes: dict[str, Shape] = {"discs": disc, "boxes": box, "rods": rod}
     rng = np.random.default_rng(draw.integer("crowd", 0, 10**9))

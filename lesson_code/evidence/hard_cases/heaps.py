@@ -133,10 +133,10 @@ def elastic_discs_falling(draw: Draw, trial: Trial) -> float:
 @family(
     THEME,
     why="Steps see an impact once the bodies overlap, and those beside it press them on.",
-    law="What is elastic and smooth keeps its energy, but for a thousandth.",
+    law=KEEPS,
     unit="",
-    bound=1e-3,
-    reason="an approach that gravity made within a step is stopped, and does not bounce",
+    bound=ROUNDING,
+    reason="rounding of some thousand bounces",
 )
 def elastic_shapes_falling(draw: Draw, trial: Trial) -> float:
     """25 to 120 elastic, smooth bodies of other kinds fall into a bin, 5 s: change of energy."""
@@ -156,6 +156,21 @@ def large_crowd(draw: Draw, trial: Trial) -> float:
     scene = rush(draw, round(draw.log_uniform("count", MOST_DRIFTING + 1, 200)))
     run = trial.run(scene, 3.0, sample=None)
     return max(change_of_momentum(run), rise(run.kinetic_energy))
+
+
+@family(
+    THEME,
+    why="Impacts of an island hang together, and each takes sweeps to fit the others.",
+    law="Momentum and energy are kept.",
+    unit="",
+    bound=ROUNDING,
+    reason="rounding of some thousand collisions",
+)
+def elastic_crowd(draw: Draw, trial: Trial) -> float:
+    """65 to 200 elastic, smooth discs, boxes or rods rush to one place, 3 s: change of either."""
+    scene = rush(draw, round(draw.log_uniform("count", MOST_DRIFTING + 1, 200)), ELASTIC)
+    run = trial.run(scene, 3.0, sample=None)
+    return max(change_of_momentum(run), energy_error(run))
 
 
 @family(
