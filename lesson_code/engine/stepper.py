@@ -59,8 +59,8 @@ from lesson_code.engine.effects.choice import (
 )
 from lesson_code.engine.effects.continuous import most_impacts
 from lesson_code.engine.effects.question import Question
-from lesson_code.engine.solvers.choice import passes_only_blows
 from lesson_code.engine.solvers import our_solvers
+from lesson_code.engine.solvers.choice import passes_only_blows
 
 state_of = attrgetter(*STATE_FIELDS)
 """Returns the state that a row holds."""

@@ -4,8 +4,8 @@ A spring gives way, and the relax pass takes back what it has pushed: both cost 
 for bodies that come to rest. Where e = 1, nothing rubs and nobody stands from the start, none ever
 does. There no contact carries. After each sub-step, when way and speed belong to one parabola,
 bodies that would meet in the next one bounce, pair by pair: each blow by itself keeps the energy
-and the momentum to rounding. Where gravity acts there are no pushes out of an overlap either: lifted
-out of a floor, a body would have more energy. It comes out as it bounces.
+and the momentum to rounding. Where gravity acts there are no pushes out of an overlap either:
+lifted out of a floor, a body would have more energy. It comes out as it bounces.
 """
 
 from __future__ import annotations

@@ -138,7 +138,7 @@ def passes_only_blows(question: Question) -> bool:
     takes_energy = facts.least_restitution < 1.0 or facts.most_friction > 0.0 or facts.damping > 0.0
     if takes_energy or facts.may_change_impulses or facts.has_mover:
         return False
-    return not any(scene.gravity) or falling(scene) == scene.columns.is_free.sum()
+    return not any(scene.gravity) or falling(scene) == int(scene.columns.is_free.sum())
 
 
 def is_apart(scene: Scene) -> bool:
