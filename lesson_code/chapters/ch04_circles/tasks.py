@@ -30,11 +30,9 @@ NEARLY = 2.0**-20
 
 
 def overlapping(stream: Random) -> Iterator[Arguments]:
-    """Draw circles of unequal radii that overlap, a centre obliquely beside the other, or above."""
+    """Draw circles of unequal radii that overlap, one centre obliquely beside the other."""
     for _ in range(3):
         yield _circles(stream, draws.oblique_normal(stream), stream.uniform(0.8, 0.9))
-    (x, y), (r1, r2) = _eighths(stream), draws.unequal_radii(stream)
-    yield (x, y), r1, (x, y + stream.uniform(0.8, 0.9) * (r1 + r2)), r2
 
 
 def near_each_other(stream: Random) -> Iterator[Arguments]:
@@ -63,10 +61,12 @@ def just_touching(stream: Random) -> Iterator[Arguments]:
 
 
 def on_the_same_centre(stream: Random) -> Iterator[Arguments]:
-    """Draw circles whose centres coincide, and circles whose centres nearly do."""
+    """Draw circles whose centres coincide, nearly do, and lie one above the other."""
     for apart in (0.0, NEARLY):
         (x, y), (r1, r2) = _eighths(stream), draws.unequal_radii(stream)
         yield (x, y), r1, (x - 3 * apart, y + 4 * apart), r2
+    (x, y), (r1, r2) = _eighths(stream), draws.unequal_radii(stream)
+    yield (x, y), r1, (x, y + stream.uniform(0.8, 0.9) * (r1 + r2)), r2
 
 
 def _circles(stream: Random, direction: draws.Vector, part: float) -> Arguments:
