@@ -33,8 +33,8 @@ with skins have before they touch; if they bounce, it is in the sub-step in whic
 What no contact has pushed in a sub-step follows its parabola: gravity makes it faster by g h, and
 it moves at the mean velocity. So the energy of what flies and bounces with e = 1 is kept.
 
-Where nothing takes energy either, and nobody stands from the start, there are no springs and no
-relax pass: after each sub-step bodies pass blows (``blows``).
+Where nothing takes energy and nobody stands from the start, nothing ever comes to rest. There are
+no springs then and no relax pass: bodies pass blows after each sub-step (``blows``).
 
 Where nothing presses bodies together, neither gravity nor a mover, there is nothing to carry. Their
 contacts are rigid then, and an overlap is undone by pushes alone: a spring would give it a speed.
