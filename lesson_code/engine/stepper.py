@@ -120,7 +120,11 @@ def plain_seconds(scene: Scene, steps: float, visits: int) -> float:
 
 
 def run_in_steps(asked: Request, solver: Solver) -> Run:
-    """Let the engine step a scene by a solver's stages."""
+    """Let the engine step a scene by a solver's stages.
+
+    All of the scene is known here. What is stepped by hand, in a program or in a page, has springs:
+    something that takes energy may come.
+    """
     iterations, substeps = solver.counts(asked)
     stepper = EngineStepper(
         asked.scene,
@@ -135,6 +139,7 @@ def run_in_steps(asked: Request, solver: Solver) -> Run:
         options=asked.options,
     )
     with closing(stepper):
+        stepper.world.state.only_blows = stepper.needs_no_springs()
         run = record(stepper, asked.scene, asked.duration, asked.sample, asked.reason)
         warn_of_late_steps(stepper.world.state)
     return run
@@ -236,7 +241,6 @@ class EngineStepper(Stepper):
         self.pipeline = stages._replace(splits_steps=splits_steps)
         self.world = arrays_of(scene, dt / self._steps_a_step, iterations, combine, skin)
         self.world.state.substeps = substeps // self._steps_a_step
-        self._note_blows()
         self._rows = self.world
         self._steps_planned = duration / dt
         self._steps_made = 0
@@ -329,15 +333,14 @@ class EngineStepper(Stepper):
             listener=self.pipeline.listener,
             splits_steps=self.pipeline.splits_steps,
         )
-        self._note_blows()
         self._choose_code()
         after = names_used(self.effects)
         self._changes.append(_change(state.time, gravity, after - before, before - after))
 
-    def _note_blows(self) -> None:
-        """Note whether contacts need no springs; of the solvers that have some it is asked."""
+    def needs_no_springs(self) -> bool:
+        """Return whether contacts need none of the springs that its solver has, whatever comes."""
         has_springs = self._solver.shares_contacts and self.pipeline.effects.restitution
-        self.world.state.only_blows = has_springs and passes_only_blows(self._question)
+        return has_springs and passes_only_blows(self._question)
 
     def _advance(self, steps: int) -> None:
         """Make `steps` steps of dt with the stages as they are."""

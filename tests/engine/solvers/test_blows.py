@@ -107,12 +107,17 @@ def test_ball_that_falls_passes_blows_alone_and_one_without_gravity_too() -> Non
     assert not passes_only_blows(Question(Scene([BALL, FLOOR], gravity=DOWN, damping=0.1)))
 
 
-def test_stepper_asks_again_when_gravity_changes() -> None:
-    """A ball that lies on a floor carries nothing until gravity acts."""
-    scene = Scene([replace(BALL, position=(0, 1)), FLOOR])
+def test_stepper_by_hand_has_springs() -> None:
+    """As in a page: something that takes energy may come. A run knows that nothing does."""
     stepper = EngineStepper(
-        scene, solver="substep", dt=1 / 60, iterations=1, substeps=4, combine=MixingRule()
+        Scene([BALL, FLOOR], gravity=DOWN),
+        solver="substep",
+        dt=1 / 60,
+        iterations=1,
+        substeps=4,
+        combine=MixingRule(),
     )
-    assert stepper.world.state.only_blows
-    stepper.set_gravity(DOWN)
+    assert stepper.needs_no_springs()
     assert not stepper.world.state.only_blows
+    stepper.set_gravity((0.0, 0.0))
+    assert stepper.needs_no_springs()
