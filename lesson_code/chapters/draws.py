@@ -177,11 +177,13 @@ def convex_polygon(
     at uneven angles, and begin anywhere on it. No edge is level or upright: what that costs an
     answer must not depend on the seed.
     """
-    while True:
-        vertices = _any_convex_polygon(stream, count, centre, size, width)
-        edges = zip(vertices, (*vertices[1:], vertices[0]), strict=True)
-        if all(a[0] != b[0] and a[1] != b[1] for a, b in edges):
-            return vertices
+    return until(_is_oblique, lambda: _any_convex_polygon(stream, count, centre, size, width))
+
+
+def _is_oblique(vertices: tuple[Vector, ...]) -> bool:
+    """Return whether no edge of a polygon is level or upright."""
+    edges = zip(vertices, (*vertices[1:], vertices[0]), strict=True)
+    return all(a[0] != b[0] and a[1] != b[1] for a, b in edges)
 
 
 def _any_convex_polygon(

@@ -338,7 +338,7 @@ class EngineStepper(Stepper):
         self._changes.append(_change(state.time, gravity, after - before, before - after))
 
     def needs_no_springs(self) -> bool:
-        """Return whether contacts need none of the springs that its solver has, whatever comes."""
+        """Return whether contacts need none of the springs that its solver has, as the scene is."""
         has_springs = self._solver.shares_contacts and self.pipeline.effects.restitution
         return has_springs and passes_only_blows(self._question)
 

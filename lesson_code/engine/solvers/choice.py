@@ -37,6 +37,7 @@ from lesson_code.engine.core.penetration import EVERY_OVERLAP, deepest_overlaps,
 from lesson_code.engine.core.scene import Body, Scene
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.choice import capabilities, checked_wishes
+from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.event_driven import why_not
 from lesson_code.geometry.manifold import collide
@@ -124,8 +125,7 @@ def flies_freely(question: Question) -> bool:
         return False
     facts = question.facts
     if any(scene.gravity):
-        comes_to_rest = facts.least_restitution < 1.0 or facts.most_friction > 0.0
-        if comes_to_rest and (free > 1 or len(scene.bodies) > 2):
+        if _takes_energy(facts) and (free > 1 or len(scene.bodies) > 2):
             return False
     elif facts.least_restitution <= 0.0:
         return False
@@ -135,10 +135,14 @@ def flies_freely(question: Question) -> bool:
 def passes_only_blows(question: Question) -> bool:
     """Return whether no contact takes energy or carries: all is elastic, and nobody stands."""
     facts, scene = question.facts, question.scene
-    takes_energy = facts.least_restitution < 1.0 or facts.most_friction > 0.0 or facts.damping > 0.0
-    if takes_energy or facts.may_change_impulses or facts.has_mover:
+    if _takes_energy(facts) or facts.may_change_impulses or facts.has_mover:
         return False
     return not any(scene.gravity) or falling(scene) == int(scene.columns.is_free.sum())
+
+
+def _takes_energy(facts: Facts) -> bool:
+    """Return whether some contact, or damping, takes energy, so that bodies may come to rest."""
+    return facts.least_restitution < 1.0 or facts.most_friction > 0.0 or facts.damping > 0.0
 
 
 def is_apart(scene: Scene) -> bool:
