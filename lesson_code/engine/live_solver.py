@@ -48,9 +48,10 @@ ANY_SCENE = {n: used for n, used in EVERY_EFFECT._asdict().items() if n not in O
 """The effects that a world reckons with: whatever joins it, its machine code stays the same."""
 
 LIVE_SKIN = 0.25
-"""Of a body's width: how far from its surface the solver with sub-steps sees contacts.
+"""Of a body's width: how far from its surface the solver with sub-steps sees contacts, and how far
+one may move in a sub-step unwatched.
 
-So much may a body move in a sub-step unwatched. At 0.125 dominoes enter each other twice as deep,
+At 0.125 dominoes enter each other twice as deep,
 at 0.5 no less deep.
 """
 
@@ -133,6 +134,7 @@ def stepper_for(
         splits_steps=True,
         shares_contacts=False,
         skin=LIVE_SKIN if solver == "substep" else None,
+        reach=LIVE_SKIN if solver == "substep" else None,
     )
 
 

@@ -192,6 +192,8 @@ class EngineStepper(Stepper):
         Whether sub-steps share the contacts of their step; None: as its solver has it.
     skin : float, optional
         Of a body's width: how far from its surface contacts are seen; None: as its solver has it.
+    reach : float, optional
+        Of a body's width: how far one may move unwatched; None: as its solver has it.
 
     Attributes
     ----------
@@ -226,20 +228,24 @@ class EngineStepper(Stepper):
         splits_steps: bool = False,
         shares_contacts: bool | None = None,
         skin: float | None = None,
+        reach: float | None = None,
     ) -> None:
         self.dt = dt
         self._solver = our_solvers()[solver]
         self._options = options
         shares = self._solver.shares_contacts if shares_contacts is None else shares_contacts
         self._steps_a_step = 1 if shares else substeps
-        skin = self._solver.skin if skin is None else skin
-        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine, skin)
+        seen = (
+            self._solver.skin if skin is None else skin,
+            self._solver.reach if reach is None else reach,
+        )
+        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine, *seen)
         self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
         self._changes: list[str] = []
         self.effects = choose_effects(self._question, self._asked)
         stages = pipeline_for(scene, self._solver, self.effects, self._options)
         self.pipeline = stages._replace(splits_steps=splits_steps)
-        self.world = arrays_of(scene, dt / self._steps_a_step, iterations, combine, skin)
+        self.world = arrays_of(scene, dt / self._steps_a_step, iterations, combine, *seen)
         self.world.state.substeps = substeps // self._steps_a_step
         self._rows = self.world
         self._steps_planned = duration / dt

@@ -24,13 +24,13 @@ from lesson_code.engine import stepper
 from lesson_code.engine.compiled import link
 from lesson_code.engine.compiled.library import why_no_compiler
 from lesson_code.engine.core.broad_phase import uniform_grid
-from lesson_code.engine.core.constants import QUIET_TIME, SPEED_DOUBT, STILL
+from lesson_code.engine.core.constants import QUIET_TIME, REACH, SPEED_DOUBT, STILL
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import Pipeline, SolverStages
 from lesson_code.engine.core.step import rigid_part
 from lesson_code.engine.effects.choice import EFFECTS, capabilities
-from lesson_code.engine.effects.continuous import fastest_way
 from lesson_code.engine.effects.flags import EVERY_EFFECT
+from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.effect_costs.calls import calls_of
@@ -190,8 +190,8 @@ def just_slow_enough(seed: int) -> Scene:
         friction=seed % 2 == 1,  # both, and a bounce at a corner may gain speed
         walls_move=False,
     )
-    way, room = fastest_way(scene, DT)
-    return faster(scene, BARELY * room / (SPEED_DOUBT * way))
+    facts = Question(scene, dt=DT).facts
+    return faster(scene, BARELY * facts.room / (SPEED_DOUBT * facts.way))
 
 
 def faster(scene: Scene, times: float) -> Scene:
@@ -248,10 +248,11 @@ by_seed = settings(
 def solvers_of(effect: str) -> list[str]:
     """Return the solvers that can do with or without an effect.
 
-    With a skin, what moves at all calls for continuous detection.
+    Where a body is watched as soon as it leaves its skin, what moves at all calls for continuous
+    detection.
     """
     able = [s for s in SOLVERS if not any(effect in names for names in capabilities(s))]
-    return [s for s in able if effect != "continuous" or our_solvers()[s].skin == 0.0]
+    return [s for s in able if effect != "continuous" or our_solvers()[s].reach == REACH]
 
 
 def run_of(spared: Spared, solver: str, effects: dict[str, bool], **settings: Any) -> Run:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from lesson_code.engine.core.constants import REACH
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import MakePart, SolverStages
 from lesson_code.engine.core.recording import Sample
@@ -71,6 +72,8 @@ class Solver:
         Whether its sub-steps share the contacts of their step; else each finds its own.
     skin : float
         Of a body's width: how far from its surface contacts are seen already.
+    reach : float
+        Of a body's width: how far one may move in a step unwatched.
     iterations, substeps : int
         Sweeps and sub-steps in a step, unless they are given.
     has_matrices : bool
@@ -98,6 +101,7 @@ class Solver:
     make_part: MakePart = rigid_part
     shares_contacts: bool = False
     skin: float = 0.0
+    reach: float = REACH
     iterations: int = 10
     substeps: int = 1
     has_matrices: bool = False

@@ -339,8 +339,7 @@ def prepare_part(world: World, pipeline: Pipeline) -> bool:
     if effects.collisions:
         if not detect(world, pipeline):
             return False
-        if state.skin > 0.0:
-            take_skins_off(world)
+        take_skins_off(world)
         pipeline.solver.prepare(world, effects)
     state.is_prepared = True
     return True

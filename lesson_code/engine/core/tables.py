@@ -24,6 +24,7 @@ from lesson_code.engine.core.constants import (
     LARGEST_IN_GRID,
     MOST_COLOURS,
     MOST_MARGIN,
+    REACH,
 )
 from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.pipeline import BroadPhase
@@ -52,29 +53,39 @@ local_values = attrgetter("local_x", "local_y", "local_nx", "local_ny")
 
 
 def world_of(
-    scene: Scene, dt: float, iterations: int, combine: MixingRule, skin: float = 0.0
+    scene: Scene,
+    dt: float,
+    iterations: int,
+    combine: MixingRule,
+    skin: float = 0.0,
+    reach: float = REACH,
 ) -> World:
     """Return the tables of a scene as lists of rows, its bodies where they begin.
 
     Each body that can be pushed gets a skin of so many of its widths: contacts are seen before the
-    bodies touch.
+    bodies touch. How far a body may move unwatched is given in widths, too.
 
     Raises
     ------
     FloatingPointError
         A mass is so small that its inverse is no number.
     """
-    return full_rows(arrays_of(scene, dt, iterations, combine, skin))
+    return full_rows(arrays_of(scene, dt, iterations, combine, skin, reach))
 
 
 def arrays_of(
-    scene: Scene, dt: float, iterations: int, combine: MixingRule, skin: float = 0.0
+    scene: Scene,
+    dt: float,
+    iterations: int,
+    combine: MixingRule,
+    skin: float = 0.0,
+    reach: float = REACH,
 ) -> World:
     """Return the same tables as arrays with all fields."""
     columns = scene.columns
     bodies, corners = outlined_bodies(scene, skin)
     count, slots = len(columns), slots_for(len(columns))
-    thinnest = _least(columns.thickness[columns.is_free])
+    width, thickness = (c[columns.is_free] for c in (columns.min_width, columns.thickness))
     state = State(
         whole=dt,
         dt=dt,
@@ -87,8 +98,8 @@ def arrays_of(
         cell_size=cell_size_for(columns, skin),
         slot_count=slots,
         row_stride=row_stride_for(slots),
-        thinnest=thinnest,
-        reach=skin * _least(bodies["min_width"]) if skin > 0.0 else 0.5 * thinnest,
+        thinnest=_least(thickness),
+        reach=_least(np.minimum(reach * width, skin * width + 0.5 * thickness)),
         skin=skin,
         free_count=int(columns.is_free.sum()),
         has_moving_static=columns.has_mover,

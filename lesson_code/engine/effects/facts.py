@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from lesson_code.engine.core.columns import SEGMENT_CORNERS
+from lesson_code.engine.core.constants import REACH
 from lesson_code.engine.core.mixing import mixed
 from lesson_code.engine.core.rows import BodyRow
 
@@ -54,6 +55,7 @@ class Facts:
     dt: float = 0.0  # s, a step
     duration: float = math.inf  # s; infinite: nobody knows yet
     skin: float = 0.0  # of a body's width: how far from its surface the solver sees contacts
+    reach: float = REACH  # of a body's width: how far one may move in a step unwatched
     restitution_rule: int = 0  # how a pair's coefficients come from its bodies' (core/mixing.py)
     friction_rule: int = 0
     hears_contacts: bool = False  # whether the scene has callbacks
@@ -90,7 +92,6 @@ def look(seen: Seen) -> None:
     """Write the facts that follow from the bodies."""
     facts = seen.facts
     facts.body_count = len(seen.bodies)
-    thinnest = math.inf
     for body in seen.bodies:
         has_corners = body.corner_count > 0
         if has_corners:
@@ -103,8 +104,8 @@ def look(seen: Seen) -> None:
         if body.mass < math.inf:
             facts.free_count += 1
             facts.has_free_cornered = facts.has_free_cornered or has_corners
-            width = body.min_width if facts.skin > 0.0 else thickness(body)
-            thinnest = width if width < thinnest else thinnest
+            room = room_of(body, facts.skin, facts.reach)
+            facts.room = room if room < facts.room else facts.room
             note(seen.free_restitution, body.restitution)
             note(seen.free_friction, body.friction)
         else:
@@ -117,8 +118,12 @@ def look(seen: Seen) -> None:
     facts.least_restitution = least_of_pairs(facts.restitution_rule, free, fixed)
     free, fixed = seen.free_friction, seen.fixed_friction
     facts.most_friction = most_of_pairs(facts.friction_rule, free, fixed)
-    facts.room = (facts.skin if facts.skin > 0.0 else 0.5) * thinnest
     facts.way = fastest_point(seen.bodies) * facts.dt
+
+
+def room_of(body: BodyRow | SeenBody, skin: float, reach: float) -> float:
+    """Return how far a body may move unwatched, m: no further than it is seen, or is thick."""
+    return min(reach * body.min_width, skin * body.min_width + 0.5 * thickness(body))
 
 
 def thickness(body: BodyRow | SeenBody) -> float:

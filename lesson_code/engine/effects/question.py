@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from lesson_code.engine.core.constants import REACH
 from lesson_code.engine.core.mixing import MIXING_RULES, RULES, MixingRule
 from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.effects.facts import Coefficients, Facts, Seen, SeenBody, look
@@ -52,6 +53,8 @@ class Question:
         How a pair's coefficients come from its bodies'.
     skin : float
         Of a body's width: how far from its surface the solver sees contacts.
+    reach : float
+        Of a body's width: how far one may move in a step unwatched.
     """
 
     scene: Scene
@@ -60,12 +63,13 @@ class Question:
     duration: float = math.inf
     combine: MixingRule = MIXING_RULES["workbook"]
     skin: float = 0.0
+    reach: float = REACH
 
     @cached_property
     def facts(self) -> Facts:
         """What the rules ask of the scene, from one look at it, which is kept with the scene."""
         kept: dict[Any, Facts] = vars(self.scene).setdefault("_facts", {})
-        how = self.dt, self.duration, self.combine, self.skin
+        how = self.dt, self.duration, self.combine, self.skin, self.reach
         if how not in kept:
             kept[how] = self._look()
         return kept[how]
@@ -81,6 +85,7 @@ class Question:
             self.dt,
             self.duration,
             self.skin,
+            self.reach,
             RULES[self.combine.restitution],
             RULES[self.combine.friction],
             scene.callbacks.wanted,

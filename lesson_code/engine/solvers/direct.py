@@ -310,6 +310,7 @@ SOLVER = Solver(
     name="direct",
     make_part=midpoint_part,
     skin=SKIN,
+    reach=SKIN,
     has_matrices=True,
     has_one_sweep=True,
     options={

@@ -27,8 +27,9 @@ after sweep until they fit (``impacts``); there is no other bounce in the step. 
 not repeated in a warm start. So an impact with e = 1 keeps its energy, and nothing fast is let in.
 
 Where the points have parted within the step, they may come together again as far as the gap is
-wide, and no faster: no contact pulls, and none is missed. The same holds for a contact that bodies
-with skins have before they touch; if they bounce, it is in the sub-step in which they would meet.
+wide, and no faster: no contact pulls, and none is missed. The same holds for a contact that is
+seen before the bodies touch; if they bounce, it is in the step in which they would meet. So what
+just touches at the start is carried from the first sub-step on: a stack does not fall first.
 
 What no contact has pushed in a sub-step follows its parabola: gravity makes it faster by g h, and
 it moves at the mean velocity. So the energy of what flies and bounces with e = 1 is kept.
@@ -59,6 +60,7 @@ from lesson_code.engine.core.constants import (
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
+    SOFT_SKIN,
 )
 from lesson_code.engine.core.contact_frame import (
     apply_impulses,
@@ -70,7 +72,7 @@ from lesson_code.engine.core.contact_frame import (
 )
 from lesson_code.engine.core.contact_motion import gap_between, way_apart
 from lesson_code.engine.core.pipeline import SolverStages
-from lesson_code.engine.core.rows import BodyRow, ContactRow, World
+from lesson_code.engine.core.rows import BodyRow, ContactRow, State, World
 from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
@@ -104,21 +106,21 @@ def prepare(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c.gap_origin = -c.penetration - way_apart(c, a, b)
         c.slack_vn = min(c.target_vn, 0.0)
         if c.penetration < 0.0:
-            close_gap(c, a, b, world.state.dt)
+            close_gap(world.state, c, a, b)
     let_impacts_pass(world, effects)
     begin_totals(world, effects)
     if not (world.state.only_blows and has_load(world)):
         push_deep(world, effects)
 
 
-def close_gap(c: ContactRow, a: BodyRow, b: BodyRow, h: float) -> None:
+def close_gap(state: State, c: ContactRow, a: BodyRow, b: BodyRow) -> None:
     """Let two bodies with skins, of which only those touch, come as near as the gap is wide.
 
-    If they are to bounce, and would meet in this sub-step, they bounce now: later they would be in
-    each other. Two that part may be pressed together again, but come no nearer than that either.
+    If they are to bounce, and would meet in this step, they bounce now: later they would be in each
+    other. Two that part may be pressed together again, but come no nearer than that either.
     """
-    closing = c.penetration / h
-    if c.target_vn <= 0.0 or normal_velocity(c, a, b) > closing:
+    closing = c.penetration / state.dt
+    if c.target_vn <= 0.0 or normal_velocity(c, a, b) * state.substeps > closing:
         c.target_vn = closing
 
 
@@ -299,6 +301,7 @@ SOLVER = Solver(
     stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
     make_part=soft_part,
     shares_contacts=True,
+    skin=SOFT_SKIN,
     iterations=1,
     substeps=4,
     built_in={"warm_starting": "each sub-step begins with the impulses of the one before"},

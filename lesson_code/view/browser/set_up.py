@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 
 from lesson_code.engine.core.broad_phase import row_stride_for, slots_for, sort_along_x
-from lesson_code.engine.core.constants import CELL_MARGIN, LARGEST_IN_GRID, MOST_MARGIN
+from lesson_code.engine.core.constants import CELL_MARGIN, LARGEST_IN_GRID, MOST_MARGIN, REACH
 from lesson_code.engine.core.motion import turn_with_angle
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.scene import is_off_centre
-from lesson_code.engine.effects.facts import thickness
+from lesson_code.engine.effects.facts import room_of, thickness
 from lesson_code.formulas.rigid_body import disc_inertia, polygon_inertia
 from lesson_code.geometry.edges import outward_normal
 from lesson_code.geometry.rows import Corner, following
@@ -55,14 +55,17 @@ def set_up(world: World) -> int:
         if bodies[k].inv_m > 0.0:
             state.free_count += 1
             state.thinnest = min(state.thinnest, thickness(bodies[k]))
+            state.reach = min(state.reach, room_of(bodies[k], state.skin, REACH))
         elif bodies[k].vx != 0.0 or bodies[k].vy != 0.0 or bodies[k].w != 0.0:
             state.has_moving_static = True
-    state.reach = 0.5 * state.thinnest
     state.slot_count = slots_for(len(bodies))
     state.row_stride = row_stride_for(state.slot_count)
     state.cell_size = cell_size(world)
     for k in range(len(bodies)):
-        if bodies[k].inv_m == 0.0:
+        if bodies[k].inv_m > 0.0:
+            bodies[k].radius += state.skin * bodies[k].min_width
+            bodies[k].bounding_radius += state.skin * bodies[k].min_width
+        else:
             bodies[k].min_width = math.inf
     return NO_FAULT
 
@@ -137,11 +140,12 @@ def cell_size(world: World) -> float:
     Bodies are sorted by their sizes, which stand meanwhile for the left sides of their boxes.
     """
     bodies, order = world.bodies, world.order
+    margin = MOST_MARGIN + world.state.skin
     if len(bodies) == 0:
         return 1.0
     for k in range(len(bodies)):
         order[k].index = k
-        bodies[k].min_x = 2.0 * bodies[k].bounding_radius + 2.0 * MOST_MARGIN * bodies[k].min_width
+        bodies[k].min_x = 2.0 * bodies[k].bounding_radius + 2.0 * margin * bodies[k].min_width
     sort_along_x(bodies, order)
     limit = LARGEST_IN_GRID * bodies[order[(len(bodies) - 1) // 2].index].min_x
     largest = 0.0

@@ -38,6 +38,7 @@ def scene_rules(solver: Solver) -> dict[str, Any]:
         "dt": 1 / 60,
         "iterations": solver.iterations,
         "substeps": solver.substeps,
+        "skin": solver.skin,
         "restitution": MixingRule().restitution,
         "friction": MixingRule().friction,
     }

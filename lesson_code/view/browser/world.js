@@ -128,7 +128,7 @@ export class World {
     const [iterations, substeps] = ["iterations", "substeps"].map((name) =>
       checked(name, description[name], "count", usual[name]),
     );
-    Object.assign(this.state, { gravity_x, gravity_y, damping, dt, whole: dt, iterations, substeps });
+    Object.assign(this.state, { gravity_x, gravity_y, damping, dt, whole: dt, iterations, substeps, skin: usual.skin });
     for (const name of ["restitution", "friction"]) {
       const rule = description.combine?.[name] ?? usual[name];
       if (!(rule in mixing))
