@@ -57,6 +57,7 @@ import math
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
     MOST_SUNK,
+    MOST_SWEEPS,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -66,6 +67,7 @@ from lesson_code.engine.core.contact_frame import (
     apply_impulses,
     bring_to_total,
     friction_impulse,
+    missing_pseudo_velocity,
     normal_impulse,
     normal_velocity,
     tangent_velocity,
@@ -142,7 +144,11 @@ def begin_totals(world: World, effects: Effects = EVERY_EFFECT) -> None:
 
 
 def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
-    """Push bodies out of an overlap that is too deep for springs; the first sub-step moves them."""
+    """Push bodies out of an overlap that is too deep for springs; the first sub-step moves them.
+
+    What lies under a heap is pushed back in by all that is above it, the more so the lighter it is.
+    There it goes on for as long as that would be much.
+    """
     longer = longer_than_before(world)
     for k in range(world.state.contact_count):
         c = world.contacts[k]
@@ -151,8 +157,21 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
         later = max(vn, 0.0) * world.state.dt * (world.state.substeps - 1)
         c.pseudo_speed = max(BAUMGARTE_FACTOR * deep - later, 0.0) / world.state.dt
     if has_overlap_to_undo(world, effects):
-        for _ in range(world.state.substeps * world.state.iterations):
+        fewest, sweeps = world.state.substeps * world.state.iterations, 0
+        while sweeps < fewest or (sweeps < MOST_SWEEPS and would_stay_deep(world)):
             contact_solver.correct(world, effects)
+            sweeps += 1
+
+
+def would_stay_deep(world: World) -> bool:
+    """Return whether pushes leave bodies deeper in one another than they are to, by the slop."""
+    for k in range(world.state.contact_count):
+        c = world.contacts[k]
+        a, b = world.bodies[c.a], world.bodies[c.b]
+        way = -missing_pseudo_velocity(c, a, b) * world.state.dt
+        if way > SLOP * min(a.min_width, b.min_width):
+            return True
+    return False
 
 
 def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
