@@ -41,7 +41,7 @@ Where nothing presses bodies together, neither gravity nor a mover, there is not
 contacts are rigid then, and an overlap is undone by pushes alone: a spring would give it a speed.
 
 Two points of one manifold are solved together here too. In turn, a tower of 20 boxes that does
-not stand straight has leaned over by 0.3 m after 20 s; together, by 2 mm.
+not stand straight has leaned over by 35 mm after 20 s; together, by 6 mm.
 
 References
 ----------

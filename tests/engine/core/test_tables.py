@@ -12,6 +12,7 @@ from lesson_code.engine.core.constants import FEWEST_FOR_GRID, LARGEST_IN_GRID, 
 from lesson_code.engine.core.mixing import GEOMETRIC_MEAN, MAX, UNSPECIFIED
 from lesson_code.engine.core.rows import BodyRow, World
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
+from lesson_code.engine.effects.question import Question
 
 
 def tables(*bodies: Body, **scene: Any) -> World:
@@ -30,6 +31,25 @@ def test_row_of_a_body_holds_what_the_scene_says() -> None:
     assert (row.inv_m, row.inv_i, row.radius, row.corner_count) == (0.25, 2.0, 0.5, 0)
     assert (row.restitution, row.friction, row.min_width) == (0.7, 0.8, 1.0)
     assert (row.angle, row.sin) == (math.pi / 2, 1.0)
+
+
+def test_reach_is_that_of_the_body_that_is_seen_through_first() -> None:
+    """Part of its width, but no more than half of its matter and its skin; a line has no matter."""
+    plank = Body(Polygon.box(4, 2), mass=1)
+    line = Body(Segment((-3, 0), (3, 0)), mass=1)
+    rod = Body(Segment((-3, 0), (3, 0), radius=0.25), mass=1)
+    wall = Body(Segment((0, 0), (0, 1e-3)))
+    for bodies, skin, reach, expected in (
+        ([plank, wall], 0.0, 0.5, 1.0),
+        ([plank, rod], 0.0, 0.5, 0.25),
+        ([plank, line], 0.0, 0.5, 0.0),
+        ([plank, line], 1e-3, 0.5, 6e-3),
+        ([plank, rod], 0.1, 0.1, 0.05),
+        ([wall], 0.1, 0.1, math.inf),
+    ):
+        world = world_of(Scene(bodies), 0.01, 1, MixingRule(), skin, reach)
+        assert world.state.reach == pytest.approx(expected, rel=1e-15)
+        assert Question(Scene(bodies), skin=skin, reach=reach).facts.room == world.state.reach
 
 
 def test_row_of_a_static_body_cannot_be_moved_and_is_no_scale() -> None:
