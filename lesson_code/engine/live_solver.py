@@ -51,8 +51,7 @@ LIVE_SKIN = 0.25
 """Of a body's width: how far from its surface the solver with sub-steps sees contacts, and how far
 one may move in a sub-step unwatched.
 
-At 0.125 dominoes enter each other twice as deep,
-at 0.5 no less deep.
+At 0.125 dominoes enter each other twice as deep, at 0.5 no less deep.
 """
 
 SUBSTEPS, SOFT_SWEEPS = 12, 3

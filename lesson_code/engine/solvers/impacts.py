@@ -28,7 +28,7 @@ from lesson_code.engine.core.constants import (
     IMPACT_ROUNDING,
     IMPACT_SWEEPS,
     IMPACT_WAY,
-    MOST_SWEEPS,
+    MOST_IMPACT_SWEEPS,
     ROUNDING_OF_WORK,
 )
 from lesson_code.engine.core.contact_frame import missing_velocity, velocity_at
@@ -71,7 +71,7 @@ def solve_impacts(world: World, effects: Effects = EVERY_EFFECT) -> None:
         contact_solver.solve(world, effects)
         most = IMPACT_ROUNDING
         sweeps += 1
-    while sweeps < MOST_SWEEPS and would_enter(world):
+    while sweeps < MOST_IMPACT_SWEEPS and would_enter(world):
         contact_solver.solve(world, effects)
         sweeps += 1
 

@@ -56,8 +56,8 @@ import math
 
 from lesson_code.engine.core.constants import (
     BAUMGARTE_FACTOR,
+    IMPACT_SWEEPS,
     MOST_SUNK,
-    MOST_SWEEPS,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -147,7 +147,7 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Push bodies out of an overlap that is too deep for springs; the first sub-step moves them.
 
     What lies under a heap is pushed back in by all that is above it, the more so the lighter it is.
-    There it goes on for as long as that would be much.
+    There some more sweeps follow, but not many: in a box too small for its bodies they have no end.
     """
     longer = longer_than_before(world)
     for k in range(world.state.contact_count):
@@ -158,7 +158,7 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
         c.pseudo_speed = max(BAUMGARTE_FACTOR * deep - later, 0.0) / world.state.dt
     if has_overlap_to_undo(world, effects):
         fewest, sweeps = world.state.substeps * world.state.iterations, 0
-        while sweeps < fewest or (sweeps < MOST_SWEEPS and would_stay_deep(world)):
+        while sweeps < fewest or (sweeps < IMPACT_SWEEPS and would_stay_deep(world)):
             contact_solver.correct(world, effects)
             sweeps += 1
 
