@@ -29,8 +29,8 @@ from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import Pipeline, SolverStages
 from lesson_code.engine.core.step import rigid_part
 from lesson_code.engine.effects.choice import EFFECTS, capabilities
+from lesson_code.engine.effects.continuous import fastest_way
 from lesson_code.engine.effects.flags import EVERY_EFFECT
-from lesson_code.engine.effects.question import Question
 from lesson_code.engine.solvers import our_solvers
 from lesson_code.engine.stepper import EngineStepper
 from lesson_code.evidence.effect_costs.calls import calls_of
@@ -190,8 +190,8 @@ def just_slow_enough(seed: int) -> Scene:
         friction=seed % 2 == 1,  # both, and a bounce at a corner may gain speed
         walls_move=False,
     )
-    facts = Question(scene, dt=DT).facts
-    return faster(scene, BARELY * facts.room / (SPEED_DOUBT * facts.way))
+    way, room = fastest_way(scene, DT)
+    return faster(scene, BARELY * room / (SPEED_DOUBT * way))
 
 
 def faster(scene: Scene, times: float) -> Scene:

@@ -30,11 +30,12 @@ from lesson_code.engine.core.constants import (
 from lesson_code.engine.core.narrow_phase import touch
 from lesson_code.engine.core.pipeline import Pipeline
 from lesson_code.engine.core.rows import BodyRow, State, World
+from lesson_code.engine.core.scene import Scene
 from lesson_code.engine.core.skin import skin_of
 from lesson_code.engine.effects import friction, gravity, restitution
 from lesson_code.engine.effects.facts import Facts
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
-from lesson_code.engine.effects.question import Effect, Finding
+from lesson_code.engine.effects.question import Effect, Finding, Question
 from lesson_code.geometry.advancement import advance_to_impact
 from lesson_code.geometry.rows import ManifoldRow
 from lesson_code.geometry.sweep import impact_time, impact_time_with_circle
@@ -63,6 +64,28 @@ def rule(facts: Facts) -> Finding:
 
 
 EFFECT = Effect(rule=rule, place=60, functions=("has_fast_body",))
+
+
+def fastest_way(scene: Scene, dt: float) -> tuple[float, float]:
+    """Return how far a body can move in a step, m, and how far it may without being watched, m.
+
+    That is half of the least width.
+
+    Without gravity all bodies together keep the kinetic energy that they have. If one body had
+    all of it, it would have the speed sqrt(2 E / m). What counts is the way of its farthest point.
+
+    Examples
+    --------
+    Two discs of 1 kg and 1 m/s: one of them may come to have the energy of both.
+
+    >>> from lesson_code import Body, Circle
+    >>> discs = [Body(Circle(1), mass=1.0, velocity=(1, 0), position=(0, 3 * k)) for k in (0, 1)]
+    >>> way, room = fastest_way(Scene(discs), dt=0.1)
+    >>> round(way, 6), room
+    (0.141421, 1.0)
+    """
+    facts = Question(scene, dt=dt).facts
+    return facts.way, facts.room
 
 
 # The stage

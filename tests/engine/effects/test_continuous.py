@@ -14,7 +14,7 @@ from tiers import share
 from lesson_code import Body, Circle, Material, Polygon, Run, Scene, Segment, simulate
 from lesson_code.engine.core.constants import MOST_IMPACTS, SLOP
 from lesson_code.engine.effects import continuous
-from lesson_code.engine.effects.question import Question
+from lesson_code.engine.effects.continuous import fastest_way
 
 BALL = Material(1.0, 0.0)
 
@@ -262,16 +262,10 @@ def disc(x: float = 0.0, **rest: Any) -> Body:
     return Body(Circle(0.5), **(given | rest))
 
 
-def way_and_room(scene: Scene, dt: float) -> tuple[float, float]:
-    """Return how far a body can move in a step, and how far it may move unwatched, m."""
-    facts = Question(scene, dt=dt).facts
-    return facts.way, facts.room
-
-
 def test_fastest_way_gives_all_energy_to_the_lightest_body() -> None:
     """By hand: 1/2 (4)(3^2) = 18 J make 6 m/s of 1 kg."""
     bodies = disc(0, mass=4.0, velocity=(0, 3)), disc(9, mass=1.0)
-    way, room = way_and_room(Scene(bodies), 0.1)
+    way, room = fastest_way(Scene(bodies), 0.1)
     assert way == pytest.approx(0.6, rel=ROUNDING)
     assert room == 0.5
 
@@ -279,23 +273,23 @@ def test_fastest_way_gives_all_energy_to_the_lightest_body() -> None:
 def test_fastest_way_of_a_body_with_corners_is_that_of_its_farthest_point() -> None:
     """By hand: a rod of 12 kg and 2 m, I = 4; 6 J: v^2 = 2 E (1/m + r^2/I) = 12 (1/12 + 1/4)."""
     rod = Body(Segment((-1, 0), (1, 0)), mass=12.0, inertia=4.0, velocity=(1, 0))
-    way, room = way_and_room(Scene([rod]), 1.0)
+    way, room = fastest_way(Scene([rod]), 1.0)
     assert way == pytest.approx(2.0, rel=ROUNDING)
     assert room == 0.0  # a line has no width: it is always watched
 
 
 def test_fastest_way_leaves_out_bodies_that_cannot_be_pushed() -> None:
     """They have no energy to give, and their width does not matter."""
-    alone = way_and_room(Scene([disc(velocity=(2, 0))]), 0.1)
+    alone = fastest_way(Scene([disc(velocity=(2, 0))]), 0.1)
     wall = Body(Segment((-9, 0), (9, 0)))
-    assert way_and_room(Scene([disc(velocity=(2, 0)), wall]), 0.1) == alone
-    assert way_and_room(Scene([wall]), 0.1) == (0.0, math.inf)
+    assert fastest_way(Scene([disc(velocity=(2, 0)), wall]), 0.1) == alone
+    assert fastest_way(Scene([wall]), 0.1) == (0.0, math.inf)
 
 
 def test_fastest_way_of_a_body_that_never_turns_has_no_energy_of_spin() -> None:
     """With an infinite inertia a spin would have an infinite energy; it is no number."""
     stiff = disc(inertia=math.inf, velocity=(3, 0))
-    assert way_and_room(Scene([stiff]), 1.0)[0] == pytest.approx(3.0, rel=ROUNDING)
+    assert fastest_way(Scene([stiff]), 1.0)[0] == pytest.approx(3.0, rel=ROUNDING)
 
 
 @settings(max_examples=share(40), phases=[Phase.explicit, Phase.generate])
@@ -315,4 +309,4 @@ def test_no_body_is_ever_faster_than_the_bound(seed: int) -> None:
     scene = Scene(discs)
     run = simulate(scene, 1.0, solver="sequential", combine="workbook")
     fastest = float(np.max(np.linalg.norm(run.velocities, axis=2)))
-    assert fastest <= way_and_room(scene, 1.0)[0] * (1 + SLOWEST_LOSS)
+    assert fastest <= fastest_way(scene, 1.0)[0] * (1 + SLOWEST_LOSS)
