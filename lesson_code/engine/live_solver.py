@@ -27,6 +27,7 @@ from lesson_code.engine.core.columns import Floats
 from lesson_code.engine.core.constants import MOST_DRIFTING, MOST_PRESSED
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.sight import Sight
 from lesson_code.engine.effects.flags import EVERY_EFFECT
 from lesson_code.engine.effects.question import Question
 from lesson_code.engine.event_driven import ExactSolver, why_not
@@ -132,8 +133,7 @@ def stepper_for(
         effects=ANY_SCENE | ({"broad_phase": True} if has_program(solver) else {}),
         splits_steps=True,
         shares_contacts=False,
-        skin=LIVE_SKIN if solver == "substep" else None,
-        reach=LIVE_SKIN if solver == "substep" else None,
+        sight=Sight(LIVE_SKIN, LIVE_SKIN) if solver == "substep" else None,
     )
 
 

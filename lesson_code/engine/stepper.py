@@ -47,6 +47,7 @@ from lesson_code.engine.core.recording import Stepper, record
 from lesson_code.engine.core.rows import State, World
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene, scene_at
+from lesson_code.engine.core.sight import Sight
 from lesson_code.engine.core.solver import Request, Solver
 from lesson_code.engine.core.step import advance
 from lesson_code.engine.core.tables import BROAD_PHASES, arrays_of
@@ -190,10 +191,9 @@ class EngineStepper(Stepper):
         the first such body is met.
     shares_contacts : bool, optional
         Whether sub-steps share the contacts of their step; None: as its solver has it.
-    skin : float, optional
-        Of a body's width: how far from its surface contacts are seen; None: as its solver has it.
-    reach : float, optional
-        Of a body's width: how far one may move unwatched; None: as its solver has it.
+    sight : Sight, optional
+        From where on contacts are seen, and how far a body may move in a step unwatched; None: as
+        its solver has it.
 
     Attributes
     ----------
@@ -227,25 +227,21 @@ class EngineStepper(Stepper):
         duration: float = math.inf,
         splits_steps: bool = False,
         shares_contacts: bool | None = None,
-        skin: float | None = None,
-        reach: float | None = None,
+        sight: Sight | None = None,
     ) -> None:
         self.dt = dt
         self._solver = our_solvers()[solver]
         self._options = options
         shares = self._solver.shares_contacts if shares_contacts is None else shares_contacts
         self._steps_a_step = 1 if shares else substeps
-        seen = (
-            self._solver.skin if skin is None else skin,
-            self._solver.reach if reach is None else reach,
-        )
-        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine, *seen)
+        sight = sight or self._solver.sight
+        self._question = Question(scene, solver, dt / self._steps_a_step, duration, combine, sight)
         self._asked = effects if keep_impulses else {**(effects or {}), "impulse_record": False}
         self._changes: list[str] = []
         self.effects = choose_effects(self._question, self._asked)
         stages = pipeline_for(scene, self._solver, self.effects, self._options)
         self.pipeline = stages._replace(splits_steps=splits_steps)
-        self.world = arrays_of(scene, dt / self._steps_a_step, iterations, combine, *seen)
+        self.world = arrays_of(scene, dt / self._steps_a_step, iterations, combine, sight)
         self.world.state.substeps = substeps // self._steps_a_step
         self._rows = self.world
         self._steps_planned = duration / dt

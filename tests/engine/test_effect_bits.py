@@ -252,7 +252,7 @@ def solvers_of(effect: str) -> list[str]:
     detection.
     """
     able = [s for s in SOLVERS if not any(effect in names for names in capabilities(s))]
-    return [s for s in able if effect != "continuous" or our_solvers()[s].reach == REACH]
+    return [s for s in able if effect != "continuous" or our_solvers()[s].sight.reach == REACH]
 
 
 def run_of(spared: Spared, solver: str, effects: dict[str, bool], **settings: Any) -> Run:

@@ -10,12 +10,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from lesson_code.engine.core.constants import REACH
 from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.pipeline import MakePart, SolverStages
 from lesson_code.engine.core.recording import Sample
 from lesson_code.engine.core.run import Run
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.sight import NO_SKIN, Sight
 from lesson_code.engine.core.step import rigid_part
 
 
@@ -70,10 +70,8 @@ class Solver:
         How it makes a step, or the part of one until an impact.
     shares_contacts : bool
         Whether its sub-steps share the contacts of their step; else each finds its own.
-    skin : float
-        Of a body's width: how far from its surface contacts are seen already.
-    reach : float
-        Of a body's width: how far one may move in a step unwatched.
+    sight : Sight
+        From where on it sees contacts, and how far a body may move in a step unwatched.
     iterations, substeps : int
         Sweeps and sub-steps in a step, unless they are given.
     has_matrices : bool
@@ -100,8 +98,7 @@ class Solver:
     run_scene: RunScene | None = None
     make_part: MakePart = rigid_part
     shares_contacts: bool = False
-    skin: float = 0.0
-    reach: float = REACH
+    sight: Sight = NO_SKIN
     iterations: int = 10
     substeps: int = 1
     has_matrices: bool = False

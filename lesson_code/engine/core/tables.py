@@ -24,7 +24,6 @@ from lesson_code.engine.core.constants import (
     LARGEST_IN_GRID,
     MOST_COLOURS,
     MOST_MARGIN,
-    REACH,
 )
 from lesson_code.engine.core.mixing import RULES, MixingRule
 from lesson_code.engine.core.pipeline import BroadPhase
@@ -38,6 +37,7 @@ from lesson_code.engine.core.rows import (
     World,
 )
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.sight import NO_SKIN, Sight
 from lesson_code.geometry.outline import Point
 from lesson_code.geometry.rows import Corner, ManifoldRow, corner_rows
 
@@ -53,12 +53,7 @@ local_values = attrgetter("local_x", "local_y", "local_nx", "local_ny")
 
 
 def world_of(
-    scene: Scene,
-    dt: float,
-    iterations: int,
-    combine: MixingRule,
-    skin: float = 0.0,
-    reach: float = REACH,
+    scene: Scene, dt: float, iterations: int, combine: MixingRule, sight: Sight = NO_SKIN
 ) -> World:
     """Return the tables of a scene as lists of rows, its bodies where they begin.
 
@@ -70,19 +65,14 @@ def world_of(
     FloatingPointError
         A mass is so small that its inverse is no number.
     """
-    return full_rows(arrays_of(scene, dt, iterations, combine, skin, reach))
+    return full_rows(arrays_of(scene, dt, iterations, combine, sight))
 
 
 def arrays_of(
-    scene: Scene,
-    dt: float,
-    iterations: int,
-    combine: MixingRule,
-    skin: float = 0.0,
-    reach: float = REACH,
+    scene: Scene, dt: float, iterations: int, combine: MixingRule, sight: Sight = NO_SKIN
 ) -> World:
     """Return the same tables as arrays with all fields."""
-    columns = scene.columns
+    columns, (skin, reach) = scene.columns, sight
     bodies, corners = outlined_bodies(scene, skin)
     count, slots = len(columns), slots_for(len(columns))
     width, thickness = (c[columns.is_free] for c in (columns.min_width, columns.thickness))

@@ -10,9 +10,9 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from lesson_code.engine.core.constants import REACH
 from lesson_code.engine.core.mixing import MIXING_RULES, RULES, MixingRule
 from lesson_code.engine.core.scene import Scene
+from lesson_code.engine.core.sight import NO_SKIN, Sight
 from lesson_code.engine.effects.facts import Coefficients, Facts, Seen, SeenBody, look
 from lesson_code.engine.effects.flights import can_meet
 
@@ -51,10 +51,8 @@ class Question:
         s; ``math.inf``: not yet known.
     combine : MixingRule
         How a pair's coefficients come from its bodies'.
-    skin : float
-        Of a body's width: how far from its surface the solver sees contacts.
-    reach : float
-        Of a body's width: how far one may move in a step unwatched.
+    sight : Sight
+        From where on the solver sees contacts, and how far a body may move in a step unwatched.
     """
 
     scene: Scene
@@ -62,14 +60,13 @@ class Question:
     dt: float = 1 / 60
     duration: float = math.inf
     combine: MixingRule = MIXING_RULES["workbook"]
-    skin: float = 0.0
-    reach: float = REACH
+    sight: Sight = NO_SKIN
 
     @cached_property
     def facts(self) -> Facts:
         """What the rules ask of the scene, from one look at it, which is kept with the scene."""
         kept: dict[Any, Facts] = vars(self.scene).setdefault("_facts", {})
-        how = self.dt, self.duration, self.combine, self.skin, self.reach
+        how = self.dt, self.duration, self.combine, self.sight
         if how not in kept:
             kept[how] = self._look()
         return kept[how]
@@ -84,8 +81,7 @@ class Question:
             scene.damping,
             self.dt,
             self.duration,
-            self.skin,
-            self.reach,
+            *self.sight,
             RULES[self.combine.restitution],
             RULES[self.combine.friction],
             scene.callbacks.wanted,

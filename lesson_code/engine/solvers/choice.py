@@ -35,6 +35,7 @@ from lesson_code.engine.core.mixing import MixingRule
 from lesson_code.engine.core.neighbours import has_neighbour
 from lesson_code.engine.core.penetration import EVERY_OVERLAP, deepest_overlaps, see_contacts
 from lesson_code.engine.core.scene import Body, Scene
+from lesson_code.engine.core.sight import Sight
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.choice import capabilities, checked_wishes
 from lesson_code.engine.effects.facts import Facts
@@ -178,7 +179,7 @@ def falling(scene: Scene) -> int:
     if not any(scene.gravity):
         return 0
     free, near = int(scene.columns.is_free.sum()), _with_neighbours(scene)
-    world = world_of(near, dt=1.0, iterations=0, combine=MixingRule(), skin=SKIN)
+    world = world_of(near, dt=1.0, iterations=0, combine=MixingRule(), sight=Sight(SKIN))
     while not see_contacts(world, BROAD_PHASES[broad_phase_for(near)], EVERY_OVERLAP):
         world = add_capacity(world)
     contacts = world.contacts[: world.state.contact_count]

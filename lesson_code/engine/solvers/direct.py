@@ -57,6 +57,7 @@ from lesson_code.engine.core.islands import (
 )
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import ContactRow, World
+from lesson_code.engine.core.sight import Sight
 from lesson_code.engine.core.skin import gap_of
 from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import midpoint, midpoint_part
@@ -309,8 +310,7 @@ _OWN = "the direct solver finds all impulses of an island at once"
 SOLVER = Solver(
     name="direct",
     make_part=midpoint_part,
-    skin=SKIN,
-    reach=SKIN,
+    sight=Sight(SKIN, SKIN),
     has_matrices=True,
     has_one_sweep=True,
     options={

@@ -75,6 +75,7 @@ from lesson_code.engine.core.contact_frame import (
 from lesson_code.engine.core.contact_motion import gap_between, way_apart
 from lesson_code.engine.core.pipeline import SolverStages
 from lesson_code.engine.core.rows import BodyRow, ContactRow, State, World
+from lesson_code.engine.core.sight import Sight
 from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
@@ -320,7 +321,7 @@ SOLVER = Solver(
     stages=SolverStages(prepare, warm_start, solve, has_overlap_to_undo, correct, store),
     make_part=soft_part,
     shares_contacts=True,
-    skin=SOFT_SKIN,
+    sight=Sight(SOFT_SKIN),
     iterations=1,
     substeps=4,
     built_in={"warm_starting": "each sub-step begins with the impulses of the one before"},

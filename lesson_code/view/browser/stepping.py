@@ -38,7 +38,7 @@ def scene_rules(solver: Solver) -> dict[str, Any]:
         "dt": 1 / 60,
         "iterations": solver.iterations,
         "substeps": solver.substeps,
-        "skin": solver.skin,
+        "skin": solver.sight.skin,
         "restitution": MixingRule().restitution,
         "friction": MixingRule().friction,
     }

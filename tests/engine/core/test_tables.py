@@ -11,6 +11,7 @@ from lesson_code import Body, Circle, Material, MixingRule, Polygon, Scene, Segm
 from lesson_code.engine.core.constants import FEWEST_FOR_GRID, LARGEST_IN_GRID, MOST_MARGIN
 from lesson_code.engine.core.mixing import GEOMETRIC_MEAN, MAX, UNSPECIFIED
 from lesson_code.engine.core.rows import BodyRow, World
+from lesson_code.engine.core.sight import Sight
 from lesson_code.engine.core.tables import BROAD_PHASES, broad_phase_for, world_of
 from lesson_code.engine.effects.question import Question
 
@@ -47,9 +48,10 @@ def test_reach_is_that_of_the_body_that_is_seen_through_first() -> None:
         ([plank, rod], 0.1, 0.1, 0.05),
         ([wall], 0.1, 0.1, math.inf),
     ):
-        world = world_of(Scene(bodies), 0.01, 1, MixingRule(), skin, reach)
+        sight = Sight(skin, reach)
+        world = world_of(Scene(bodies), 0.01, 1, MixingRule(), sight)
         assert world.state.reach == pytest.approx(expected, rel=1e-15)
-        assert Question(Scene(bodies), skin=skin, reach=reach).facts.room == world.state.reach
+        assert Question(Scene(bodies), sight=sight).facts.room == world.state.reach
 
 
 def test_row_of_a_static_body_cannot_be_moved_and_is_no_scale() -> None:
