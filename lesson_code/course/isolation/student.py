@@ -34,7 +34,6 @@ MOST_HANGS = 2
 """Calls of a function that may be cut off; after them it is called no more, so that it does not use
 up the time of the submission's other functions."""
 
-
 SECONDS_TOGETHER = 1.0
 """Of the processor, for all calls that are made in one go, before each is made by itself; those of
 most chapters take some milliseconds."""
@@ -167,6 +166,8 @@ class StudentProcess:
                     for group, some in zip(groups, answers, strict=True)
                     for request, answer in zip(group, some, strict=False)
                 ]
+        if not isinstance(reply, CallOutcome):  # its own line: more may follow
+            self._end()
         return []
 
     def _called(self, function: str, arguments: Arguments, lender: Lender | None) -> CallOutcome:
