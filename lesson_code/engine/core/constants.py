@@ -186,6 +186,12 @@ SOFT_DAMPING = 10.0
 It corrects 7 % of an overlap in a sub-step. At 1 it would be 44 %, and the stack of 20 falls.
 """
 
+SOFT_WAY, MOST_OF_LOAD = 0.01, 7.0
+"""Of the lesser width: a contact that would move, in a sub-step, by more than this otherwise than
+its spring asks for is solved again. And times the speed that gravity gives in a sub-step: impulses
+of the last one that give a body more are not all load (loads.py).
+"""
+
 IMPACT_SWEEPS = 20
 """Sweeps over the contacts in which an impact is solved, at the most; two discs need one. So many
 sweeps of pushes are made, too, where fewer leave bodies deep in one another: of 400 heaps in a bin,

@@ -178,15 +178,14 @@ def note_losses(world: World) -> None:
         body = world.bodies[i]
         if body.inv_m > 0.0 and not body.is_asleep:
             first = world.bodies[first_of_island(world.bodies, i)]
-            first.between += energy_between(body)
+            dx, dy = body.pseudo_vx - body.vx, body.pseudo_vy - body.vy
+            first.between += energy_of_motion(body, dx, dy, body.pseudo_w - body.w)
 
 
-def energy_between(body: BodyRow) -> float:
-    """Return the kinetic energy of the difference that the bounce makes to a body's motion, J."""
-    dx, dy = body.pseudo_vx - body.vx, body.pseudo_vy - body.vy
-    dw = body.pseudo_w - body.w
-    turning = dw * dw / body.inv_i if body.inv_i > 0.0 else 0.0
-    return ((dx * dx + dy * dy) / body.inv_m + turning) / 2
+def energy_of_motion(body: BodyRow, vx: float, vy: float, w: float) -> float:
+    """Return the kinetic energy that a body has at some velocity, J."""
+    turning = w * w / body.inv_i if body.inv_i > 0.0 else 0.0
+    return ((vx * vx + vy * vy) / body.inv_m + turning) / 2
 
 
 def give_part_of_bounces(world: World) -> None:

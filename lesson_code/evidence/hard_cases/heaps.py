@@ -119,6 +119,30 @@ def heap_that_lies(draw: Draw, trial: Trial) -> float:
 
 @family(
     THEME,
+    why="What stops a heavy body goes through light ones, to which it is a blow at each change.",
+    law="All stay in the box, and never have more energy than before they fell.",
+    unit="",
+    bound=ROUNDING,
+    reason="rounding",
+)
+def heavy_ball_on_a_heap(draw: Draw, trial: Trial) -> float:
+    """A ball of up to 10,000 times their mass falls on 25 to 120: how many get out, or gain."""
+    surface = Material(draw.uniform("restitution", 0.0, 0.5), draw.uniform("friction", 0.1, 1.0))
+    heap = poured(draw, surface, ratio=2.0)
+    radius = heap.size * draw.uniform("radius", 0.5, 3.0)
+    filled = GRAVITY * heap.fall**2 / 2
+    middle, above = heap.width / 2, filled + 6 * heap.size
+    mass = draw.log_uniform("load", 1.0, 1e4)
+    ball = Body(Circle(radius), mass=mass, position=(middle, above), material=surface)
+    lid = Body(Segment((0, 3 * filled), (heap.width, 3 * filled)), material=surface)
+    scene = Scene([*heap.scene.bodies, ball, lid], gravity=heap.scene.gravity)
+    run = trial.run(scene, heap.fall + 30 * math.sqrt(heap.size / GRAVITY), sample=None)
+    y = run.positions[-1, free(scene), 1]
+    return int((y > 3 * filled).sum()) + outside(heap, run) or gain(run.energy)
+
+
+@family(
+    THEME,
     why="They never come to rest, and collide some thousand times.",
     law=KEEPS,
     unit="",
