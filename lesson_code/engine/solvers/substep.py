@@ -59,6 +59,7 @@ from lesson_code.engine.core.constants import (
     IMPACT_SWEEPS,
     MOST_IMPACT_SWEEPS,
     MOST_SUNK,
+    MOST_SUNK_IN_WALL,
     SLOP,
     SOFT_DAMPING,
     SOFT_FREQUENCY,
@@ -194,13 +195,19 @@ def soft_depth(world: World, c: ContactRow, impulse: float) -> float:
     """Return the overlap that is left to the spring, m: what its load sinks by, and the slop."""
     state, width = world.state, min(world.bodies[c.a].min_width, world.bodies[c.b].min_width)
     sinking = impulse / (state.dt * c.normal_mass * state.omega * state.omega)
-    return min(sinking, MOST_SUNK * width) + SLOP * width
+    return min(sinking, most_sunk(world, c)) + SLOP * width
+
+
+def most_sunk(world: World, c: ContactRow) -> float:
+    """Return the overlap at most to which a spring gives way, m: less in what nothing can push."""
+    a, b = world.bodies[c.a], world.bodies[c.b]
+    is_wall = a.inv_m == 0.0 or b.inv_m == 0.0
+    return (MOST_SUNK_IN_WALL if is_wall else MOST_SUNK) * min(a.min_width, b.min_width)
 
 
 def spring_frequency(world: World, c: ContactRow) -> float:
     """Return omega of a contact's spring, rad/s: stiffer where its load would sink too deep."""
-    a, b = world.bodies[c.a], world.bodies[c.b]
-    stiffness = c.normal_impulse / (world.state.dt * MOST_SUNK * min(a.min_width, b.min_width))
+    stiffness = c.normal_impulse / (world.state.dt * most_sunk(world, c))
     return max(world.state.omega, math.sqrt(stiffness / c.normal_mass))
 
 
