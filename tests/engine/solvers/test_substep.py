@@ -100,13 +100,15 @@ def test_overlap_without_a_load_shrinks_as_a_damped_spring_in_implicit_steps() -
 def test_heavy_box_on_a_light_one_sinks_by_the_springs_law_and_stays(ratio: float) -> None:
     """Two points, each of effective mass m / 2.5, carry the load at each face of the light box.
 
-    k = 1/m + 0.5^2 / (m/6) = 2.5 / m: sinking 1.25 (1 + ratio) g / omega^2 at either face. At a
-    ratio of 1000, 0.18 m in all. The sequential solver's light box is crushed at that.
+    k = 1/m + 0.5^2 / (m/6) = 2.5 / m: sinking 1.25 (1 + ratio) g / omega^2 at either face, but no
+    more than a fortieth of the width into the floor, whose spring is made stiffer. At a ratio of
+    1000, 0.11 m in all. The sequential solver's light box is crushed at that. A spring that is made
+    stiffer follows its load, and settles later: to 1e-7 m/s.
     """
     run = soft(tower([1.0, ratio]), 20.0, sample="end")
-    sinking = 1.5 - run.positions[-1, 2, 1]
-    assert sinking == pytest.approx(2.5 * (1 + ratio) * G / OMEGA**2, abs=1e-6)
-    assert np.abs(run.velocities[-1]).max() <= SETTLED
+    sinking, at_a_face = 1.5 - run.positions[-1, 2, 1], 1.25 * (1 + ratio) * G / OMEGA**2
+    assert sinking == pytest.approx(at_a_face + min(at_a_face, 1 / 40), abs=1e-6)
+    assert np.abs(run.velocities[-1]).max() <= (SETTLED if at_a_face < 1 / 40 else 1e-7)
     if ratio == 1000:
         crushed = simulate(
             tower([1.0, ratio]), 20.0, iterations=8, sample="end", solver="sequential"
