@@ -83,7 +83,7 @@ from lesson_code.engine.core.solver import Solver
 from lesson_code.engine.core.step import soft_part
 from lesson_code.engine.effects.flags import EVERY_EFFECT, Effects
 from lesson_code.engine.solvers import sequential as contact_solver
-from lesson_code.engine.solvers.block_solver import two_impulses
+from lesson_code.engine.solvers.block_solver import solve_pseudo_velocities, two_impulses
 from lesson_code.engine.solvers.blows import pass_blows
 from lesson_code.engine.solvers.impacts import let_impacts_pass
 from lesson_code.engine.solvers.loads import give_loads
@@ -93,6 +93,7 @@ from lesson_code.engine.solvers.sequential import (
     recall,
     solve_pseudo_velocity,
 )
+from lesson_code.engine.solvers.visits import is_second_of_block
 
 # Once a step
 
@@ -168,15 +169,19 @@ def push_deep(world: World, effects: Effects = EVERY_EFFECT) -> None:
             contact_solver.correct(world, effects)
             sweeps += 1
         if sweeps == IMPACT_SWEEPS:
-            push_out_of_walls(world)
+            push_out_of_walls(world, effects)
 
 
-def push_out_of_walls(world: World) -> None:
+def push_out_of_walls(world: World, effects: Effects = EVERY_EFFECT) -> None:
     """Push bodies out of what nothing can push, be it into one another."""
     for k in range(world.state.contact_count):
         c = world.contacts[k]
         a, b = world.bodies[c.a], world.bodies[c.b]
-        if a.inv_m == 0.0 or b.inv_m == 0.0:
+        if (a.inv_m > 0.0 and b.inv_m > 0.0) or is_second_of_block(world, k, effects):
+            continue
+        if effects.manifolds and c.is_block:
+            solve_pseudo_velocities(c, world.contacts[k + 1], a, b)
+        else:
             solve_pseudo_velocity(c, a, b)
 
 

@@ -42,9 +42,17 @@ class Heap(NamedTuple):
 
 
 def poured(
-    draw: Draw, surface: Material, ratio: float = 100.0, kinds: tuple[str, ...] = KINDS
+    draw: Draw,
+    surface: Material,
+    ratio: float = 100.0,
+    kinds: tuple[str, ...] = KINDS,
+    smallest: float | None = None,
 ) -> Heap:
-    """Draw bodies of one kind or of all, at rest in rows above the floor of a bin, of any size."""
+    """Draw bodies of one kind or of all, at rest in rows above the floor of a bin, of any size.
+
+    The smallest is half as large as the largest, or some other part of it: then all are of one
+    density, and `ratio` counts beside it.
+    """
     count = round(draw.log_uniform("count", MOST_FALLING + 1, MOST))
     kind = draw.choice("kind", kinds)
     size, masses = draw.log_uniform("size", 0.03, 3.0), draw.log_uniform("ratio", 1.0, ratio)
@@ -53,10 +61,12 @@ def poured(
     bodies = []
     for n in range(count):
         what = str(rng.choice(KINDS[:-1])) if kind == "mixed" else kind
+        part = rng.uniform(0.5, 1) if smallest is None else smallest ** rng.uniform(0, 1)
+        area = 1.0 if smallest is None else part**2
         bodies.append(
             Body(
-                shape_of(what, size * rng.uniform(0.5, 1)),
-                mass=float(masses ** rng.uniform(0, 1)),
+                shape_of(what, size * part),
+                mass=float(area * masses ** rng.uniform(0, 1)),
                 position=((n % columns + 0.5) * cell, (n // columns + 1) * cell),
                 angle=float(rng.uniform(0, 2 * math.pi)),
                 material=surface,
@@ -139,6 +149,22 @@ def heavy_ball_on_a_heap(draw: Draw, trial: Trial) -> float:
     run = trial.run(scene, heap.fall + 30 * math.sqrt(heap.size / GRAVITY), sample=None)
     y = run.positions[-1, free(scene), 1]
     return int((y > 3 * filled).sum()) + outside(heap, run) or gain(run.energy)
+
+
+@family(
+    THEME,
+    why="The large press on the small at a few points, and roll over them.",
+    law="All stay in the bin, and never have more energy than before they fell.",
+    unit="",
+    bound=ROUNDING,
+    reason="rounding",
+)
+def heap_of_all_sizes(draw: Draw, trial: Trial) -> float:
+    """25 to 100 bodies up to 50 times as large as others fall: how many get out, or gain."""
+    surface = Material(draw.uniform("restitution", 0.0, 0.5), draw.uniform("friction", 0.1, 1.0))
+    heap = poured(draw, surface, ratio=2.0, smallest=draw.log_uniform("smallest", 0.02, 1.0))
+    run = trial.run(heap.scene, heap.fall + 30 * math.sqrt(heap.size / GRAVITY), sample=None)
+    return outside(heap, run) or gain(run.energy)
 
 
 @family(
