@@ -63,12 +63,15 @@ def energy(world: World) -> float:
 
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_load_is_given_again_whole(ratio: float) -> None:
-    """It takes back what gravity has given: all are at rest, and each impulse is what it was."""
+    """It takes back what gravity has given, and each impulse is what it was.
+
+    Of the load a fiftieth is left, as springs still settle: for the light boxes that is some speed.
+    """
     world = deepcopy(at_rest(ratio))
     before = [c.normal_impulse for c in world.contacts[: world.state.contact_count]]
     give_loads(world)
     assert [c.normal_impulse for c in world.contacts[: world.state.contact_count]] == before
-    assert max(abs(body.vy) for body in world.bodies) < 0.02 * G * H
+    assert max(abs(body.vy) for body in world.bodies) < 0.02 * ratio * G * H
 
 
 @given(ratio=st.sampled_from(RATIOS), times=st.floats(1.0, 1e6))
