@@ -22,6 +22,10 @@ until beta overlap / h = gamma jn, where rigid contacts would need many sweeps t
 the spring has pushed would be speed out of nothing: after the motion the rigid sweep asks for
 vn >= 0 and takes it back.
 
+What has carried a load in the last sub-step is given again, as far as that adds no energy
+(``loads``). Where it no longer balances, since bodies have turned or others have come, the springs
+are swept until they fit: under a heavy load a light body would be shot through a wall.
+
 Impacts are no springs. They are solved first, rigid, from e times the speed of approach, sweep
 after sweep until they fit (``impacts``); there is no other bounce in the step. Their impulses are
 not repeated in a warm start. So an impact with e = 1 keeps its energy, and nothing fast is let in.
