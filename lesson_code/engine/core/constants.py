@@ -180,8 +180,7 @@ MOST_SUNK, MOST_SUNK_IN_WALL = 0.1, 0.025
 lowest of 120 capsules 4 mm thick would be pressed through a floor that is a line.
 
 What is pressed between a heavy body and a wall has no room: a fifth of its width is in the wall.
-With half, 8 of 300 heaps under a heavy ball would lose a plank through the floor; so 3 do. With a
-hundredth of the width for a wall's spring 7 do: it is stiffer than sweeps can follow.
+With half of it 6 of 300 heaps under a heavy ball lose a body through a wall, so 2 do.
 """
 
 SOFT_DAMPING = 10.0

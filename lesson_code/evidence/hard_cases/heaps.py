@@ -160,7 +160,7 @@ def heavy_ball_on_a_heap(draw: Draw, trial: Trial) -> float:
     reason="rounding",
 )
 def heap_of_all_sizes(draw: Draw, trial: Trial) -> float:
-    """25 to 100 bodies up to 50 times as large as others fall: how many get out, or gain."""
+    """25 to 120 bodies up to 50 times as large as others fall: how many get out, or gain."""
     surface = Material(draw.uniform("restitution", 0.0, 0.5), draw.uniform("friction", 0.1, 1.0))
     heap = poured(draw, surface, ratio=2.0, smallest=draw.log_uniform("smallest", 0.02, 1.0))
     run = trial.run(heap.scene, heap.fall + 30 * math.sqrt(heap.size / GRAVITY), sample=None)
